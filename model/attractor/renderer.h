@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/appearance.h"
+#include "attractor/camera.h"
+#include "ifs/control_cage.h"
+#include "ifs/iterated_function_system.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+// pixel = camera · cage · w_σ · sample
+namespace attractor {
+
+enum class Algorithm {
+    Density,       // instanced samples of the invariant measure, refined without end
+    ChaosGame,     // the paper's: exactly `samples` points are plotted, after 14 that are not
+    Deterministic, // Wⁿ(rest cage), filled, n = iterations
+};
+
+// What fixes the meaning of brightness: kept from frame to frame during a drag so that nothing flickers.
+struct Exposure {
+    double meanDensity = 0; // of the occupied pixels of the view
+    double whitePoint = 0;  // ρ_w, relative to that mean
+};
+
+// An immutable job. Same request (revision and threads apart) ⇒ same pixels.
+struct RenderRequest {
+    std::uint64_t revision = 0; // handed through to the frame
+    ifs::IteratedFunctionSystem<2> system;
+    std::optional<ifs::ControlCage<2>> cage; // nullopt: the code is drawn as it is
+    Appearance appearance;
+    Camera camera;
+    Algorithm algorithm = Algorithm::Density;
+    std::uint64_t samples = 10'000'000; // Density: samples over the whole attractor in one pass
+    std::uint64_t seed = 1;
+    int iterations = 0;               // Deterministic
+    int threads = 1;                  // ≥ 1; never changes a pixel
+    std::optional<Exposure> exposure; // nullopt: measured
+};
+
+// Why a picture may not show what the user expects. The sentence for the user is the view's.
+enum class RenderNote {
+    None,
+    NoMaps,          // no map takes part: an empty picture
+    NoAttractor,     // some word expands; points that leave a huge range are dropped
+    Undecided,       // existence not settled; drawn with the same guard
+    TooDeep,         // zoomed beyond the resolution of the arithmetic
+    Degenerate,      // the picture is flat in this placement
+};
+
+// An immutable result.
+struct Frame {
+    std::uint64_t revision = 0;
+    Camera camera;
+    std::vector<std::uint32_t> pixels; // 0xAARRGGBB, premultiplied, rows from the top, camera.width × camera.height
+    std::uint64_t samples = 0;         // accumulated so far
+    int passes = 0;
+    Exposure exposure;
+    RenderNote note = RenderNote::None;
+    double milliseconds = 0; // time the last pass took
+};
+
+// A picture in the making: each pass adds request.samples samples with streams of its own and converges to the
+// invariant measure. Algorithm::Deterministic is finished after one pass. Not thread-safe; owns its worker threads.
+class Rendering {
+public:
+    explicit Rendering(RenderRequest request);
+    ~Rendering();
+    Rendering(Rendering&&) noexcept;
+    Rendering& operator=(Rendering&&) noexcept;
+
+    // One more pass of `samples` samples (0: request.samples). Returns false, with the picture as before, when stopped.
+    bool refine(std::stop_token stop = {}, std::uint64_t samples = 0);
+    bool finished() const; // nothing more to gain
+    Frame frame() const;   // tone-mapped picture of what has been accumulated
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+// One pass, synchronous. What export, the command line and the tests call.
+Frame render(const RenderRequest& request);
+
+} // namespace attractor

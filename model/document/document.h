@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal_file.h"
+
+#include <QFlags>
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <cstdint>
+
+namespace document {
+
+class EditGesture;
+
+// What differs from before.
+struct Change {
+    enum Part {
+        System = 0x01,     // maps, weights, order, on/off
+        Cage = 0x02,
+        Appearance = 0x04,
+        Name = 0x08,       // and comments
+        Entries = 0x10,    // added, removed, reordered
+        Current = 0x20,    // another entry is shown
+        File = 0x40,       // another file altogether
+        Everything = 0x7f,
+    };
+    Q_DECLARE_FLAGS(Parts, Part)
+    Parts parts;
+    bool live = false; // in the middle of a gesture: more of the same is to come
+};
+
+// The open file, the entry being edited, and the history. Lives in the GUI thread.
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr); // a new file with a Sierpiński triangle
+
+    const FractalFile& file() const { return m_file; }
+    const Entry& currentEntry() const;
+    const Fractal& fractal() const { return *currentEntry().fractal; } // the entry being edited
+    EntryId currentId() const { return m_current; }
+    std::uint64_t revision() const { return m_revision; } // grows with every change
+    QUndoStack* undoStack() { return &m_undoStack; }
+    bool isModified() const { return !m_undoStack.isClean(); }
+
+    void setFile(FractalFile file, EntryId current = EntryId::None); // clears the history; None: the first loadable entry
+    void setCurrent(EntryId id); // not a step of the history
+    void markSaved(FractalFile saved); // after saving: the clean state; sources are those of the bytes written
+
+    // One undo step each, described by `text` in the imperative; nothing happens when nothing would change.
+    void edit(const QString& text, Fractal after);
+    void editFile(const QString& text, FractalFile after, EntryId current = EntryId::None);
+
+signals:
+    void changed(const document::Change& change);
+
+private:
+    friend class EditGesture;
+    friend class EditCommand;
+    struct State {
+        FractalFile file;
+        EntryId current = EntryId::None;
+    };
+    void apply(State state, bool live);
+    void push(const QString& text, State before, State after);
+
+    FractalFile m_file;
+    EntryId m_current = EntryId::None;
+    std::uint64_t m_revision = 0;
+    QUndoStack m_undoStack;
+    EditGesture* m_gesture = nullptr; // at most one is open
+};
+
+Q_DECLARE_OPERATORS_FOR_FLAGS(Change::Parts)
+
+} // namespace document
+
+Q_DECLARE_METATYPE(document::Change)

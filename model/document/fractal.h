@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/appearance.h"
+#include "attractor/renderer.h"
+#include "ifs/control_cage.h"
+#include "ifs/iterated_function_system.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <variant>
+
+namespace document {
+
+using System2 = ifs::IteratedFunctionSystem<2>;
+using System3 = ifs::IteratedFunctionSystem<3>;
+
+// One entry of a file, as a plain value.
+struct Fractal {
+    QString name;
+    QString headerComment; // what follows the opening brace, without the semicolon
+    QStringList comments;  // the entry's own comment lines in their order, without the semicolon
+    // monostate: the entry could not be read; its bytes are kept in its source.
+    std::variant<std::monostate, System2, System3> system;
+    std::optional<ifs::ControlCage<2>> cage; // nullopt: the minimal canonical simplex of the code, at rest
+    attractor::Appearance appearance;
+
+    friend bool operator==(const Fractal&, const Fractal&) = default;
+};
+
+inline const System2* system2(const Fractal& fractal) { return std::get_if<System2>(&fractal.system); }
+inline System2* system2(Fractal& fractal) { return std::get_if<System2>(&fractal.system); }
+int dimension(const Fractal& fractal); // 2 or 3; 0 for an unreadable entry
+
+// The cage in force: the stored one, else the minimal canonical simplex of the code at rest (or, when the code has
+// no attractor, a unit triangle). Costs a certified simplex when none is stored.
+ifs::ControlCage<2> effectiveCage(const Fractal& fractal);
+
+// The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is flat.
+std::optional<System2> effectiveSystem(const Fractal& fractal);
+
+// The request that draws the fractal through the camera with default quality.
+attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera);
+
+// Certified box of what is displayed (the attractor under its cage); nullopt when there is none.
+struct Box {
+    ifs::Vector<2> min;
+    ifs::Vector<2> max;
+};
+std::optional<Box> displayedBox(const Fractal& fractal);
+
+Fractal sierpinskiTriangle(); // what File → New starts with
+
+} // namespace document

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "document/problem.h"
+
+#include <QByteArray>
+#include <QList>
+
+#include <cstdint>
+#include <memory>
+
+namespace document {
+
+enum class EntryId : std::uint32_t { None = 0 };
+
+// The bytes an entry was read from, and what they meant. Never changes: while the entry's fractal still equals
+// `fractal`, it is written back byte for byte.
+struct EntrySource {
+    QByteArray before; // everything between the previous entry and this one
+    QByteArray text;   // from the name to the closing brace and the rest of that line where it belongs to the entry
+    Fractal fractal;
+    int line = 1;      // of the name, 1-based
+};
+
+struct Entry {
+    EntryId id = EntryId::None;
+    std::shared_ptr<const Fractal> fractal;      // never null; shared between the steps of the history
+    std::shared_ptr<const EntrySource> source;   // null for an entry made here
+    Problems problems;                           // found when it was read
+
+    friend bool operator==(const Entry& a, const Entry& b);
+};
+
+// An ordered file of entries: a plain value, cheap to copy.
+struct FractalFile {
+    QList<Entry> entries;
+    QByteArray tail;                 // after the last entry: comments, ^Z
+    QByteArray lineEnd = "\n";
+    Problems problems;               // of the file as a whole
+
+    friend bool operator==(const FractalFile&, const FractalFile&);
+};
+
+EntryId freshId(const FractalFile& file);
+qsizetype indexOf(const FractalFile& file, EntryId id); // −1 when absent
+// `name` made legal and unique in the file, ignoring case: at most 18 characters, no blanks, ( ; { }.
+QString uniqueName(const FractalFile& file, const QString& name);
+
+} // namespace document

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "document/problem.h"
+
+namespace document {
+
+QString toText(const Problem& problem, const QString& fileName) {
+    const QString severity =
+        problem.severity == Problem::Severity::Error ? QStringLiteral("error") : QStringLiteral("warning");
+    const QString entry = problem.entry.isEmpty() ? QString() : QStringLiteral("“%1”: ").arg(problem.entry);
+    if (problem.line == 0)
+        return QStringLiteral("%1: %2: %3%4").arg(fileName, severity, entry, problem.message);
+    return QStringLiteral("%1:%2:%3: %4: %5%6")
+        .arg(fileName)
+        .arg(problem.line)
+        .arg(problem.column)
+        .arg(severity, entry, problem.message);
+}
+
+} // namespace document

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QList>
+#include <QString>
+
+namespace document {
+
+// Something a reader found: a whole sentence for the user, and where.
+struct Problem {
+    enum class Severity { Warning, Error };
+
+    Severity severity = Severity::Warning;
+    QString entry; // name of the entry, empty for the file as a whole
+    int line = 0;  // 1-based; 0 when it concerns no single place
+    int column = 0; // 1-based, in bytes
+    QString message;
+
+    friend bool operator==(const Problem&, const Problem&) = default;
+};
+using Problems = QList<Problem>;
+
+// "file:line:column: error: sentence"
+QString toText(const Problem& problem, const QString& fileName);
+
+} // namespace document
