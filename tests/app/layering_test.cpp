@@ -25,8 +25,9 @@ namespace {
 
 QStringList sourceFiles(const QString& folder) {
     QStringList files;
-    QDirIterator it(QStringLiteral(BARYCAGE_SOURCE_DIR "/") + folder, {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
-                    QDir::Files, QDirIterator::Subdirectories);
+    QDirIterator it(QStringLiteral(BARYCAGE_SOURCE_DIR "/") + folder,
+                    {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                    QDirIterator::Subdirectories);
     while (it.hasNext())
         files << it.next();
     return files;
@@ -45,8 +46,8 @@ void LayeringTest::includesPointDownwards_data() {
     QTest::addColumn<QString>("mustNotInclude");
 
     const QString qt = QStringLiteral("^Q");
-    const QString widgets = QStringLiteral(
-        "^(QtWidgets|QWidget|QDialog|QMainWindow|QGraphics|QApplication|QMenu|QLabel|QAbstractItemView|QPrint)");
+    const QString widgets = QStringLiteral("^(QtWidgets|QWidget|QDialog|QMainWindow|QGraphics|QApplication|"
+                                           "QMenu|QLabel|QAbstractItemView|QPrint)");
     const QStringList ifs{QStringLiteral("ifs")};
     const QStringList attractor = ifs + QStringList{QStringLiteral("attractor")};
     const QStringList document = attractor + QStringList{QStringLiteral("document")};
@@ -76,13 +77,14 @@ void LayeringTest::includesPointDownwards() {
             const auto match = matches.next();
             const QString header = match.captured(2);
             if (match.captured(1) == QLatin1String("<")) {
-                QVERIFY2(!forbidden.match(header).hasMatch(), qPrintable(path + QStringLiteral(" includes <%1>").arg(header)));
+                QVERIFY2(!forbidden.match(header).hasMatch(),
+                         qPrintable(path + QStringLiteral(" includes <%1>").arg(header)));
                 continue;
             }
             const QString layer = header.contains(u'/') ? header.section(u'/', 0, 0) : QString();
-            if (header.endsWith(QLatin1String(".moc")))
-                continue;
-            QVERIFY2(mayKnow.contains(layer), qPrintable(path + QStringLiteral(" includes \"%1\"").arg(header)));
+            if (header.endsWith(QLatin1String(".moc"))) continue;
+            QVERIFY2(mayKnow.contains(layer),
+                     qPrintable(path + QStringLiteral(" includes \"%1\"").arg(header)));
         }
     }
 }
@@ -93,19 +95,20 @@ void LayeringTest::coreCompilesWithoutQt() {
     int seen = 0;
     for (const QJsonValue& entry : QJsonDocument::fromJson(file.readAll()).array()) {
         const QString path = entry[QLatin1String("file")].toString();
-        if (!path.contains(QLatin1String("/model/ifs/")) && !path.contains(QLatin1String("/model/attractor/")))
+        if (!path.contains(QLatin1String("/model/ifs/")) &&
+            !path.contains(QLatin1String("/model/attractor/")))
             continue;
-        if (!path.startsWith(QLatin1String(BARYCAGE_SOURCE_DIR "/model/")))
-            continue;
+        if (!path.startsWith(QLatin1String(BARYCAGE_SOURCE_DIR "/model/"))) continue;
         ++seen;
-        QVERIFY2(!entry[QLatin1String("command")].toString().contains(QLatin1String("QtCore")), qPrintable(path));
+        QVERIFY2(!entry[QLatin1String("command")].toString().contains(QLatin1String("QtCore")),
+                 qPrintable(path));
     }
     QVERIFY(seen > 0);
 }
 
 void LayeringTest::viewStartsNoThread() {
-    static const QRegularExpression thread(
-        QStringLiteral("\\b(std::j?thread|std::async|QThread(?!::currentThread)|QThreadPool|QtConcurrent)\\b"));
+    static const QRegularExpression thread(QStringLiteral(
+        "\\b(std::j?thread|std::async|QThread(?!::currentThread)|QThreadPool|QtConcurrent)\\b"));
     const QStringList files = sourceFiles(QStringLiteral("view"));
     QVERIFY(!files.isEmpty());
     for (const QString& path : files)
