@@ -11,8 +11,8 @@
 
 namespace view {
 
-// The only place that knows both the document and the render thread: every change of the document or the camera
-// becomes a request, every finished frame a signal in the GUI thread.
+// The only place that knows both the document and the render thread: every change of the document or the
+// camera becomes a request, every finished frame a signal in the GUI thread.
 class RenderBridge : public QObject {
     Q_OBJECT
 

@@ -19,7 +19,8 @@ struct Rgba {
     friend bool operator==(const Rgba&, const Rgba&) = default;
 };
 
-// A gradient over [0, 1]; stops in order of position, the first at 0, the last at 1, interpolated in linear light.
+// A gradient over [0, 1]; stops in order of position, the first at 0, the last at 1, interpolated in linear
+// light.
 struct Palette {
     struct Stop {
         double position = 0;

@@ -9,8 +9,8 @@
 namespace attractor {
 
 // A worker thread around Rendering: the newest request wins, an older one is abandoned within milliseconds.
-// After the first frame of a request the picture is refined with growing passes until `quality` samples per picture
-// are reached; then the thread sleeps.
+// After the first frame of a request the picture is refined with growing passes until `quality` samples per
+// picture are reached; then the thread sleeps.
 class RenderThread {
 public:
     // `frameReady` is called on the worker thread, never again before newestFrame() has been called since.

@@ -46,27 +46,29 @@ struct RenderRequest {
 // Why a picture may not show what the user expects. The sentence for the user is the view's.
 enum class RenderNote {
     None,
-    NoMaps,          // no map takes part: an empty picture
-    NoAttractor,     // some word expands; points that leave a huge range are dropped
-    Undecided,       // existence not settled; drawn with the same guard
-    TooDeep,         // zoomed beyond the resolution of the arithmetic
-    Degenerate,      // the picture is flat in this placement
+    NoMaps,      // no map takes part: an empty picture
+    NoAttractor, // some word expands; points that leave a huge range are dropped
+    Undecided,   // existence not settled; drawn with the same guard
+    TooDeep,     // zoomed beyond the resolution of the arithmetic
+    Degenerate,  // the picture is flat in this placement
 };
 
 // An immutable result.
 struct Frame {
     std::uint64_t revision = 0;
     Camera camera;
-    std::vector<std::uint32_t> pixels; // 0xAARRGGBB, premultiplied, rows from the top, camera.width × camera.height
-    std::uint64_t samples = 0;         // accumulated so far
+    std::vector<std::uint32_t>
+        pixels;                // 0xAARRGGBB, premultiplied, rows from the top, camera.width × camera.height
+    std::uint64_t samples = 0; // accumulated so far
     int passes = 0;
     Exposure exposure;
     RenderNote note = RenderNote::None;
     double milliseconds = 0; // time the last pass took
 };
 
-// A picture in the making: each pass adds request.samples samples with streams of its own and converges to the
-// invariant measure. Algorithm::Deterministic is finished after one pass. Not thread-safe; owns its worker threads.
+// A picture in the making: each pass adds request.samples samples with streams of its own and converges to
+// the invariant measure. Algorithm::Deterministic is finished after one pass. Not thread-safe; owns its
+// worker threads.
 class Rendering {
 public:
     explicit Rendering(RenderRequest request);
@@ -74,7 +76,8 @@ public:
     Rendering(Rendering&&) noexcept;
     Rendering& operator=(Rendering&&) noexcept;
 
-    // One more pass of `samples` samples (0: request.samples). Returns false, with the picture as before, when stopped.
+    // One more pass of `samples` samples (0: request.samples). Returns false, with the picture as before,
+    // when stopped.
     bool refine(std::stop_token stop = {}, std::uint64_t samples = 0);
     bool finished() const; // nothing more to gain
     Frame frame() const;   // tone-mapped picture of what has been accumulated

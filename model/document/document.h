@@ -17,13 +17,13 @@ class EditGesture;
 // What differs from before.
 struct Change {
     enum Part {
-        System = 0x01,     // maps, weights, order, on/off
+        System = 0x01, // maps, weights, order, on/off
         Cage = 0x02,
         Appearance = 0x04,
-        Name = 0x08,       // and comments
-        Entries = 0x10,    // added, removed, reordered
-        Current = 0x20,    // another entry is shown
-        File = 0x40,       // another file altogether
+        Name = 0x08,    // and comments
+        Entries = 0x10, // added, removed, reordered
+        Current = 0x20, // another entry is shown
+        File = 0x40,    // another file altogether
         Everything = 0x7f,
     };
     Q_DECLARE_FLAGS(Parts, Part)
@@ -46,9 +46,11 @@ public:
     QUndoStack* undoStack() { return &m_undoStack; }
     bool isModified() const { return !m_undoStack.isClean(); }
 
-    void setFile(FractalFile file, EntryId current = EntryId::None); // clears the history; None: the first loadable entry
-    void setCurrent(EntryId id); // not a step of the history
-    void markSaved(FractalFile saved); // after saving: the clean state; sources are those of the bytes written
+    void setFile(FractalFile file,
+                 EntryId current = EntryId::None); // clears the history; None: the first loadable entry
+    void setCurrent(EntryId id);                   // not a step of the history
+    void
+    markSaved(FractalFile saved); // after saving: the clean state; sources are those of the bytes written
 
     // One undo step each, described by `text` in the imperative; nothing happens when nothing would change.
     void edit(const QString& text, Fractal after);

@@ -18,10 +18,12 @@ public:
     EditGesture& operator=(const EditGesture&) = delete;
 
     bool isOpen() const;
-    const Fractal& before() const { return m_before; } // as it was when the gesture began; compute every step from it
-    void preview(Fractal fractal);                     // shown at once, not in the history
-    void commit(); // one step; none when the fractal is as it was
-    void cancel(); // back to the beginning, exactly
+    const Fractal& before() const {
+        return m_before;
+    }                              // as it was when the gesture began; compute every step from it
+    void preview(Fractal fractal); // shown at once, not in the history
+    void commit();                 // one step; none when the fractal is as it was
+    void cancel();                 // back to the beginning, exactly
 
 private:
     friend class Document;

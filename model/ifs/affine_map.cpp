@@ -26,7 +26,8 @@ template <int Dim> double determinant(const Matrix<Dim>& linear) {
 }
 
 template <> Vector<2> singularValues<2>(const Matrix<2>& m) {
-    // A z = αz + βz̄: the singular values are |α| + |β| and ||α| − |β||, the small one from det for its digits.
+    // A z = αz + βz̄: the singular values are |α| + |β| and ||α| − |β||, the small one from det for its
+    // digits.
     const double alpha = std::hypot(m(0, 0) + m(1, 1), m(1, 0) - m(0, 1)) / 2;
     const double beta = std::hypot(m(0, 0) - m(1, 1), m(1, 0) + m(0, 1)) / 2;
     const double largest = alpha + beta;
@@ -55,27 +56,23 @@ template <> double spectralRadius<3>(const Matrix<3>& linear) {
 
 template <int Dim> std::optional<AffineMap<Dim>> inverse(const AffineMap<Dim>& map) {
     const double det = map.linear.determinant();
-    if (det == 0 || !std::isfinite(det))
-        return std::nullopt;
+    if (det == 0 || !std::isfinite(det)) return std::nullopt;
     const Matrix<Dim> linear = map.linear.inverse();
-    if (!linear.allFinite())
-        return std::nullopt;
+    if (!linear.allFinite()) return std::nullopt;
     return AffineMap<Dim>{linear, -(linear * map.translation)};
 }
 
 template <int Dim> std::optional<Vector<Dim>> fixedPoint(const AffineMap<Dim>& map) {
     const Matrix<Dim> complement = Matrix<Dim>::Identity() - map.linear;
     const double det = complement.determinant();
-    if (!(std::abs(det) >= 1e-12) || !std::isfinite(det))
-        return std::nullopt;
+    if (!(std::abs(det) >= 1e-12) || !std::isfinite(det)) return std::nullopt;
     return Vector<Dim>(complement.inverse() * map.translation);
 }
 
 template <int Dim>
 std::optional<AffineMap<Dim>> conjugate(const AffineMap<Dim>& transformation, const AffineMap<Dim>& map) {
     const auto back = inverse(transformation);
-    if (!back)
-        return std::nullopt;
+    if (!back) return std::nullopt;
     // A' = M A M⁻¹, b' = M b + t − A' t
     const Matrix<Dim> linear = transformation.linear * map.linear * back->linear;
     return AffineMap<Dim>{linear, transformation.linear * map.translation + transformation.translation -

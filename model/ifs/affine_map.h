@@ -12,7 +12,8 @@ namespace ifs {
 template <int Dim> using Vector = Eigen::Matrix<double, Dim, 1>;
 template <int Dim> using Matrix = Eigen::Matrix<double, Dim, Dim>;
 
-// x ↦ linear·x + translation. In the plane a code row "a b c d e f" is linear = [[a,b],[c,d]], translation = (e,f).
+// x ↦ linear·x + translation. In the plane a code row "a b c d e f" is linear = [[a,b],[c,d]], translation =
+// (e,f).
 template <int Dim> struct AffineMap {
     Matrix<Dim> linear = Matrix<Dim>::Identity();
     Vector<Dim> translation = Vector<Dim>::Zero();

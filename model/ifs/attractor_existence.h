@@ -29,8 +29,8 @@ struct Existence {
     double normEquivalence = 1;
 };
 
-// Whether the maps have an attractor, with the certificate of it. At most `maxProducts` matrix products are formed.
-// docs/mathematics.md, "When does a system have an attractor?"
+// Whether the maps have an attractor, with the certificate of it. At most `maxProducts` matrix products are
+// formed. docs/mathematics.md, "When does a system have an attractor?"
 template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int maxProducts = 20'000);
 
 } // namespace ifs

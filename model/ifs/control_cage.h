@@ -24,8 +24,8 @@ template <int Dim> ControlCage<Dim> cageAtRest(const Simplex<Dim>& simplex);
 // Whether the lists match, every number is finite, and the rest vertices hold coordinates.
 template <int Dim> bool isValid(const ControlCage<Dim>& cage);
 
-// M_c = T_c·T_0⁻¹ of a cage with Dim + 1 vertices: rest coordinates → displayed coordinates. Only T_0 is inverted,
-// so the current vertices may lie on one line. Exactly the identity when current equals rest.
+// M_c = T_c·T_0⁻¹ of a cage with Dim + 1 vertices: rest coordinates → displayed coordinates. Only T_0 is
+// inverted, so the current vertices may lie on one line. Exactly the identity when current equals rest.
 template <int Dim> AffineMap<Dim> displayMap(const ControlCage<Dim>& cage);
 
 // Whether the display map can be undone: σ_min > 1e-6·σ_max. Baking and picking need it.

@@ -24,7 +24,8 @@ template <int Dim> struct Polar {
 };
 template <int Dim> Polar<Dim> polar(const Matrix<Dim>& linear);
 
-// A = rotation·diag(scale)·shear, shear unit upper triangular, scale ≥ 0 except the last entry, which carries sign(det).
+// A = rotation·diag(scale)·shear, shear unit upper triangular, scale ≥ 0 except the last entry, which carries
+// sign(det).
 struct RotationScaleShear3 {
     Matrix<3> rotation;
     Vector<3> scale;
@@ -33,7 +34,8 @@ struct RotationScaleShear3 {
 RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear);
 
 enum class MapKind { Similarity, ReflectedSimilarity, Affine, Singular, Constant };
-// What the map is geometrically: similarities to a relative 1e-12, Singular for rank < Dim, Constant for rank 0.
+// What the map is geometrically: similarities to a relative 1e-12, Singular for rank < Dim, Constant for rank
+// 0.
 template <int Dim> MapKind kind(const Matrix<Dim>& linear);
 
 } // namespace ifs

@@ -11,8 +11,8 @@ namespace ifs {
 // The D with Σ s_i^D = 1; 0 for a single ratio. Ratios must lie in (0, 1), else nullopt.
 std::optional<double> moranDimension(std::span<const double> ratios);
 
-// Moran's D when every map is a similarity, or similar to one by a common change of coordinates that is detected
-// from the eigenvalues (plane only: ratio √|det|); nullopt otherwise.
+// Moran's D when every map is a similarity, or similar to one by a common change of coordinates that is
+// detected from the eigenvalues (plane only: ratio √|det|); nullopt otherwise.
 template <int Dim> std::optional<double> similarityDimension(std::span<const AffineMap<Dim>> maps);
 
 // φ^t(A), Falconer's singular value function, t ≥ 0.

@@ -56,11 +56,13 @@ template <int Dim> struct ActiveMaps {
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system);
 
 // Weight rules. Each returns positive numbers that sum to 1, one per map (empty for no maps).
-// Determinant rule: |det A_i|, none below `floor` of the sum before renormalising; equal if every determinant is 0.
+// Determinant rule: |det A_i|, none below `floor` of the sum before renormalising; equal if every determinant
+// is 0.
 template <int Dim>
 std::vector<double> determinantWeights(std::span<const AffineMap<Dim>> maps, double floor = 0.01);
 std::vector<double> equalWeights(std::size_t count);
-// Dimension rule: φ^D(A_i), the singular value function at the affinity dimension D capped at Dim, floored alike.
+// Dimension rule: φ^D(A_i), the singular value function at the affinity dimension D capped at Dim, floored
+// alike.
 template <int Dim>
 std::vector<double> dimensionWeights(std::span<const AffineMap<Dim>> maps, double floor = 0.01);
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-// Certified extents of an attractor, from h_A(u) = max over x in A of ⟨u,x⟩ by branch and bound over addresses with
-// merging of equal states. docs/mathematics.md, "Support function".
+// Certified extents of an attractor, from h_A(u) = max over x in A of ⟨u,x⟩ by branch and bound over
+// addresses with merging of equal states. docs/mathematics.md, "Support function".
 namespace ifs {
 
 template <int Dim> struct SupportValue {
@@ -21,14 +21,15 @@ template <int Dim> struct SupportValue {
     std::vector<int> address; // its address as far as it was followed, outermost first
 };
 
-// Answers h_A(u) for one list of maps. Construction classifies the system and finds a container of the attractor.
+// Answers h_A(u) for one list of maps. Construction classifies the system and finds a container of the
+// attractor.
 template <int Dim> class SupportFunction {
 public:
     // nullopt when the maps are not hyperbolic or eventually contractive.
     static std::optional<SupportFunction> of(std::span<const AffineMap<Dim>> maps);
 
-    // Stops at `tolerance` (absolute, ≥ a few ulps of the size) or after `maxNodes`; either way the error returned
-    // is certified. u need not be unit; u = 0 gives 0.
+    // Stops at `tolerance` (absolute, ≥ a few ulps of the size) or after `maxNodes`; either way the error
+    // returned is certified. u need not be unit; u = 0 gives 0.
     SupportValue<Dim> operator()(const Vector<Dim>& u, double tolerance = 0, int maxNodes = 200'000) const;
 
     // A ⊂ Ball(centre, radius).
@@ -50,7 +51,8 @@ private:
 template <int Dim> struct BoundingBox {
     Vector<Dim> min = Vector<Dim>::Zero();
     Vector<Dim> max = Vector<Dim>::Zero();
-    double error = 0; // the attractor lies within this distance outside the box, and reaches each face within it
+    double error =
+        0; // the attractor lies within this distance outside the box, and reaches each face within it
 };
 template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& support, double tolerance = 0);
 
@@ -59,14 +61,15 @@ template <int Dim> using Orientation = std::array<int, Dim>; // each +1 or −1
 
 template <int Dim> struct CanonicalSimplex {
     Orientation<Dim> orientation{};
-    double leg = 0;             // 1 when the attractor is a single point and the leg would vanish
-    Simplex<Dim> vertices;      // V_0 the right-angle corner, V_k = V_0 + ω_k·leg·e_k
-    double error = 0;           // A lies within this distance of the simplex
+    double leg = 0;        // 1 when the attractor is a single point and the leg would vanish
+    Simplex<Dim> vertices; // V_0 the right-angle corner, V_k = V_0 + ω_k·leg·e_k
+    double error = 0;      // A lies within this distance of the simplex
 };
 template <int Dim>
-CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support, const Orientation<Dim>& orientation,
-                                       double tolerance = 0);
-// The smallest leg over the 2^Dim orientations; ties (relative 1e-12) go to (+,+),(−,+),(+,−),(−,−) in this order.
+CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
+                                       const Orientation<Dim>& orientation, double tolerance = 0);
+// The smallest leg over the 2^Dim orientations; ties (relative 1e-12) go to (+,+),(−,+),(+,−),(−,−) in this
+// order.
 template <int Dim>
 CanonicalSimplex<Dim> minimalCanonicalSimplex(const SupportFunction<Dim>& support, double tolerance = 0);
 
