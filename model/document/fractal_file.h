@@ -45,7 +45,8 @@ struct FractalFile {
 
 EntryId freshId(const FractalFile& file);
 qsizetype indexOf(const FractalFile& file, EntryId id); // −1 when absent
-// `name` made legal and unique in the file, ignoring case: at most 18 characters, no blanks, ( ; { }.
-QString uniqueName(const FractalFile& file, const QString& name);
+// `name` made legal and unique in the file, ignoring case: at most 18 bytes, no blanks, parentheses, braces,
+// ; or :. The entry `except` (the one being renamed) does not count as a holder of the name.
+QString uniqueName(const FractalFile& file, const QString& name, EntryId except = EntryId::None);
 
 } // namespace document
