@@ -15,7 +15,9 @@ namespace {
 
 const QString ifsType = QStringLiteral("application/x-fractint-ifs");
 
-bool isReadable(const document::Entry& entry) { return document::dimension(*entry.fractal) != 0; }
+bool isReadable(const document::Entry& entry) {
+    return document::dimension(*entry.fractal) != 0;
+}
 
 document::Entry fresh(document::Fractal fractal) {
     document::Entry entry;
@@ -28,7 +30,8 @@ FoundEntries entryInTable(const QByteArray& text) {
     FoundEntries found;
     const io::Table table = io::readTable(QString::fromUtf8(text));
     found.problems = table.problems;
-    if (table.rows.empty() || std::any_of(table.problems.begin(), table.problems.end(), [](const auto& problem) {
+    if (table.rows.empty() ||
+        std::any_of(table.problems.begin(), table.problems.end(), [](const auto& problem) {
             return problem.severity == document::Problem::Severity::Error;
         }))
         return found;
@@ -36,7 +39,8 @@ FoundEntries entryInTable(const QByteArray& text) {
     for (const auto& row : table.rows)
         ifs::append(system, row.map, row.weight);
     document::Fractal fractal;
-    fractal.name = QCoreApplication::translate("view::Clipboard", "pasted", "name of an entry made from a table");
+    fractal.name =
+        QCoreApplication::translate("view::Clipboard", "pasted", "name of an entry made from a table");
     fractal.system = std::move(system);
     found.entries.append(fresh(std::move(fractal)));
     return found;
@@ -47,8 +51,7 @@ FoundEntries entryInTable(const QByteArray& text) {
 QByteArray entriesText(const QList<document::Entry>& entries) {
     QByteArray text;
     for (const document::Entry& entry : entries) {
-        if (!text.isEmpty() && !text.endsWith('\n'))
-            text += '\n';
+        if (!text.isEmpty() && !text.endsWith('\n')) text += '\n';
         if (isReadable(entry))
             text += io::writeEntry(*entry.fractal);
         else if (entry.source)
@@ -68,14 +71,12 @@ std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries
 FoundEntries entriesIn(const QByteArray& text) {
     const document::FractalFile file = io::readFractint(text);
     if (file.entries.isEmpty())
-        if (FoundEntries table = entryInTable(text); !table.entries.isEmpty())
-            return table;
+        if (FoundEntries table = entryInTable(text); !table.entries.isEmpty()) return table;
     FoundEntries found;
     found.problems = file.problems;
     for (const document::Entry& read : file.entries) {
         document::Entry entry = read;
-        if (isReadable(entry))
-            entry.source.reset();
+        if (isReadable(entry)) entry.source.reset();
         found.problems += entry.problems;
         found.entries.append(entry);
     }
@@ -83,11 +84,12 @@ FoundEntries entriesIn(const QByteArray& text) {
 }
 
 FoundEntries entriesIn(const QMimeData& mimeData) {
-    if (mimeData.hasFormat(ifsType))
-        return entriesIn(mimeData.data(ifsType));
+    if (mimeData.hasFormat(ifsType)) return entriesIn(mimeData.data(ifsType));
     return entriesIn(mimeData.text().toUtf8());
 }
 
-bool mayHoldEntries(const QMimeData& mimeData) { return mimeData.hasFormat(ifsType) || mimeData.hasText(); }
+bool mayHoldEntries(const QMimeData& mimeData) {
+    return mimeData.hasFormat(ifsType) || mimeData.hasText();
+}
 
 } // namespace view

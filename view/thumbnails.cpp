@@ -13,8 +13,8 @@ namespace view {
 namespace {
 
 constexpr int cacheBytes = 24 * 1024 * 1024;
-constexpr int mostWanted = 512;  // more rows than any screen shows; older requests are dropped
-constexpr int mostRunning = 2;   // one being drawn, one waiting: the order stays ours
+constexpr int mostWanted = 512; // more rows than any screen shows; older requests are dropped
+constexpr int mostRunning = 2;  // one being drawn, one waiting: the order stays ours
 constexpr int samplesPerPixel = 24;
 constexpr double margin = 0.07;
 
@@ -38,8 +38,7 @@ Thumbnails::Thumbnails(QObject* parent) : QObject(parent), m_pictures(cacheBytes
 Thumbnails::~Thumbnails() = default;
 
 void Thumbnails::setSize(int side, qreal devicePixelRatio) {
-    if (side == m_side && devicePixelRatio == m_ratio)
-        return;
+    if (side == m_side && devicePixelRatio == m_ratio) return;
     m_side = side;
     m_ratio = devicePixelRatio;
     clear();
@@ -47,17 +46,18 @@ void Thumbnails::setSize(int side, qreal devicePixelRatio) {
 
 Thumbnail Thumbnails::thumbnail(Key key, const FractalPointer& fractal) {
     switch (document::dimension(*fractal)) {
-    case 2: break;
-    case 3: return {Thumbnail::State::ThreeDimensional, {}};
-    default: return {Thumbnail::State::Unreadable, {}};
+    case 2:
+        break;
+    case 3:
+        return {Thumbnail::State::ThreeDimensional, {}};
+    default:
+        return {Thumbnail::State::Unreadable, {}};
     }
     Picture* known = m_pictures.object(key);
     if (known && known->fractal != fractal && looksTheSame(*known->fractal, *fractal))
         known->fractal = fractal;
-    if (known && known->fractal == fractal)
-        return known->thumbnail;
-    if (!isUnderway(key, fractal))
-        want(key, fractal);
+    if (known && known->fractal == fractal) return known->thumbnail;
+    if (!isUnderway(key, fractal)) want(key, fractal);
     return {Thumbnail::State::Pending, known ? known->thumbnail.pixmap : QPixmap()};
 }
 
@@ -86,10 +86,10 @@ void Thumbnails::want(Key key, const FractalPointer& fractal) {
     m_submitTimer.start();
 }
 
-// One request per turn of the event loop: finding the box of a fractal takes a moment, and scrolling comes first.
+// One request per turn of the event loop: finding the box of a fractal takes a moment, and scrolling comes
+// first.
 void Thumbnails::submitNext() {
-    if (m_wanted.isEmpty() || m_running.size() >= mostRunning)
-        return;
+    if (m_wanted.isEmpty() || m_running.size() >= mostRunning) return;
     const Wanted wanted = m_wanted.takeLast();
     if (const auto box = document::displayedBox(*wanted.fractal)) {
         attractor::Camera camera;
@@ -104,19 +104,16 @@ void Thumbnails::submitNext() {
     } else {
         keep(wanted, {Thumbnail::State::NoAttractor, {}});
     }
-    if (!m_wanted.isEmpty())
-        m_submitTimer.start();
+    if (!m_wanted.isEmpty()) m_submitTimer.start();
 }
 
 void Thumbnails::take(std::uint64_t job, const std::shared_ptr<const attractor::Frame>& frame) {
     const auto running = m_running.constFind(job);
-    if (running == m_running.cend())
-        return;
+    if (running == m_running.cend()) return;
     const Wanted wanted = running.value();
     m_running.erase(running);
     m_submitTimer.start();
-    if (frame)
-        keep(wanted, {Thumbnail::State::Ready, toPixmap(*frame)});
+    if (frame) keep(wanted, {Thumbnail::State::Ready, toPixmap(*frame)});
 }
 
 void Thumbnails::keep(const Wanted& wanted, const Thumbnail& thumbnail) {

@@ -33,8 +33,9 @@ struct Thumbnail {
     QPixmap pixmap; // square with rounded corners, null when there is none
 };
 
-// Small square pictures of fractals, drawn one after the other by a render queue and kept until newer ones need the
-// room. What was asked for last is drawn first, so that the rows in sight come before those scrolled past.
+// Small square pictures of fractals, drawn one after the other by a render queue and kept until newer ones
+// need the room. What was asked for last is drawn first, so that the rows in sight come before those scrolled
+// past.
 class Thumbnails : public QObject {
     Q_OBJECT
 

@@ -11,7 +11,8 @@
 namespace view {
 namespace {
 
-constexpr int longestLine = 198; // bytes; with the semicolon and the line end it still fits what Fractint reads
+constexpr int longestLine =
+    198; // bytes; with the semicolon and the line end it still fits what Fractint reads
 
 bool isOurs(const QString& line) {
     return line.trimmed().startsWith(QLatin1String("barycage:"), Qt::CaseInsensitive);
@@ -26,8 +27,11 @@ QLabel* caption(const QString& text, QWidget* buddy, QWidget* parent) {
 } // namespace
 
 EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWidget* parent)
-    : QDialog(parent), m_before(fractal), m_header(new QLineEdit(fractal.headerComment, this)),
-      m_lines(new QPlainTextEdit(fractal.comments.join(QLatin1Char('\n')), this)), m_problem(new QLabel(this)),
+    : QDialog(parent),
+      m_before(fractal),
+      m_header(new QLineEdit(fractal.headerComment, this)),
+      m_lines(new QPlainTextEdit(fractal.comments.join(QLatin1Char('\n')), this)),
+      m_problem(new QLabel(this)),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Comment of “%1”").arg(fractal.name));
     m_header->setAccessibleName(tr("Comment behind the name"));
@@ -72,9 +76,11 @@ void EntriesCommentDialog::check() {
     const QStringList all = lines() << m_header->text();
     for (const QString& line : all) {
         if (isOurs(line))
-            problem = tr("A comment cannot begin with “barycage:”; such lines keep the cage and the colours.");
+            problem =
+                tr("A comment cannot begin with “barycage:”; such lines keep the cage and the colours.");
         else if (line.toUtf8().size() > longestLine)
-            problem = tr("A line holds at most %1 bytes; Fractint cuts longer ones. Break it in two.").arg(longestLine);
+            problem = tr("A line holds at most %1 bytes; Fractint cuts longer ones. Break it in two.")
+                          .arg(longestLine);
     }
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());

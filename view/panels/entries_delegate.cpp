@@ -2,6 +2,7 @@
 #include "panels/entries_delegate.h"
 
 #include "document/problem.h"
+#include "icon.h"
 #include "panels/entries_model.h"
 #include "panels/thumbnail_tile.h"
 
@@ -29,8 +30,7 @@ struct Layout {
 
 QFont subtitleFont(const QFont& font) {
     QFont smaller = font;
-    if (font.pointSizeF() > 0)
-        smaller.setPointSizeF(font.pointSizeF() * 0.88);
+    if (font.pointSizeF() > 0) smaller.setPointSizeF(font.pointSizeF() * 0.88);
     return smaller;
 }
 
@@ -59,14 +59,13 @@ QColor softened(QColor colour) {
     return colour;
 }
 
-void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRect& place, const QVariant& severity) {
-    if (!severity.isValid())
-        return;
+void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRect& place,
+                const QVariant& severity) {
+    if (!severity.isValid()) return;
     const bool error = severity.toInt() == static_cast<int>(document::Problem::Severity::Error);
-    const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
-    const QIcon icon =
-        style->standardIcon(error ? QStyle::SP_MessageBoxCritical : QStyle::SP_MessageBoxWarning, &option, option.widget);
-    icon.paint(&painter, place);
+    const bool selected = option.state & QStyle::State_Selected;
+    icon(error ? QStringLiteral("error") : QStringLiteral("warning"))
+        .paint(&painter, place, Qt::AlignCenter, selected ? QIcon::Selected : QIcon::Normal);
 }
 
 } // namespace
@@ -74,15 +73,17 @@ void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRe
 EntriesDelegate::EntriesDelegate(NameCheck check, QObject* parent)
     : QStyledItemDelegate(parent), m_check(std::move(check)) {}
 
-void EntriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given, const QModelIndex& index) const {
+void EntriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
+                            const QModelIndex& index) const {
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
 
     const Layout layout = layoutOf(option);
-    const Thumbnail thumbnail{static_cast<Thumbnail::State>(index.data(EntriesModel::ThumbnailStateRole).toInt()),
-                              index.data(Qt::DecorationRole).value<QPixmap>()};
+    const Thumbnail thumbnail{
+        static_cast<Thumbnail::State>(index.data(EntriesModel::ThumbnailStateRole).toInt()),
+        index.data(Qt::DecorationRole).value<QPixmap>()};
     paintThumbnail(*painter, layout.picture, thumbnail, option.palette);
 
     const bool selected = option.state & QStyle::State_Selected;
@@ -100,8 +101,8 @@ void EntriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     painter->setFont(small);
     painter->setPen(softened(ink));
     painter->drawText(layout.subtitle, static_cast<int>(alignment),
-                      QFontMetrics(small).elidedText(index.data(EntriesModel::SubtitleRole).toString(), Qt::ElideRight,
-                                                     layout.subtitle.width()));
+                      QFontMetrics(small).elidedText(index.data(EntriesModel::SubtitleRole).toString(),
+                                                     Qt::ElideRight, layout.subtitle.width()));
     paintBadge(*painter, option, layout.badge, index.data(EntriesModel::SeverityRole));
     painter->restore();
 }
@@ -111,7 +112,8 @@ QSize EntriesDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
     return {pictureSide + 120, qMax(pictureSide, text) + 2 * padding};
 }
 
-QWidget* EntriesDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {
+QWidget* EntriesDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                       const QModelIndex& index) const {
     auto* editor = new QLineEdit(parent);
     editor->setAccessibleName(tr("Name of the entry"));
     editor->setProperty(editedIndex, QVariant::fromValue(QPersistentModelIndex(index)));

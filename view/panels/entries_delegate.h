@@ -10,8 +10,8 @@ class QLineEdit;
 
 namespace view {
 
-// Draws an entry: its picture, name, a line of facts, a dot when modified, a badge when the reader reported something.
-// Its name editor stays open, with the reason, until the name is possible.
+// Draws an entry: its picture, name, a line of facts, a dot when modified, a badge when the reader reported
+// something. Its name editor stays open, with the reason, until the name is possible.
 class EntriesDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -22,7 +22,8 @@ public:
 
     EntriesDelegate(NameCheck check, QObject* parent);
 
-    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;

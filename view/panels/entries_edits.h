@@ -8,8 +8,8 @@
 
 #include <optional>
 
-// Edits of the list of entries: a file in, a file out. No byte of the entries that stay is touched, and the text above
-// a file's first entry stays at the top of the file whatever becomes of that entry.
+// Edits of the list of entries: a file in, a file out. No byte of the entries that stay is touched, and the
+// text above a file's first entry stays at the top of the file whatever becomes of that entry.
 namespace view {
 
 struct Inserted {
@@ -21,14 +21,15 @@ Inserted inserted(document::FractalFile file, const QList<document::Entry>& entr
 
 document::FractalFile removed(document::FractalFile file, const QList<document::EntryId>& ids);
 
-// Those entries, in the order of the file, together in front of the entry `before` (None: at the end). When `before`
-// is one of them, they gather where it stands.
+// Those entries, in the order of the file, together in front of the entry `before` (None: at the end). When
+// `before` is one of them, they gather where it stands.
 document::FractalFile moved(document::FractalFile file, const QList<document::EntryId>& ids,
                             document::EntryId before);
 
 document::FractalFile replaced(document::FractalFile file, document::EntryId id, document::Fractal fractal);
 
 // Why the entry cannot be called `name`, as a sentence for the user; nullopt when it can.
-std::optional<QString> nameProblem(const document::FractalFile& file, document::EntryId id, const QString& name);
+std::optional<QString> nameProblem(const document::FractalFile& file, document::EntryId id,
+                                   const QString& name);
 
 } // namespace view

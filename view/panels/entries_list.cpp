@@ -42,8 +42,7 @@ QList<EntryId> EntriesList::selectedIds() const {
 void EntriesList::select(const QList<EntryId>& ids) {
     QItemSelection selection;
     for (int row = 0; row < model()->rowCount(); ++row)
-        if (ids.contains(idAtRow(row)))
-            selection.select(model()->index(row, 0), model()->index(row, 0));
+        if (ids.contains(idAtRow(row))) selection.select(model()->index(row, 0), model()->index(row, 0));
     selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
 }
 
@@ -54,8 +53,7 @@ void EntriesList::setEmptyText(const QString& text) {
 
 void EntriesList::startDrag(Qt::DropActions) {
     const QList<EntryId> ids = selectedIds();
-    if (ids.isEmpty())
-        return;
+    if (ids.isEmpty()) return;
     auto* drag = new QDrag(this); // Qt deletes it when the drag is over
     drag->setMimeData(m_mimeSource(ids).release());
     drag->setPixmap(currentIndex().data(Qt::DecorationRole).value<QPixmap>());
@@ -100,7 +98,8 @@ void EntriesList::paintEvent(QPaintEvent* event) {
         const int rows = model()->rowCount();
         const QRect last = visualRect(model()->index(rows - 1, 0));
         const int y = m_dropRow < rows ? visualRect(model()->index(m_dropRow, 0)).top() : last.bottom() + 1;
-        painter.fillRect(QRect(0, std::max(0, y - 1), viewport()->width(), 2), palette().color(QPalette::Highlight));
+        painter.fillRect(QRect(0, std::max(0, y - 1), viewport()->width(), 2),
+                         palette().color(QPalette::Highlight));
     }
 }
 
@@ -110,8 +109,7 @@ EntryId EntriesList::idAtRow(int row) const {
 
 int EntriesList::rowBelow(const QPoint& position) const {
     const QModelIndex index = indexAt(position);
-    if (!index.isValid())
-        return model()->rowCount();
+    if (!index.isValid()) return model()->rowCount();
     return index.row() + (position.y() > visualRect(index).center().y() ? 1 : 0);
 }
 
@@ -127,8 +125,7 @@ bool EntriesList::offer(QDropEvent* event) const {
 }
 
 void EntriesList::showDropRow(int row) {
-    if (row == m_dropRow)
-        return;
+    if (row == m_dropRow) return;
     m_dropRow = row;
     viewport()->update();
 }

@@ -11,8 +11,8 @@
 
 namespace view {
 
-// The list itself: selection, drag and drop, and what it says when it is empty. It edits nothing; what was dropped is
-// reported with the entry in front of which it fell (None: behind the last one).
+// The list itself: selection, drag and drop, and what it says when it is empty. It edits nothing; what was
+// dropped is reported with the entry in front of which it fell (None: behind the last one).
 class EntriesList : public QListView {
     Q_OBJECT
 

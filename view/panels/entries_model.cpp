@@ -17,8 +17,7 @@ using document::EntryId;
 using document::FractalFile;
 
 std::optional<document::Problem::Severity> worst(const document::Problems& problems) {
-    if (problems.isEmpty())
-        return std::nullopt;
+    if (problems.isEmpty()) return std::nullopt;
     const bool error = std::any_of(problems.begin(), problems.end(), [](const document::Problem& problem) {
         return problem.severity == document::Problem::Severity::Error;
     });
@@ -26,10 +25,8 @@ std::optional<document::Problem::Severity> worst(const document::Problems& probl
 }
 
 std::size_t mapCount(const document::Fractal& fractal) {
-    if (const auto* plane = std::get_if<document::System2>(&fractal.system))
-        return plane->maps.size();
-    if (const auto* space = std::get_if<document::System3>(&fractal.system))
-        return space->maps.size();
+    if (const auto* plane = std::get_if<document::System2>(&fractal.system)) return plane->maps.size();
+    if (const auto* space = std::get_if<document::System3>(&fractal.system)) return space->maps.size();
     return 0;
 }
 
@@ -49,10 +46,8 @@ EntriesModel::EntriesModel(document::Document* document, Thumbnails* thumbnails,
     connect(document, &document::Document::changed, this, &EntriesModel::follow);
     takeSaved();
     connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
-        if (clean)
-            takeSaved();
-        if (rowCount() > 0)
-            emit dataChanged(index(0), index(rowCount() - 1), {ModifiedRole});
+        if (clean) takeSaved();
+        if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1), {ModifiedRole});
     });
     connect(thumbnails, &Thumbnails::ready, this, [this](quint64 key) {
         if (const QModelIndex row = indexOf(static_cast<EntryId>(key)); row.isValid())
@@ -65,31 +60,37 @@ int EntriesModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant EntriesModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
-        return {};
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
     const Entry& entry = m_shown.entries[index.row()];
     const auto key = static_cast<Thumbnails::Key>(entry.id);
     switch (role) {
     case Qt::DisplayRole:
-    case Qt::EditRole: return entry.fractal->name;
-    case Qt::DecorationRole: return m_thumbnails->thumbnail(key, entry.fractal).pixmap;
-    case Qt::ToolTipRole: return toolTip(entry);
-    case Qt::AccessibleTextRole: return accessibleText(entry);
-    case IdRole: return static_cast<uint>(entry.id);
-    case ThumbnailStateRole: return static_cast<int>(m_thumbnails->thumbnail(key, entry.fractal).state);
-    case SubtitleRole: return subtitle(entry);
-    case ModifiedRole: return isModified(entry);
+    case Qt::EditRole:
+        return entry.fractal->name;
+    case Qt::DecorationRole:
+        return m_thumbnails->thumbnail(key, entry.fractal).pixmap;
+    case Qt::ToolTipRole:
+        return toolTip(entry);
+    case Qt::AccessibleTextRole:
+        return accessibleText(entry);
+    case IdRole:
+        return static_cast<uint>(entry.id);
+    case ThumbnailStateRole:
+        return static_cast<int>(m_thumbnails->thumbnail(key, entry.fractal).state);
+    case SubtitleRole:
+        return subtitle(entry);
+    case ModifiedRole:
+        return isModified(entry);
     case SeverityRole:
-        if (const auto severity = worst(entry.problems))
-            return static_cast<int>(*severity);
+        if (const auto severity = worst(entry.problems)) return static_cast<int>(*severity);
         return {};
-    default: return {};
+    default:
+        return {};
     }
 }
 
 Qt::ItemFlags EntriesModel::flags(const QModelIndex& index) const {
-    if (!index.isValid())
-        return Qt::ItemIsDropEnabled;
+    if (!index.isValid()) return Qt::ItemIsDropEnabled;
     const Qt::ItemFlags always =
         Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
     const bool readable = document::dimension(*m_shown.entries[index.row()].fractal) != 0;
@@ -97,12 +98,10 @@ Qt::ItemFlags EntriesModel::flags(const QModelIndex& index) const {
 }
 
 bool EntriesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable))
-        return false;
+    if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const Entry entry = m_shown.entries[index.row()];
     const QString name = value.toString().trimmed();
-    if (name == entry.fractal->name)
-        return true;
+    if (name == entry.fractal->name) return true;
     if (const auto problem = nameProblem(m_document->file(), entry.id, name)) {
         emit refused(*problem);
         return false;
@@ -124,8 +123,7 @@ QModelIndex EntriesModel::indexOf(EntryId id) const {
 }
 
 void EntriesModel::follow(const document::Change& change) {
-    if (change.live)
-        return;
+    if (change.live) return;
     if (change.parts & document::Change::File) {
         const QScopedValueRollback<bool> guard(m_syncing, true);
         beginResetModel();
@@ -154,8 +152,7 @@ void EntriesModel::removeVanished(const FractalFile& now) {
     for (const Entry& entry : now.entries)
         remaining.insert(entry.id);
     for (int last = rowCount() - 1; last >= 0; --last) {
-        if (remaining.contains(m_shown.entries[last].id))
-            continue;
+        if (remaining.contains(m_shown.entries[last].id)) continue;
         int first = last;
         while (first > 0 && !remaining.contains(m_shown.entries[first - 1].id))
             --first;
@@ -173,8 +170,7 @@ void EntriesModel::reorder(const FractalFile& now) {
     FractalFile sorted = m_shown;
     std::sort(sorted.entries.begin(), sorted.entries.end(),
               [&places](const Entry& a, const Entry& b) { return places.value(a.id) < places.value(b.id); });
-    if (sameOrder(sorted, m_shown))
-        return;
+    if (sameOrder(sorted, m_shown)) return;
     emit layoutAboutToBeChanged({}, VerticalSortHint);
     const QModelIndexList from = persistentIndexList();
     QModelIndexList to;
@@ -189,8 +185,7 @@ void EntriesModel::reorder(const FractalFile& now) {
 void EntriesModel::insertNew(const FractalFile& now) {
     for (int first = 0; first < now.entries.size(); ++first) {
         const EntryId next = first < rowCount() ? m_shown.entries[first].id : EntryId::None;
-        if (next == now.entries[first].id)
-            continue;
+        if (next == now.entries[first].id) continue;
         int last = first;
         while (last + 1 < now.entries.size() && now.entries[last + 1].id != next)
             ++last;
@@ -209,16 +204,18 @@ void EntriesModel::announceDifferences(const FractalFile& before) {
     for (int row = 0; row < rowCount(); ++row) {
         const Entry& entry = m_shown.entries[row];
         const Entry* former = known.value(entry.id);
-        if (former && !shownAlike(*former, entry))
-            emit dataChanged(index(row), index(row));
+        if (former && !shownAlike(*former, entry)) emit dataChanged(index(row), index(row));
     }
 }
 
 QString EntriesModel::subtitle(const Entry& entry) const {
     switch (document::dimension(*entry.fractal)) {
-    case 3: return tr("3D: not yet shown");
-    case 0: return tr("could not be read");
-    default: break;
+    case 3:
+        return tr("3D: not yet shown");
+    case 0:
+        return tr("could not be read");
+    default:
+        break;
     }
     return tr("%n map(s)", nullptr, static_cast<int>(mapCount(*entry.fractal)));
 }
@@ -229,8 +226,8 @@ QString EntriesModel::toolTip(const Entry& entry) const {
         lines.append(entry.fractal->headerComment.trimmed().toHtmlEscaped());
     lines.append(subtitle(entry).toHtmlEscaped());
     for (const document::Problem& problem : entry.problems) {
-        const QString where = problem.line > 0 ? tr("Line %1, column %2: ").arg(problem.line).arg(problem.column)
-                                               : QString();
+        const QString where =
+            problem.line > 0 ? tr("Line %1, column %2: ").arg(problem.line).arg(problem.column) : QString();
         lines.append((where + problem.message).toHtmlEscaped());
     }
     return lines.join(QStringLiteral("<br>"));
@@ -238,16 +235,14 @@ QString EntriesModel::toolTip(const Entry& entry) const {
 
 QString EntriesModel::accessibleText(const Entry& entry) const {
     QStringList parts{entry.fractal->name, subtitle(entry)};
-    if (isModified(entry))
-        parts.append(tr("modified"));
+    if (isModified(entry)) parts.append(tr("modified"));
     if (const auto severity = worst(entry.problems))
         parts.append(*severity == document::Problem::Severity::Error ? tr("has errors") : tr("has warnings"));
     return parts.join(QStringLiteral(", "));
 }
 
 bool EntriesModel::isModified(const Entry& entry) const {
-    if (!m_document->isModified())
-        return false;
+    if (!m_document->isModified()) return false;
     const auto saved = m_saved.value(entry.id);
     return !saved || (saved != entry.fractal && *saved != *entry.fractal);
 }

@@ -11,18 +11,19 @@
 
 namespace view {
 
-// The entries of the open file as a list, in their order. Pictures are asked for when a view asks for them and not
-// before, so that a long file costs what is in sight. During a gesture the list shows what was before it.
+// The entries of the open file as a list, in their order. Pictures are asked for when a view asks for them
+// and not before, so that a long file costs what is in sight. During a gesture the list shows what was before
+// it.
 class EntriesModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
     enum Role {
-        IdRole = Qt::UserRole,  // document::EntryId as uint
-        ThumbnailStateRole,     // int of Thumbnail::State
-        SubtitleRole,           // QString: how many maps, or why nothing is shown
-        ModifiedRole,           // bool: changed since it was read or saved
-        SeverityRole,           // int of document::Problem::Severity; invalid without problems
+        IdRole = Qt::UserRole, // document::EntryId as uint
+        ThumbnailStateRole,    // int of Thumbnail::State
+        SubtitleRole,          // QString: how many maps, or why nothing is shown
+        ModifiedRole,          // bool: changed since it was read or saved
+        SeverityRole,          // int of document::Problem::Severity; invalid without problems
     };
 
     // Both must outlive the model.

@@ -32,9 +32,13 @@ using document::EntryId;
 
 namespace {
 
-bool isReadable(const Entry& entry) { return document::dimension(*entry.fractal) != 0; }
+bool isReadable(const Entry& entry) {
+    return document::dimension(*entry.fractal) != 0;
+}
 
-QString quotedName(const Entry& entry) { return QStringLiteral("“%1”").arg(entry.fractal->name); }
+QString quotedName(const Entry& entry) {
+    return QStringLiteral("“%1”").arg(entry.fractal->name);
+}
 
 EntryId idBehind(const document::FractalFile& file, EntryId id) {
     const qsizetype next = document::indexOf(file, id) + 1;
@@ -49,10 +53,14 @@ EntryId idInFrontOf(const document::FractalFile& file, EntryId id) {
 } // namespace
 
 EntriesPanel::EntriesPanel(document::Document* document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_thumbnails(new Thumbnails(this)),
-      m_model(new EntriesModel(document, m_thumbnails, this)), m_filtered(new QSortFilterProxyModel(this)),
+    : QWidget(parent),
+      m_document(document),
+      m_thumbnails(new Thumbnails(this)),
+      m_model(new EntriesModel(document, m_thumbnails, this)),
+      m_filtered(new QSortFilterProxyModel(this)),
       m_filter(new QLineEdit(this)),
-      m_list(new EntriesList([this](const QList<EntryId>& ids) { return entriesMimeData(entriesOf(ids)); }, this)) {
+      m_list(new EntriesList([this](const QList<EntryId>& ids) { return entriesMimeData(entriesOf(ids)); },
+                             this)) {
     setAccessibleName(tr("Entries of the file"));
     m_filter->setAccessibleName(tr("Filter entries by name"));
     m_filter->setPlaceholderText(tr("Filter by name"));
@@ -70,8 +78,7 @@ EntriesPanel::EntriesPanel(document::Document* document, QWidget* parent)
 
     connect(m_filter, &QLineEdit::textChanged, this, &EntriesPanel::filter);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
-        if (!change.live)
-            showCurrent();
+        if (!change.live) showCurrent();
     });
     updateThumbnailSize();
     showCurrent();
@@ -85,13 +92,14 @@ void EntriesPanel::createList() {
     m_list->setEmptyText(tr("This file holds no entries. Add one, or paste the text of an .ifs file."));
     m_list->setItemDelegate(new EntriesDelegate(
         [this](const QModelIndex& index, const QString& name) {
-            return nameProblem(m_document->file(), static_cast<EntryId>(index.data(EntriesModel::IdRole).toUInt()),
-                               name);
+            return nameProblem(m_document->file(),
+                               static_cast<EntryId>(index.data(EntriesModel::IdRole).toUInt()), name);
         },
         m_list));
     connect(m_model, &EntriesModel::refused, this, &EntriesPanel::message);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &EntriesPanel::makeCurrent);
-    connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this, &EntriesPanel::updateActions);
+    connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &EntriesPanel::updateActions);
     connect(m_list, &EntriesList::entriesDropped, this, &EntriesPanel::moveEntries);
     connect(m_list, &EntriesList::dataDropped, this, [this](const QMimeData& mimeData, EntryId before) {
         insertFrom(mimeData, idInFrontOf(m_document->file(), before));
@@ -100,16 +108,17 @@ void EntriesPanel::createList() {
 }
 
 void EntriesPanel::createActions() {
-    m_add = createAction(tr("&Add Entry"), tr("Add a Sierpiński triangle as a new entry."), QStringLiteral("add"), {},
-                         &EntriesPanel::addEntry);
-    m_duplicate = createAction(tr("D&uplicate"), tr("Add a copy of each selected entry."), QStringLiteral("duplicate"),
-                               {Qt::Key_Insert}, &EntriesPanel::duplicateSelected);
-    m_remove = createAction(tr("&Remove"), tr("Remove the selected entries from the file."), QStringLiteral("remove"),
-                            {QKeySequence::Delete}, &EntriesPanel::removeSelected);
+    m_add = createAction(tr("&Add Entry"), tr("Add a Sierpiński triangle as a new entry."),
+                         QStringLiteral("add"), {}, &EntriesPanel::addEntry);
+    m_duplicate =
+        createAction(tr("D&uplicate"), tr("Add a copy of each selected entry."), QStringLiteral("duplicate"),
+                     {Qt::Key_Insert}, &EntriesPanel::duplicateSelected);
+    m_remove = createAction(tr("&Remove"), tr("Remove the selected entries from the file."),
+                            QStringLiteral("remove"), {QKeySequence::Delete}, &EntriesPanel::removeSelected);
     m_rename = createAction(tr("Re&name"), tr("Give the entry another name."), {}, {Qt::Key_F2},
                             &EntriesPanel::renameCurrent);
-    m_comment = createAction(tr("Edit &Comment…"), tr("Edit the comment of the entry."), QStringLiteral("comment"), {},
-                             &EntriesPanel::editComment);
+    m_comment = createAction(tr("Edit &Comment…"), tr("Edit the comment of the entry."),
+                             QStringLiteral("edit"), {}, &EntriesPanel::editComment);
     m_up = createAction(tr("Move &Up"), tr("Move the selected entries towards the top of the file."),
                         QStringLiteral("up"), {Qt::ALT | Qt::Key_Up}, &EntriesPanel::moveUp);
     m_down = createAction(tr("Move &Down"), tr("Move the selected entries towards the end of the file."),
@@ -126,8 +135,7 @@ QAction* EntriesPanel::createAction(const QString& text, const QString& statusTi
                                     const QList<QKeySequence>& keys, Slot slot) {
     auto* action = new QAction(text, this);
     action->setStatusTip(statusTip);
-    if (!iconName.isEmpty())
-        action->setIcon(icon(iconName));
+    if (!iconName.isEmpty()) action->setIcon(icon(iconName));
     action->setShortcuts(keys);
     action->setShortcutContext(Qt::WidgetShortcut);
     const QString shortcut = action->shortcut().toString(QKeySequence::NativeText);
@@ -143,8 +151,7 @@ QWidget* EntriesPanel::createButtons() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(1);
     for (QAction* action : {m_add, m_duplicate, m_remove, m_comment, m_up, m_down}) {
-        if (action == m_up)
-            layout->addStretch();
+        if (action == m_up) layout->addStretch();
         auto* button = new QToolButton(bar);
         button->setDefaultAction(action);
         button->setAutoRaise(true);
@@ -175,8 +182,7 @@ void EntriesPanel::addEntry() {
 
 void EntriesPanel::removeSelected() {
     const QList<EntryId> ids = m_list->selectedIds();
-    if (ids.isEmpty())
-        return;
+    if (ids.isEmpty()) return;
     const QList<Entry> entries = entriesOf(ids);
     const QString text = ids.size() == 1 ? tr("Remove %1").arg(quotedName(entries.front()))
                                          : tr("Remove %n entries", nullptr, static_cast<int>(ids.size()));
@@ -191,8 +197,9 @@ void EntriesPanel::duplicateSelected() {
         return;
     }
     const EntryId last = m_list->selectedIds().last();
-    const QString text = copies.size() == 1 ? tr("Duplicate %1").arg(quotedName(copies.front()))
-                                            : tr("Duplicate %n entries", nullptr, static_cast<int>(copies.size()));
+    const QString text = copies.size() == 1
+                             ? tr("Duplicate %1").arg(quotedName(copies.front()))
+                             : tr("Duplicate %n entries", nullptr, static_cast<int>(copies.size()));
     for (Entry& copy : copies) {
         copy.source.reset();
         copy.problems.clear();
@@ -201,15 +208,13 @@ void EntriesPanel::duplicateSelected() {
 }
 
 void EntriesPanel::renameCurrent() {
-    if (m_list->currentIndex().flags() & Qt::ItemIsEditable)
-        m_list->edit(m_list->currentIndex());
+    if (m_list->currentIndex().flags() & Qt::ItemIsEditable) m_list->edit(m_list->currentIndex());
 }
 
 void EntriesPanel::editComment() {
     const EntryId id = m_document->currentId();
     const QList<Entry> entries = entriesOf({id});
-    if (entries.isEmpty() || !isReadable(entries.front()))
-        return;
+    if (entries.isEmpty() || !isReadable(entries.front())) return;
     auto* dialog = new EntriesCommentDialog(*entries.front().fractal, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, id, entry = entries.front()] {
@@ -221,28 +226,26 @@ void EntriesPanel::editComment() {
 
 void EntriesPanel::moveUp() {
     const QList<EntryId> ids = m_list->selectedIds();
-    if (ids.isEmpty())
-        return;
+    if (ids.isEmpty()) return;
     const int row = m_filtered->mapFromSource(m_model->indexOf(ids.first())).row();
     if (row > 0)
-        moveEntries(ids, static_cast<EntryId>(m_filtered->index(row - 1, 0).data(EntriesModel::IdRole).toUInt()));
+        moveEntries(ids,
+                    static_cast<EntryId>(m_filtered->index(row - 1, 0).data(EntriesModel::IdRole).toUInt()));
 }
 
 void EntriesPanel::moveDown() {
     const QList<EntryId> ids = m_list->selectedIds();
-    if (ids.isEmpty())
-        return;
+    if (ids.isEmpty()) return;
     const int row = m_filtered->mapFromSource(m_model->indexOf(ids.last())).row();
-    if (row + 1 >= m_filtered->rowCount())
-        return;
-    const auto below = static_cast<EntryId>(m_filtered->index(row + 1, 0).data(EntriesModel::IdRole).toUInt());
+    if (row + 1 >= m_filtered->rowCount()) return;
+    const auto below =
+        static_cast<EntryId>(m_filtered->index(row + 1, 0).data(EntriesModel::IdRole).toUInt());
     moveEntries(ids, idBehind(m_document->file(), below));
 }
 
 void EntriesPanel::copySelected() {
     const QList<EntryId> ids = m_list->selectedIds();
-    if (!ids.isEmpty())
-        QGuiApplication::clipboard()->setMimeData(entriesMimeData(entriesOf(ids)).release());
+    if (!ids.isEmpty()) QGuiApplication::clipboard()->setMimeData(entriesMimeData(entriesOf(ids)).release());
 }
 
 void EntriesPanel::paste() {
@@ -253,23 +256,22 @@ void EntriesPanel::paste() {
 QList<Entry> EntriesPanel::entriesOf(const QList<EntryId>& ids) const {
     QList<Entry> entries;
     for (const Entry& entry : m_document->file().entries)
-        if (ids.contains(entry.id))
-            entries.append(entry);
+        if (ids.contains(entry.id)) entries.append(entry);
     return entries;
 }
 
 void EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId after, const QString& text) {
     const Inserted result = inserted(m_document->file(), entries, after);
     m_document->editFile(text, result.file, result.ids.front());
-    if (!m_filtered->mapFromSource(m_model->indexOf(result.ids.front())).isValid())
-        m_filter->clear();
+    if (!m_filtered->mapFromSource(m_model->indexOf(result.ids.front())).isValid()) m_filter->clear();
     m_list->select(result.ids);
 }
 
 void EntriesPanel::insertFrom(const QMimeData& mimeData, EntryId after) {
     const FoundEntries found = entriesIn(mimeData);
     if (found.entries.isEmpty()) {
-        const QString why = found.problems.isEmpty() ? QString() : QLatin1Char(' ') + found.problems.front().message;
+        const QString why =
+            found.problems.isEmpty() ? QString() : QLatin1Char(' ') + found.problems.front().message;
         emit message(tr("There is no entry of an .ifs file in what was pasted.") + why);
         return;
     }
@@ -286,8 +288,7 @@ void EntriesPanel::insertFrom(const QMimeData& mimeData, EntryId after) {
 
 void EntriesPanel::moveEntries(const QList<EntryId>& ids, EntryId before) {
     const QList<Entry> entries = entriesOf(ids);
-    if (entries.isEmpty())
-        return;
+    if (entries.isEmpty()) return;
     const QString text = ids.size() == 1 ? tr("Move %1").arg(quotedName(entries.front()))
                                          : tr("Move %n entries", nullptr, static_cast<int>(ids.size()));
     m_document->editFile(text, moved(m_document->file(), ids, before));
@@ -340,8 +341,7 @@ void EntriesPanel::updateThumbnailSize() {
 }
 
 bool EntriesPanel::event(QEvent* event) {
-    if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal)
-        updateThumbnailSize();
+    if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal) updateThumbnailSize();
     return QWidget::event(event);
 }
 

@@ -16,8 +16,8 @@ class EntriesList;
 class EntriesModel;
 class Thumbnails;
 
-// The entries of the open file: choose, add, remove, rename, reorder, duplicate, comment, copy and paste. Every edit
-// is one step of the history.
+// The entries of the open file: choose, add, remove, rename, reorder, duplicate, comment, copy and paste.
+// Every edit is one step of the history.
 class EntriesPanel : public QWidget {
     Q_OBJECT
 

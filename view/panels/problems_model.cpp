@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/problems_model.h"
 
-#include <QApplication>
-#include <QStyle>
+#include "icon.h"
 
 #include <algorithm>
 
@@ -10,7 +9,8 @@ namespace view {
 namespace {
 
 QString severityName(document::Problem::Severity severity) {
-    return severity == document::Problem::Severity::Error ? ProblemsModel::tr("Error") : ProblemsModel::tr("Warning");
+    return severity == document::Problem::Severity::Error ? ProblemsModel::tr("Error")
+                                                          : ProblemsModel::tr("Warning");
 }
 
 QString place(const document::Problem& problem) {
@@ -31,47 +31,57 @@ int ProblemsModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
-int ProblemsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+int ProblemsModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : ColumnCount;
+}
 
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const document::Problem& problem = m_rows[index.row()].problem;
     const bool error = problem.severity == document::Problem::Severity::Error;
     switch (role) {
     case Qt::DisplayRole:
         switch (index.column()) {
-        case Place: return place(problem);
-        case EntryName: return problem.entry;
-        case Message: return problem.message;
-        default: return {};
+        case Place:
+            return place(problem);
+        case EntryName:
+            return problem.entry;
+        case Message:
+            return problem.message;
+        default:
+            return {};
         }
     case Qt::DecorationRole:
-        if (index.column() == Place)
-            return QApplication::style()->standardIcon(error ? QStyle::SP_MessageBoxCritical
-                                                             : QStyle::SP_MessageBoxWarning);
+        if (index.column() == Place) return icon(error ? QStringLiteral("error") : QStringLiteral("warning"));
         return {};
-    case Qt::ToolTipRole: return problem.message;
+    case Qt::ToolTipRole:
+        return problem.message;
     case Qt::AccessibleTextRole:
         if (index.column() == Place)
             return QStringLiteral("%1 %2").arg(severityName(problem.severity), place(problem)).trimmed();
         return data(index, Qt::DisplayRole);
-    default: return {};
+    default:
+        return {};
     }
 }
 
 QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     switch (section) {
-    case Place: return tr("Line:column");
-    case EntryName: return tr("Entry");
-    case Message: return tr("What was found");
-    default: return {};
+    case Place:
+        return tr("Line:column");
+    case EntryName:
+        return tr("Entry");
+    case Message:
+        return tr("What was found");
+    default:
+        return {};
     }
 }
 
-document::EntryId ProblemsModel::entryAt(int row) const { return m_rows[row].entry; }
+document::EntryId ProblemsModel::entryAt(int row) const {
+    return m_rows[row].entry;
+}
 
 QList<ProblemsModel::Row> ProblemsModel::collect() const {
     QList<Row> rows;
@@ -90,8 +100,7 @@ QList<ProblemsModel::Row> ProblemsModel::collect() const {
 
 void ProblemsModel::refresh() {
     QList<Row> rows = collect();
-    if (rows == m_rows)
-        return;
+    if (rows == m_rows) return;
     beginResetModel();
     m_rows = std::move(rows);
     endResetModel();

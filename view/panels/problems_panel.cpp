@@ -19,8 +19,12 @@
 namespace view {
 
 ProblemsPanel::ProblemsPanel(document::Document* document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_model(new ProblemsModel(document, this)),
-      m_list(new QTreeView(this)), m_summary(new QLabel(this)), m_fileName(tr("file")) {
+    : QWidget(parent),
+      m_document(document),
+      m_model(new ProblemsModel(document, this)),
+      m_list(new QTreeView(this)),
+      m_summary(new QLabel(this)),
+      m_fileName(tr("file")) {
     setAccessibleName(tr("Problems found while reading"));
     m_list->setModel(m_model);
     m_list->setAccessibleName(tr("Problems"));
@@ -48,9 +52,13 @@ ProblemsPanel::ProblemsPanel(document::Document* document, QWidget* parent)
     updateCount();
 }
 
-int ProblemsPanel::count() const { return m_model->rowCount(); }
+int ProblemsPanel::count() const {
+    return m_model->rowCount();
+}
 
-void ProblemsPanel::setFileName(const QString& fileName) { m_fileName = fileName; }
+void ProblemsPanel::setFileName(const QString& fileName) {
+    m_fileName = fileName;
+}
 
 void ProblemsPanel::createActions() {
     auto* copy = new QAction(icon(QStringLiteral("copy")), tr("&Copy"), m_list);
@@ -84,16 +92,16 @@ void ProblemsPanel::copySelected() {
 
 void ProblemsPanel::showEntry(const QModelIndex& index) {
     const document::EntryId entry = m_model->entryAt(index.row());
-    if (entry != document::EntryId::None)
-        m_document->setCurrent(entry);
+    if (entry != document::EntryId::None) m_document->setCurrent(entry);
 }
 
 void ProblemsPanel::updateCount() {
     m_list->setVisible(count() > 0);
-    m_summary->setText(count() > 0 ? tr("%n problem(s) found while reading. Entries that could not be read are kept "
-                                        "as they are.",
-                                        nullptr, count())
-                                   : tr("Nothing to report: every entry was read."));
+    m_summary->setText(count() > 0
+                           ? tr("%n problem(s) found while reading. Entries that could not be read are kept "
+                                "as they are.",
+                                nullptr, count())
+                           : tr("Nothing to report: every entry was read."));
     m_summary->setAlignment(count() > 0 ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
     emit countChanged(count());
 }

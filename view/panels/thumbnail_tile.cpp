@@ -30,7 +30,8 @@ QPainterPath cube(const QRectF& box) {
 
 QPainterPath emptySet(const QRectF& box) {
     QPainterPath path;
-    path.addEllipse(box.adjusted(box.width() * 0.1, box.height() * 0.1, -box.width() * 0.1, -box.height() * 0.1));
+    path.addEllipse(
+        box.adjusted(box.width() * 0.1, box.height() * 0.1, -box.width() * 0.1, -box.height() * 0.1));
     path.moveTo(box.bottomLeft());
     path.lineTo(box.topRight());
     return path;
@@ -50,18 +51,23 @@ QPainterPath warning(const QRectF& box) {
 
 QPainterPath sign(Thumbnail::State state, const QRectF& box) {
     switch (state) {
-    case Thumbnail::State::NoAttractor: return emptySet(box);
-    case Thumbnail::State::ThreeDimensional: return cube(box);
-    case Thumbnail::State::Unreadable: return warning(box);
+    case Thumbnail::State::NoAttractor:
+        return emptySet(box);
+    case Thumbnail::State::ThreeDimensional:
+        return cube(box);
+    case Thumbnail::State::Unreadable:
+        return warning(box);
     case Thumbnail::State::Pending:
-    case Thumbnail::State::Ready: break;
+    case Thumbnail::State::Ready:
+        break;
     }
     return {};
 }
 
 } // namespace
 
-void paintThumbnail(QPainter& painter, const QRect& place, const Thumbnail& thumbnail, const QPalette& palette) {
+void paintThumbnail(QPainter& painter, const QRect& place, const Thumbnail& thumbnail,
+                    const QPalette& palette) {
     if (!thumbnail.pixmap.isNull()) {
         painter.drawPixmap(place, thumbnail.pixmap);
         return;
