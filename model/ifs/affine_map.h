@@ -30,21 +30,24 @@ AffineMap<2> affineMap(double a, double b, double c, double d, double e, double 
 // outer∘inner: the inner map acts first. The map of the address σ = σ₁σ₂…σₖ is w_σ₁ * w_σ₂ * … * w_σₖ.
 template <int Dim> AffineMap<Dim> operator*(const AffineMap<Dim>& outer, const AffineMap<Dim>& inner);
 
+template <int Dim> bool isFinite(const AffineMap<Dim>& map);
+
 template <int Dim> double determinant(const Matrix<Dim>& linear);
 
-// Singular values, largest first. In the plane from |α| ± |β|, where A z = αz + βz̄.
+// Singular values, largest first. In the plane from |α| ± |β|, where A z = αz + βz̄. All infinite when a
+// coefficient is no finite number, so that such a map never counts as a contraction.
 template <int Dim> Vector<Dim> singularValues(const Matrix<Dim>& linear);
 
 // ‖A‖, the largest singular value: the factor by which A stretches at most.
 template <int Dim> double spectralNorm(const Matrix<Dim>& linear);
 
-// ρ(A), the largest modulus of an eigenvalue.
+// ρ(A), the largest modulus of an eigenvalue; infinite when a coefficient is no finite number.
 template <int Dim> double spectralRadius(const Matrix<Dim>& linear);
 
 // nullopt when the linear part is singular (determinant 0, or not finite).
 template <int Dim> std::optional<AffineMap<Dim>> inverse(const AffineMap<Dim>& map);
 
-// (I − A)⁻¹ b; nullopt when |det(I − A)| < 1e-12, where no single point is fixed.
+// (I − A)⁻¹ b; nullopt when |det(I − A)| < 1e-12, where no single point is fixed, and when it is not finite.
 template <int Dim> std::optional<Vector<Dim>> fixedPoint(const AffineMap<Dim>& map);
 
 // T∘w∘T⁻¹: the same map seen in the coordinates that T leads to; nullopt when T is singular.

@@ -44,7 +44,7 @@ template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSyst
 
 // One probability per map, 0 for a map that is off, sum 1 unless every map is off.
 // A disabled map and a weight ≤ 0 (or not finite) mean off. If any enabled map has no weight at all,
-// the determinant rule serves for all enabled maps.
+// the determinant rule serves for all maps that are not off.
 template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system);
 
 // Those maps that have a positive probability; `index` is their place in the system.
@@ -54,6 +54,10 @@ template <int Dim> struct ActiveMaps {
     std::vector<std::size_t> index;
 };
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system);
+
+// The masses divided by their sum, none below `floor` of it before renormalising. A mass that is negative or
+// not finite counts as 0; equal shares when every mass is 0.
+std::vector<double> shares(std::vector<double> masses, double floor = 0);
 
 // Weight rules. Each returns positive numbers that sum to 1, one per map (empty for no maps).
 // Determinant rule: |det A_i|, none below `floor` of the sum before renormalising; equal if every determinant

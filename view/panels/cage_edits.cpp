@@ -10,6 +10,7 @@ namespace view {
 namespace {
 
 constexpr std::size_t triangle = 3;
+constexpr double relativeTolerance = 1e-10; // finer than anybody sees, and never slow
 
 QString sentence(const char* text) {
     return QCoreApplication::translate("CageEdits", text);
@@ -71,8 +72,10 @@ std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const document::Fractal
                                                          SimplexChoice choice) {
     const auto support = ifs::SupportFunction<2>::of(displayedMaps(fractal));
     if (!support) return std::nullopt;
-    return choice == SimplexChoice::Minimal ? ifs::minimalCanonicalSimplex(*support)
-                                            : ifs::canonicalSimplex<2>(*support, orientationOf(choice));
+    const double tolerance = relativeTolerance * support->radius();
+    return choice == SimplexChoice::Minimal
+               ? ifs::minimalCanonicalSimplex(*support, tolerance)
+               : ifs::canonicalSimplex<2>(*support, orientationOf(choice), tolerance);
 }
 
 std::optional<document::Fractal> withCageFitted(const document::Fractal& fractal, SimplexChoice choice) {

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/iterated_function_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+
+namespace ifs {
+
+namespace {
+
+constexpr double MaxConditionNumber = 1e6;
+
+template <int Dim> bool isOff(const WeightedMap<Dim>& map) {
+    return !map.enabled || (map.weight && !(*map.weight > 0 && std::isfinite(*map.weight)));
+}
+
+} // namespace
+
+std::vector<double> shares(std::vector<double> masses, double floor) {
+    for (double& mass : masses)
+        if (!(mass > 0 && std::isfinite(mass))) mass = 0;
+    const double largest = masses.empty() ? 0 : std::ranges::max(masses);
+    if (largest == 0) return equalWeights(masses.size());
+    // The largest mass goes first: a sum of finite masses may overflow, a sum of ratios does not.
+    const auto normalise = [&masses](double scale) {
+        double sum = 0;
+        for (double& mass : masses)
+            sum += mass /= scale;
+        for (double& mass : masses)
+            mass /= sum;
+    };
+    normalise(largest);
+    if (floor > 0) {
+        for (double& mass : masses)
+            mass = std::max(mass, floor);
+        normalise(1);
+    }
+    return masses;
+}
+
+template <int Dim> MapId freshId(const IteratedFunctionSystem<Dim>& system) {
+    std::unordered_set<std::uint32_t> taken;
+    std::uint32_t largest = 0;
+    for (const auto& map : system.maps) {
+        taken.insert(std::uint32_t(map.id));
+        largest = std::max(largest, std::uint32_t(map.id));
+    }
+    if (largest < std::numeric_limits<std::uint32_t>::max()) return MapId{largest + 1};
+    std::uint32_t id = 1;
+    while (taken.contains(id))
+        ++id;
+    return MapId{id};
+}
+
+template <int Dim>
+MapId append(IteratedFunctionSystem<Dim>& system, const AffineMap<Dim>& map, std::optional<double> weight) {
+    const MapId id = freshId(system);
+    system.maps.push_back({.id = id, .map = map, .weight = weight});
+    return id;
+}
+
+template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>& system) {
+    std::vector<AffineMap<Dim>> maps;
+    maps.reserve(system.maps.size());
+    for (const auto& map : system.maps)
+        maps.push_back(map.map);
+    return maps;
+}
+
+template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system) {
+    std::vector<double> result(system.maps.size());
+    const ActiveMaps<Dim> active = activeMaps(system);
+    for (std::size_t k = 0; k < active.index.size(); ++k)
+        result[active.index[k]] = active.probabilities[k];
+    return result;
+}
+
+template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system) {
+    ActiveMaps<Dim> active;
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const auto& map = system.maps[i];
+        if (isOff(map)) continue;
+        active.maps.push_back(map.map);
+        active.index.push_back(i);
+        if (map.weight) weights.push_back(*map.weight);
+    }
+    const bool everyWeightGiven = weights.size() == active.maps.size();
+    active.probabilities =
+        everyWeightGiven ? shares(std::move(weights)) : determinantWeights<Dim>(active.maps);
+    return active;
+}
+
+template <int Dim>
+std::vector<double> determinantWeights(std::span<const AffineMap<Dim>> maps, double floor) {
+    std::vector<double> masses;
+    masses.reserve(maps.size());
+    for (const auto& map : maps)
+        masses.push_back(std::abs(determinant<Dim>(map.linear)));
+    return shares(std::move(masses), floor);
+}
+
+std::vector<double> equalWeights(std::size_t count) {
+    return std::vector<double>(count, count == 0 ? 0 : 1.0 / double(count));
+}
+
+template <int Dim>
+std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& transformation,
+                                                     const IteratedFunctionSystem<Dim>& system) {
+    const Vector<Dim> stretch = singularValues<Dim>(transformation.linear);
+    if (!(stretch[Dim - 1] * MaxConditionNumber >= stretch[0])) return std::nullopt;
+    IteratedFunctionSystem<Dim> result = system;
+    for (auto& map : result.maps) {
+        const auto conjugated = conjugate(transformation, map.map);
+        if (!conjugated) return std::nullopt;
+        map.map = *conjugated;
+    }
+    return result;
+}
+
+#define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template MapId freshId(const IteratedFunctionSystem<Dim>&);                                              \
+    template MapId append(IteratedFunctionSystem<Dim>&, const AffineMap<Dim>&, std::optional<double>);       \
+    template std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>&);                         \
+    template std::vector<double> probabilities(const IteratedFunctionSystem<Dim>&);                          \
+    template ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>&);                                 \
+    template std::vector<double> determinantWeights(std::span<const AffineMap<Dim>>, double);                \
+    template std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>&,                     \
+                                                                  const IteratedFunctionSystem<Dim>&);
+BARYCAGE_INSTANTIATE(2)
+BARYCAGE_INSTANTIATE(3)
+#undef BARYCAGE_INSTANTIATE
+
+} // namespace ifs
