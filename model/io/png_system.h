@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/save_file.h"
+#include "io/embedded_system.h"
 
 #include <QByteArray>
 
@@ -14,10 +14,6 @@ bool looksLikePng(const QByteArray& bytes);
 
 // The `.ifs` text embedded in a picture by PngWriter. Reads no pixels, trusts no length: chunks of more than
 // 8 MB are refused, a damaged picture gives a failure.
-struct EmbeddedSystem {
-    QByteArray text;
-    Failure failure; // why there is no text
-};
 EmbeddedSystem readPngSystem(const QByteArray& bytes);
 
 } // namespace io
