@@ -42,8 +42,7 @@ Camera fitted(Camera camera, const ifs::Vector<2>& min, const ifs::Vector<2>& ma
     const double across = extent.x() > 0 ? room * camera.width / extent.x() : HUGE_VAL;
     const double along = extent.y() > 0 ? room * camera.height / extent.y() : HUGE_VAL;
     const double scale = std::min(across, along);
-    if (std::isfinite(scale) && scale > 0)
-        camera.pixelsPerUnit = scale;
+    if (std::isfinite(scale) && scale > 0) camera.pixelsPerUnit = scale;
     return camera;
 }
 

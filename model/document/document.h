@@ -9,6 +9,8 @@
 #include <QUndoStack>
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 namespace document {
 
@@ -17,13 +19,13 @@ class EditGesture;
 // What differs from before.
 struct Change {
     enum Part {
-        System = 0x01,     // maps, weights, order, on/off
+        System = 0x01, // maps, weights, order, on/off
         Cage = 0x02,
         Appearance = 0x04,
-        Name = 0x08,       // and comments
-        Entries = 0x10,    // added, removed, reordered
-        Current = 0x20,    // another entry is shown
-        File = 0x40,       // another file altogether
+        Name = 0x08,    // and comments
+        Entries = 0x10, // added, removed, reordered
+        Current = 0x20, // another entry is shown
+        File = 0x40,    // another file altogether
         Everything = 0x7f,
     };
     Q_DECLARE_FLAGS(Parts, Part)
@@ -31,7 +33,12 @@ struct Change {
     bool live = false; // in the middle of a gesture: more of the same is to come
 };
 
+// The parts in which two fractals differ.
+Change::Parts difference(const Fractal& a, const Fractal& b);
+
 // The open file, the entry being edited, and the history. Lives in the GUI thread.
+// One step of the history holds whole values before and after; undoing an edit shows the entry it belongs to.
+// Undo or redo while a gesture is open drops what the gesture was showing.
 class Document : public QObject {
     Q_OBJECT
 
@@ -39,18 +46,22 @@ public:
     explicit Document(QObject* parent = nullptr); // a new file with a Sierpiński triangle
 
     const FractalFile& file() const { return m_file; }
-    const Entry& currentEntry() const;
+    const Entry& currentEntry() const; // of a file without entries: an entry without id and system
     const Fractal& fractal() const { return *currentEntry().fractal; } // the entry being edited
     EntryId currentId() const { return m_current; }
     std::uint64_t revision() const { return m_revision; } // grows with every change
     QUndoStack* undoStack() { return &m_undoStack; }
-    bool isModified() const { return !m_undoStack.isClean(); }
+    bool isModified() const; // not as it was when opened or saved, an open gesture included
 
-    void setFile(FractalFile file, EntryId current = EntryId::None); // clears the history; None: the first loadable entry
-    void setCurrent(EntryId id); // not a step of the history
-    void markSaved(FractalFile saved); // after saving: the clean state; sources are those of the bytes written
+    void setFile(FractalFile file,
+                 EntryId current = EntryId::None); // clears the history; None: the first loadable entry
+    void setCurrent(EntryId id); // not a step of the history; an id that is not in the file is ignored
+    // After saving: the present state is the clean one. The problems shown are those of `saved`, the file
+    // read back.
+    void markSaved(const FractalFile& saved);
 
     // One undo step each, described by `text` in the imperative; nothing happens when nothing would change.
+    // An open gesture is committed first.
     void edit(const QString& text, Fractal after);
     void editFile(const QString& text, FractalFile after, EntryId current = EntryId::None);
 
@@ -60,15 +71,23 @@ signals:
 private:
     friend class EditGesture;
     friend class EditCommand;
+    // What a step of the history goes back to: one entry's fractal, or the whole file.
     struct State {
-        FractalFile file;
         EntryId current = EntryId::None;
+        std::shared_ptr<const Fractal> fractal;
+        std::optional<FractalFile> file;
     };
-    void apply(State state, bool live);
+    enum class Live { No, Yes };
+
+    void apply(const State& state);
+    void show(const std::shared_ptr<const Fractal>& fractal, Live live, Change::Parts alreadyShown = {});
+    void announce(Change::Parts parts, Live live = Live::No);
     void push(const QString& text, State before, State after);
+    void commitGesture();
 
     FractalFile m_file;
     EntryId m_current = EntryId::None;
+    qsizetype m_index = -1; // of the current entry
     std::uint64_t m_revision = 0;
     QUndoStack m_undoStack;
     EditGesture* m_gesture = nullptr; // at most one is open

@@ -17,17 +17,20 @@ public:
     EditGesture(const EditGesture&) = delete;
     EditGesture& operator=(const EditGesture&) = delete;
 
-    bool isOpen() const;
-    const Fractal& before() const { return m_before; } // as it was when the gesture began; compute every step from it
-    void preview(Fractal fractal);                     // shown at once, not in the history
-    void commit(); // one step; none when the fractal is as it was
-    void cancel(); // back to the beginning, exactly
+    bool isOpen() const; // until commit, cancel, undo, or another edit ends it
+    const Fractal& before() const {
+        return *m_before;
+    }                              // as it was when the gesture began; compute every step from it
+    void preview(Fractal fractal); // shown at once, not in the history; ignored once the gesture has ended
+    void commit();                 // one step; none when the fractal is as it was
+    void cancel();                 // back to the beginning, exactly
 
 private:
     friend class Document;
     QPointer<Document> m_document;
     QString m_text;
-    Fractal m_before;
+    std::shared_ptr<const Fractal> m_before;
+    Change::Parts m_previewed; // what listeners have been told was live
 };
 
 } // namespace document

@@ -30,15 +30,20 @@ struct Fractal {
     friend bool operator==(const Fractal&, const Fractal&) = default;
 };
 
-inline const System2* system2(const Fractal& fractal) { return std::get_if<System2>(&fractal.system); }
-inline System2* system2(Fractal& fractal) { return std::get_if<System2>(&fractal.system); }
+inline const System2* system2(const Fractal& fractal) {
+    return std::get_if<System2>(&fractal.system);
+}
+inline System2* system2(Fractal& fractal) {
+    return std::get_if<System2>(&fractal.system);
+}
 int dimension(const Fractal& fractal); // 2 or 3; 0 for an unreadable entry
 
-// The cage in force: the stored one, else the minimal canonical simplex of the code at rest (or, when the code has
-// no attractor, a unit triangle). Costs a certified simplex when none is stored.
+// The cage in force: the stored one, else the minimal canonical simplex of the code at rest (or, when the
+// code has no attractor, a unit triangle). Costs a certified simplex when none is stored.
 ifs::ControlCage<2> effectiveCage(const Fractal& fractal);
 
-// The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is flat.
+// The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is
+// flat.
 std::optional<System2> effectiveSystem(const Fractal& fractal);
 
 // The request that draws the fractal through the camera with default quality.

@@ -14,20 +14,21 @@ namespace document {
 
 enum class EntryId : std::uint32_t { None = 0 };
 
-// The bytes an entry was read from, and what they meant. Never changes: while the entry's fractal still equals
-// `fractal`, it is written back byte for byte.
+// The bytes an entry was read from, and what they meant. Never changes: while the entry's fractal still
+// equals `fractal`, it is written back byte for byte.
 struct EntrySource {
     QByteArray before; // everything between the previous entry and this one
-    QByteArray text;   // from the name to the closing brace and the rest of that line where it belongs to the entry
+    QByteArray
+        text; // from the name to the closing brace and the rest of that line where it belongs to the entry
     Fractal fractal;
-    int line = 1;      // of the name, 1-based
+    int line = 1; // of the name, 1-based
 };
 
 struct Entry {
     EntryId id = EntryId::None;
-    std::shared_ptr<const Fractal> fractal;      // never null; shared between the steps of the history
-    std::shared_ptr<const EntrySource> source;   // null for an entry made here
-    Problems problems;                           // found when it was read
+    std::shared_ptr<const Fractal> fractal;    // never null; shared between the steps of the history
+    std::shared_ptr<const EntrySource> source; // null for an entry made here
+    Problems problems;                         // found when it was read
 
     friend bool operator==(const Entry& a, const Entry& b);
 };
@@ -35,16 +36,19 @@ struct Entry {
 // An ordered file of entries: a plain value, cheap to copy.
 struct FractalFile {
     QList<Entry> entries;
-    QByteArray tail;                 // after the last entry: comments, ^Z
+    QByteArray tail; // after the last entry: comments, ^Z
     QByteArray lineEnd = "\n";
-    Problems problems;               // of the file as a whole
+    Problems problems; // of the file as a whole
 
     friend bool operator==(const FractalFile&, const FractalFile&);
 };
 
 EntryId freshId(const FractalFile& file);
 qsizetype indexOf(const FractalFile& file, EntryId id); // −1 when absent
-// `name` made legal and unique in the file, ignoring case: at most 18 characters, no blanks, ( ; { }.
-QString uniqueName(const FractalFile& file, const QString& name);
+// `name` made legal and unique in the file, ignoring case: at most 18 bytes, no blanks, parentheses, braces,
+// ; or :. The entry `except` (the one being renamed) does not count as a holder of the name.
+QString uniqueName(const FractalFile& file, const QString& name, EntryId except = EntryId::None);
+
+FractalFile fileOf(Fractal fractal); // a new file of one entry
 
 } // namespace document

@@ -11,8 +11,8 @@ struct Problem {
     enum class Severity { Warning, Error };
 
     Severity severity = Severity::Warning;
-    QString entry; // name of the entry, empty for the file as a whole
-    int line = 0;  // 1-based; 0 when it concerns no single place
+    QString entry;  // name of the entry, empty for the file as a whole
+    int line = 0;   // 1-based; 0 when it concerns no single place
     int column = 0; // 1-based, in bytes
     QString message;
 

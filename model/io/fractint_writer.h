@@ -8,15 +8,15 @@
 
 namespace io {
 
-// The file with every untouched entry byte for byte as it was read. Of an edited entry only the edited rows and our
-// own comment lines change.
+// The file with every untouched entry byte for byte as it was read. Of an edited entry only the edited rows
+// and our own comment lines change.
 QByteArray writeFractint(const document::FractalFile& file);
 
 // One entry in the strict form that every reader takes; used for new entries and for the clipboard.
 QByteArray writeEntry(const document::Fractal& fractal, const QByteArray& lineEnd = "\n");
 
-// What the strictest readers take: unique legal names, weights positive and summing to 1, none of our comments.
-// Limits of other programs that are exceeded are reported in `problems`.
+// What the strictest readers take: unique legal names, weights positive and summing to 1, none of our
+// comments. Limits of other programs that are exceeded are reported in `problems`.
 struct StrictText {
     QByteArray bytes;
     document::Problems problems;

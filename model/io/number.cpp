@@ -12,13 +12,11 @@ std::optional<double> parseNumber(QStringView text) {
     const char* last = first + digits.size();
     if (first != last && *first == '+') {
         ++first;
-        if (first != last && *first == '-')
-            return std::nullopt;
+        if (first != last && *first == '-') return std::nullopt;
     }
     double value = 0;
     const auto result = std::from_chars(first, last, value, std::chars_format::general);
-    if (result.ec != std::errc() || result.ptr != last || !std::isfinite(value))
-        return std::nullopt;
+    if (result.ec != std::errc() || result.ptr != last || !std::isfinite(value)) return std::nullopt;
     return value;
 }
 

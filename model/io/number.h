@@ -10,7 +10,8 @@
 // Numbers as text: always the C locale, whatever the user's.
 namespace io {
 
-// A finite decimal number and nothing else (surrounding blanks allowed); nullopt for 1/3, 0,5, inf, nan, hex, "".
+// A finite decimal number and nothing else (surrounding blanks allowed); nullopt for 1/3, 0,5, inf, nan, hex,
+// "".
 std::optional<double> parseNumber(QStringView text);
 
 // The shortest text that reads back as the same double.

@@ -11,8 +11,8 @@ namespace io {
 // The user's sentence when something went wrong; nullopt on success.
 using Failure = std::optional<QString>;
 
-// Writes through a temporary file in the same folder, flushed to the disk and renamed: `path` holds the old bytes or
-// the new ones, never a part. Permissions and a symbolic link at `path` are kept.
+// Writes through a temporary file in the same folder, flushed to the disk and renamed: `path` holds the old
+// bytes or the new ones, never a part. Permissions and a symbolic link at `path` are kept.
 Failure saveFile(const QString& path, const QByteArray& bytes);
 
 struct Loaded {

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "document/document.h"
+
+#include "document/edit_gesture.h"
+
+#include <QUndoCommand>
+
+#include <algorithm>
+#include <utility>
+
+namespace document {
+
+class EditCommand : public QUndoCommand {
+public:
+    EditCommand(Document* document, const QString& text, Document::State before, Document::State after)
+        : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)) {}
+
+    void undo() override { m_document->apply(m_before); }
+    void redo() override { m_document->apply(m_after); }
+
+private:
+    Document* m_document; // owns the stack that owns this
+    Document::State m_before;
+    Document::State m_after;
+};
+
+namespace {
+
+const Entry& noEntry() {
+    static const Entry entry{EntryId::None, std::make_shared<const Fractal>(), nullptr, {}};
+    return entry;
+}
+
+EntryId firstLoadable(const FractalFile& file) {
+    for (const Entry& entry : file.entries)
+        if (dimension(*entry.fractal) == 2) return entry.id;
+    for (const Entry& entry : file.entries)
+        if (dimension(*entry.fractal) == 3) return entry.id;
+    return file.entries.isEmpty() ? EntryId::None : file.entries.front().id;
+}
+
+bool isSame(const std::shared_ptr<const Fractal>& a, const std::shared_ptr<const Fractal>& b) {
+    return a == b || *a == *b;
+}
+
+// Whether anything but the entry `except` differs.
+bool entriesDiffer(const FractalFile& a, const FractalFile& b, EntryId except) {
+    return a.tail != b.tail || a.lineEnd != b.lineEnd ||
+           !std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
+                       [&](const Entry& x, const Entry& y) {
+                           return x.id == y.id && x.source == y.source &&
+                                  (x.id == except || isSame(x.fractal, y.fractal));
+                       });
+}
+
+} // namespace
+
+Change::Parts difference(const Fractal& a, const Fractal& b) {
+    Change::Parts parts;
+    parts.setFlag(Change::System, a.system != b.system);
+    parts.setFlag(Change::Cage, a.cage != b.cage);
+    parts.setFlag(Change::Appearance, !(a.appearance == b.appearance));
+    parts.setFlag(Change::Name,
+                  a.name != b.name || a.headerComment != b.headerComment || a.comments != b.comments);
+    return parts;
+}
+
+Document::Document(QObject* parent) : QObject(parent), m_file(fileOf(sierpinskiTriangle())) {
+    m_current = m_file.entries.front().id;
+    m_index = 0;
+}
+
+const Entry& Document::currentEntry() const {
+    return m_index < 0 ? noEntry() : m_file.entries.at(m_index);
+}
+
+bool Document::isModified() const {
+    return !m_undoStack.isClean() || (m_gesture != nullptr && fractal() != m_gesture->before());
+}
+
+void Document::setFile(FractalFile file, EntryId current) {
+    m_gesture = nullptr;
+    m_file = std::move(file);
+    m_current = indexOf(m_file, current) >= 0 ? current : firstLoadable(m_file);
+    m_index = indexOf(m_file, m_current);
+    m_undoStack.clear();
+    m_undoStack.setClean();
+    announce(Change::Everything);
+}
+
+void Document::setCurrent(EntryId id) {
+    const qsizetype index = indexOf(m_file, id);
+    if (index < 0 || id == m_current) return;
+    commitGesture();
+    const auto before = currentEntry().fractal;
+    m_current = id;
+    m_index = index;
+    announce(Change::Current | difference(*before, fractal()));
+}
+
+void Document::markSaved(const FractalFile& saved) {
+    commitGesture();
+    if (saved.entries.size() == m_file.entries.size()) {
+        for (qsizetype i = 0; i < saved.entries.size(); ++i)
+            if (m_file.entries.at(i).problems != saved.entries.at(i).problems)
+                m_file.entries[i].problems = saved.entries.at(i).problems;
+        m_file.problems = saved.problems;
+    }
+    m_undoStack.setClean();
+}
+
+void Document::edit(const QString& text, Fractal after) {
+    commitGesture();
+    if (m_index < 0 || after == fractal()) return;
+    push(text, {m_current, currentEntry().fractal, {}},
+         {m_current, std::make_shared<const Fractal>(std::move(after)), {}});
+}
+
+void Document::editFile(const QString& text, FractalFile after, EntryId current) {
+    commitGesture();
+    if (indexOf(after, current) < 0) current = m_current;
+    if (indexOf(after, current) < 0) { // the current entry was removed: its place is taken by a neighbour
+        const qsizetype last = after.entries.size() - 1;
+        current = last < 0 ? EntryId::None : after.entries.at(std::clamp<qsizetype>(m_index, 0, last)).id;
+    }
+    if (after == m_file) return setCurrent(current);
+    push(text, {m_current, {}, m_file}, {current, {}, std::move(after)});
+}
+
+void Document::push(const QString& text, State before, State after) {
+    m_undoStack.push(new EditCommand(this, text, std::move(before), std::move(after)));
+}
+
+void Document::apply(const State& state) {
+    Change::Parts parts;
+    const auto before = currentEntry().fractal;
+    if (EditGesture* gesture = std::exchange(m_gesture, nullptr)) parts |= gesture->m_previewed;
+    if (state.file) {
+        parts.setFlag(Change::Entries, entriesDiffer(m_file, *state.file, state.current));
+        m_file = *state.file;
+    }
+    parts.setFlag(Change::Current, state.current != m_current);
+    m_current = state.current;
+    m_index = indexOf(m_file, m_current);
+    if (state.fractal && m_index >= 0) m_file.entries[m_index].fractal = state.fractal;
+    announce(parts | difference(*before, fractal()));
+}
+
+void Document::show(const std::shared_ptr<const Fractal>& fractal, Live live, Change::Parts alreadyShown) {
+    const Change::Parts parts = alreadyShown | difference(*currentEntry().fractal, *fractal);
+    if (!parts) return;
+    m_file.entries[m_index].fractal = fractal;
+    announce(parts, live);
+}
+
+void Document::announce(Change::Parts parts, Live live) {
+    ++m_revision;
+    emit changed({parts, live == Live::Yes});
+}
+
+void Document::commitGesture() {
+    if (m_gesture != nullptr) m_gesture->commit();
+}
+
+} // namespace document

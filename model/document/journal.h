@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QList>
+#include <QString>
+
+#include <memory>
+
+class QLockFile;
+
+namespace document {
+
+// What is needed to offer a window's unsaved work again.
+struct Snapshot {
+    QString path;     // of the file it came from; empty when it never had one
+    QString title;    // what the window was called
+    int current = 0;  // index of the entry that was shown
+    QDateTime when;   // UTC
+    QByteArray bytes; // the whole file as it would have been saved
+
+    friend bool operator==(const Snapshot&, const Snapshot&) = default;
+};
+
+// The recovery file of one window: rewritten as a whole and atomically, readable by the owner alone, locked
+// while its process lives, so that after a crash the next start can tell it from those of running windows.
+class Journal {
+public:
+    // The folder is created when missing. Journals in one folder never share a file.
+    explicit Journal(const QString& folder);
+    ~Journal(); // leaves the file if there is one: only discard() says that nothing is to be recovered
+
+    Journal(const Journal&) = delete;
+    Journal& operator=(const Journal&) = delete;
+
+    bool write(const Snapshot& snapshot); // false: not written, the one before is kept
+    void discard();
+
+private:
+    QString m_path;
+    std::unique_ptr<QLockFile> m_lock;
+};
+
+// Snapshots whose process is gone, newest first. They stay until taken away with forget().
+struct Abandoned {
+    QString journal; // its file
+    Snapshot snapshot;
+};
+QList<Abandoned> abandonedSnapshots(const QString& folder);
+void forget(const Abandoned& abandoned);
+
+} // namespace document

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "document/journal.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using document::Journal;
+using document::Snapshot;
+
+class JournalTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aLivingWindowIsNotAbandoned();
+    void whatWasWrittenIsOfferedAfterTheProcessIsGone();
+    void aKilledProcessLeavesItsLastSnapshot();
+    void discardedWorkIsNotOffered();
+    void damagedJournalsAreIgnored();
+    void onlyTheOwnerMayRead();
+};
+
+namespace {
+
+Snapshot snapshot(const QByteArray& bytes) {
+    return {QStringLiteral("/somewhere/ferns.ifs"), QStringLiteral("ferns.ifs"), 3,
+            QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC), bytes};
+}
+
+QStringList journalsIn(const QString& folder) {
+    return QDir(folder).entryList({QStringLiteral("*.journal")}, QDir::Files);
+}
+
+} // namespace
+
+void JournalTest::aLivingWindowIsNotAbandoned() {
+    const QTemporaryDir folder;
+    Journal journal(folder.path());
+    QVERIFY(journal.write(snapshot("a")));
+    QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty());
+}
+
+void JournalTest::whatWasWrittenIsOfferedAfterTheProcessIsGone() {
+    const QTemporaryDir folder;
+    const QByteArray bytes("fern {\r\n\0 ; \xe9\n}\x1a", 17);
+    {
+        Journal journal(folder.path());
+        QVERIFY(journal.write(snapshot("older")));
+        QVERIFY(journal.write(snapshot(bytes)));
+    }
+    const auto offered = document::abandonedSnapshots(folder.path());
+    QCOMPARE(offered.size(), 1);
+    QVERIFY(offered.first().snapshot == snapshot(bytes));
+    document::forget(offered.first());
+    QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty());
+    QVERIFY(journalsIn(folder.path()).isEmpty());
+}
+
+void JournalTest::aKilledProcessLeavesItsLastSnapshot() {
+    const QTemporaryDir folder;
+    QProcess writer; // this program again, writing until it is killed
+    writer.start(QCoreApplication::applicationFilePath(),
+                 {QStringLiteral("--write-until-killed"), folder.path()});
+    QVERIFY(writer.waitForReadyRead());
+    writer.kill();
+    QVERIFY(writer.waitForFinished());
+    const int announced = writer.readAllStandardOutput().split('\n').first().toInt();
+    const auto offered = document::abandonedSnapshots(folder.path());
+    QCOMPARE(offered.size(), 1);
+    QVERIFY(offered.first().snapshot.bytes.toInt() >= announced);
+}
+
+void JournalTest::discardedWorkIsNotOffered() {
+    const QTemporaryDir folder;
+    {
+        Journal journal(folder.path());
+        QVERIFY(journal.write(snapshot("a")));
+        journal.discard();
+    }
+    QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty());
+}
+
+void JournalTest::damagedJournalsAreIgnored() {
+    const QTemporaryDir folder;
+    {
+        Journal journal(folder.path());
+        QVERIFY(journal.write(snapshot("some bytes that matter")));
+    }
+    const QString path = folder.filePath(journalsIn(folder.path()).value(0));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    const QByteArray whole = file.readAll();
+    for (qsizetype length = 0; length < whole.size(); ++length) {
+        file.resize(0);
+        file.seek(0);
+        file.write(whole.left(length));
+        file.flush();
+        QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty());
+    }
+}
+
+void JournalTest::onlyTheOwnerMayRead() {
+    const QTemporaryDir parent;
+    const QString folder = parent.filePath(QStringLiteral("recovery"));
+    Journal journal(folder);
+    QVERIFY(journal.write(snapshot("a")));
+    const auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    QVERIFY(!(QFile::permissions(folder) & others));
+    QVERIFY(!(QFile::permissions(QDir(folder).filePath(journalsIn(folder).value(0))) & others));
+}
+
+int main(int argc, char** argv) {
+    QCoreApplication application(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.value(1) == QLatin1String("--write-until-killed")) {
+        Journal journal(arguments.value(2));
+        for (int i = 0;; ++i) {
+            journal.write(snapshot(QByteArray::number(i)));
+            fprintf(stdout, "%d\n", i);
+            fflush(stdout);
+        }
+    }
+    JournalTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "journal_test.moc"

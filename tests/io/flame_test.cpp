@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "io/flame.h"
+
+#include <QFile>
+#include <QRandomGenerator>
+#include <QTest>
+
+using document::System2;
+
+class FlameTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void readsColumnsAndFlipsY();
+    void linearAmountAndPostAreApplied();
+    void refusesWhatIsNotAffine_data();
+    void refusesWhatIsNotAffine();
+    void refusesADocumentType();
+    void oneBadFlameDoesNotStopTheOthers();
+    void writesWhatFlamesExpect();
+    void roundTripIsExact();
+    void survivesDamage();
+};
+
+namespace {
+
+QByteArray flame(const QByteArray& xform) {
+    return "<flames>\n<flame name=\"a\" size=\"10 10\">\n" + xform + "\n</flame></flames>";
+}
+
+const System2& onlySystem(const document::FractalFile& file) {
+    static const System2 none;
+    if (file.entries.size() != 1) return none;
+    const System2* system = document::system2(*file.entries.first().fractal);
+    return system ? *system : none;
+}
+
+document::Fractal randomFractal(QRandomGenerator& random, int index) {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("random%1").arg(index);
+    System2 system;
+    const int count = random.bounded(1, 9);
+    for (int i = 0; i < count; ++i) {
+        double c[6];
+        for (double& value : c)
+            value = random.generateDouble() * 2 - 1;
+        ifs::append(system, ifs::affineMap(c[0] / 2, c[1] / 2, c[2] / 2, c[3] / 2, c[4], c[5]), 1.0 / count);
+    }
+    fractal.system = system;
+    return fractal;
+}
+
+} // namespace
+
+void FlameTest::readsColumnsAndFlipsY() {
+    const QByteArray bytes = flame(R"(<xform weight="0.25" linear="1" coefs="1 2 3 4 5 6"/>)");
+    const System2 written = onlySystem(io::readFlame(bytes, io::FlameAxis::AsWritten));
+    QCOMPARE(written.maps.size(), std::size_t(1));
+    // x' = 1x + 3y + 5, y' = 2x + 4y + 6
+    QVERIFY(written.maps[0].map == ifs::affineMap(1, 3, 2, 4, 5, 6));
+    QCOMPARE(written.maps[0].weight.value(), 0.25);
+    const System2 upright = onlySystem(io::readFlame(bytes));
+    QVERIFY(upright.maps[0].map == ifs::affineMap(1, -3, -2, 4, 5, -6));
+}
+
+void FlameTest::linearAmountAndPostAreApplied() {
+    const System2 system = onlySystem(
+        io::readFlame(flame(R"(<xform weight="1" linear="0.5" coefs="1 0 0 1 2 4" post="0 1 -1 0 10 20"/>)"),
+                      io::FlameAxis::AsWritten));
+    // p → post(½ p + (1, 2)), post a quarter turn and (10, 20): x' = −(½y + 2) + 10, y' = ½x + 1 + 20
+    QVERIFY(system.maps.at(0).map == ifs::affineMap(0, -0.5, 0.5, 0, 8, 21));
+}
+
+void FlameTest::refusesWhatIsNotAffine_data() {
+    QTest::addColumn<QByteArray>("xform");
+    QTest::addColumn<QString>("because");
+    QTest::newRow("variation") << QByteArray(
+                                      R"(<xform weight="1" linear="1" spherical="0.2" coefs="1 0 0 1 0 0"/>)")
+                               << "spherical";
+    QTest::newRow("chaos") << QByteArray(R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0" chaos="1 0"/>)")
+                           << "chaos";
+    QTest::newRow("final")
+        << QByteArray(
+               R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0"/><finalxform linear="1" coefs="1 0 0 1 0 0"/>)")
+        << "final";
+    QTest::newRow("coefs") << QByteArray(R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0x"/>)") << "coefs";
+    QTest::newRow("opacity") << QByteArray(
+                                    R"(<xform weight="1" linear="1" opacity="0" coefs="1 0 0 1 0 0"/>)")
+                             << "opacity";
+    QTest::newRow("space")
+        << QByteArray(R"(<xform weight="1" linear="1" yzCoefs="1 0 0 1 0 0" coefs="1 0 0 1 0 0"/>)")
+        << "yzCoefs";
+}
+
+void FlameTest::refusesWhatIsNotAffine() {
+    QFETCH(QByteArray, xform);
+    QFETCH(QString, because);
+    const document::FractalFile file = io::readFlame(flame(xform));
+    QVERIFY(file.entries.isEmpty());
+    QCOMPARE(file.problems.size(), 1);
+    QVERIFY2(file.problems.first().message.contains(because), qPrintable(file.problems.first().message));
+    QCOMPARE(file.problems.first().line, 3);
+}
+
+void FlameTest::refusesADocumentType() {
+    const document::FractalFile file =
+        io::readFlame("<!DOCTYPE x [<!ENTITY e \"eeeeeeee\">]><flames><flame name=\"&e;\"/></flames>");
+    QVERIFY(file.entries.isEmpty());
+    QVERIFY(!file.problems.isEmpty());
+}
+
+void FlameTest::oneBadFlameDoesNotStopTheOthers() {
+    const QByteArray good =
+        R"(<flame name="g"><xform weight="1" linear="1" coefs="0.5 0 0 0.5 0 0"/></flame>)";
+    const QByteArray bad = R"(<flame name="b"><xform weight="1" julia="1" coefs="0.5 0 0 0.5 0 0"/></flame>)";
+    const document::FractalFile file = io::readFlame("<x>" + bad + good + bad + good + "</x>");
+    QCOMPARE(file.entries.size(), 2);
+    QCOMPARE(file.problems.size(), 2);
+    QVERIFY(file.entries[0].fractal->name != file.entries[1].fractal->name);
+}
+
+void FlameTest::writesWhatFlamesExpect() {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("half");
+    System2 system;
+    ifs::append(system, ifs::affineMap(0.5, 0.1, -0.2, 0.4, 3, 7), 1.0);
+    fractal.system = system;
+    const QByteArray bytes = io::writeFlame({std::make_shared<const document::Fractal>(fractal)});
+    QVERIFY2(bytes.contains(R"(coefs="0.5 0.2 -0.1 0.4 3 -7")"), bytes.constData());
+    QVERIFY(bytes.contains("linear=\"1\""));
+    QVERIFY(bytes.contains("count=\"256\""));
+    QVERIFY(io::looksLikeFlame(bytes));
+}
+
+void FlameTest::roundTripIsExact() {
+    QRandomGenerator random(7);
+    for (int i = 0; i < 200; ++i) {
+        const document::Fractal fractal = randomFractal(random, i);
+        const System2 back =
+            onlySystem(io::readFlame(io::writeFlame({std::make_shared<const document::Fractal>(fractal)})));
+        const System2& system = *document::system2(fractal);
+        QCOMPARE(back.maps.size(), system.maps.size());
+        for (std::size_t k = 0; k < system.maps.size(); ++k)
+            QVERIFY(back.maps[k].map == system.maps[k].map);
+    }
+}
+
+void FlameTest::survivesDamage() {
+    QRandomGenerator random(11);
+    const QByteArray whole =
+        io::writeFlame({std::make_shared<const document::Fractal>(randomFractal(random, 0)),
+                        std::make_shared<const document::Fractal>(randomFractal(random, 1))});
+    for (int i = 0; i < 500; ++i) {
+        QByteArray damaged = whole;
+        for (int k = 0; k < 8; ++k)
+            damaged[random.bounded(int(damaged.size()))] = char(random.bounded(256));
+        const document::FractalFile file = io::readFlame(damaged.left(random.bounded(int(damaged.size()))));
+        QVERIFY(!file.entries.isEmpty() || !file.problems.isEmpty());
+    }
+}
+
+QTEST_APPLESS_MAIN(FlameTest)
+#include "flame_test.moc"

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+class QSlider;
+
+namespace view {
+
+class NumberField;
+
+// A positive number on a logarithmic slider with its field. One drag, one run of wheel or arrow steps, or the
+// typing in the field is one edit: tried() while it lasts, then accepted() or rejected().
+class AppearanceSlider : public QWidget {
+    Q_OBJECT
+
+public:
+    // The slider spans [min, max]; the field takes any number > 0.
+    AppearanceSlider(const QString& name, double min, double max, QWidget* parent = nullptr);
+
+    void setValue(double value);
+    QSlider* slider() const { return m_slider; }
+    NumberField* field() const { return m_field; }
+
+signals:
+    void tried(double value);
+    void accepted();
+    void rejected();
+
+private:
+    int positionOf(double value) const;
+    double valueAt(int position) const;
+    void slide(int position);
+
+    double m_min;
+    double m_max;
+    QSlider* m_slider;
+    NumberField* m_field;
+    QTimer m_settled; // ends a run of steps made without holding the slider
+};
+
+} // namespace view

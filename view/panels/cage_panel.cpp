@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: MIT
+#include "panels/cage_panel.h"
+
+#include "panels/number_field.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QShowEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <chrono>
+
+namespace view {
+
+namespace {
+
+constexpr std::size_t triangle = 3;
+constexpr std::chrono::milliseconds restPause{120};
+
+QLabel* quietLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+QLabel* factLabel(const QString& name, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setAccessibleName(name);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    return label;
+}
+
+QLabel* heading(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+    return label;
+}
+
+} // namespace
+
+CagePanel::CagePanel(document::Document* document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_edit(document) {
+    setAccessibleName(tr("Cage"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 12, 12, 12);
+    layout->setSpacing(10);
+    layout->addLayout(makeButtons());
+    layout->addWidget(makeVertices());
+    m_status = factLabel(tr("State of the cage"), this);
+    layout->addWidget(m_status);
+    layout->addWidget(makeSimplex());
+    layout->addWidget(makePoint());
+    layout->addStretch();
+    m_settled.setSingleShot(true);
+    m_settled.setInterval(restPause);
+    connect(&m_settled, &QTimer::timeout, this, &CagePanel::showSimplex);
+    connect(document, &document::Document::changed, this, &CagePanel::follow);
+    showCage();
+}
+
+QLayout* CagePanel::makeButtons() {
+    m_define = new QAction(tr("Define…"), this);
+    m_define->setToolTip(tr("Define the triangle by three clicks on the canvas; the picture stays"));
+    connect(m_define, &QAction::triggered, this, &CagePanel::defineRequested);
+    m_reset = new QAction(tr("Reset"), this);
+    connect(m_reset, &QAction::triggered, this, &CagePanel::reset);
+    m_bake = new QAction(tr("Bake"), this);
+    connect(m_bake, &QAction::triggered, this, &CagePanel::bake);
+
+    auto* menu = new QMenu(this);
+    const auto add = [&](const QString& text, SimplexChoice choice) {
+        menu->addAction(text, this, [this, choice] { fit(choice); });
+    };
+    add(tr("Minimal Canonical Simplex"), SimplexChoice::Minimal);
+    menu->addSeparator();
+    const std::array choices{SimplexChoice::PlusPlus, SimplexChoice::MinusPlus, SimplexChoice::PlusMinus,
+                             SimplexChoice::MinusMinus};
+    const std::array<ifs::Orientation<2>, 4> orientations{{{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        add(tr("Canonical Simplex %1").arg(orientationText(orientations[i])), choices[i]);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2);
+    const auto button = [&](QAction* action) {
+        auto* made = new QToolButton(this);
+        made->setDefaultAction(action);
+        made->setAutoRaise(true);
+        made->setAccessibleName(action->text());
+        row->addWidget(made);
+        return made;
+    };
+    button(m_define);
+    m_fit = new QToolButton(this);
+    m_fit->setText(tr("Fit"));
+    m_fit->setAccessibleName(tr("Fit the cage"));
+    m_fit->setMenu(menu);
+    m_fit->setPopupMode(QToolButton::InstantPopup);
+    m_fit->setAutoRaise(true);
+    row->addWidget(m_fit);
+    button(m_reset);
+    row->addStretch();
+    button(m_bake);
+    return row;
+}
+
+QWidget* CagePanel::makeVertices() {
+    auto* box = new QWidget(this);
+    m_grid = new QGridLayout(box);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setHorizontalSpacing(6);
+    m_grid->setVerticalSpacing(4);
+    m_grid->addWidget(heading(tr("Vertices"), box), 0, 0, 1, 3);
+    auto* toggle = new QToolButton(box);
+    toggle->setText(tr("Rest cage"));
+    toggle->setToolTip(tr("Show the vertices that hold the attractor while the cage is at rest"));
+    toggle->setAccessibleName(tr("Show the rest cage"));
+    toggle->setCheckable(true);
+    toggle->setAutoRaise(true);
+    connect(toggle, &QToolButton::toggled, this, &CagePanel::showRest);
+    m_grid->addWidget(toggle, 0, 3, 1, 2, Qt::AlignRight);
+    const std::array names{tr("x"), tr("y"), tr("x at rest"), tr("y at rest")};
+    for (int column = 0; column < 4; ++column) {
+        auto* label = quietLabel(names[static_cast<std::size_t>(column)], box);
+        label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_grid->addWidget(label, 1, column + 1);
+        m_grid->setColumnStretch(column + 1, 1);
+        if (column >= 2) m_restWidgets.push_back(label);
+    }
+    return box;
+}
+
+QWidget* CagePanel::makeSimplex() {
+    auto* box = new QWidget(this);
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    auto* title = heading(tr("Minimal canonical simplex"), box);
+    title->setToolTip(
+        tr("The smallest isosceles right triangle with legs parallel to the axes that contains the "
+           "picture. The signs say to which side its legs point from the right angle."));
+    layout->addWidget(title);
+    m_simplex = factLabel(tr("Minimal canonical simplex"), box);
+    layout->addWidget(m_simplex);
+    return box;
+}
+
+QWidget* CagePanel::makePoint() {
+    auto* box = new QWidget(this);
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(4);
+    auto* title = heading(tr("Barycentric coordinates of a point"), box);
+    title->setToolTip(
+        tr("The weights a, b, c with a + b + c = 1 that the vertices take to balance in the point."));
+    grid->addWidget(title, 0, 0, 1, 4);
+    m_pointX = new NumberField(box);
+    m_pointX->setAccessibleName(tr("x of the point"));
+    m_pointY = new NumberField(box);
+    m_pointY->setAccessibleName(tr("y of the point"));
+    grid->addWidget(quietLabel(tr("x"), box), 1, 0);
+    grid->addWidget(m_pointX, 1, 1);
+    grid->addWidget(quietLabel(tr("y"), box), 1, 2);
+    grid->addWidget(m_pointY, 1, 3);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+    m_barycentric = factLabel(tr("Barycentric coordinates"), box);
+    grid->addWidget(m_barycentric, 2, 0, 1, 4);
+    for (NumberField* field : {m_pointX, m_pointY})
+        connect(field, &NumberField::edited, this, &CagePanel::showPoint);
+    return box;
+}
+
+NumberField* CagePanel::vertexField(Vertices vertices, std::size_t vertex, int axis) {
+    auto* field = new NumberField(m_grid->parentWidget());
+    const QString name = axis == 0 ? tr("x") : tr("y");
+    field->setAccessibleName(vertices == Vertices::Current
+                                 ? tr("%1 of vertex %2").arg(name).arg(vertex + 1)
+                                 : tr("%1 of rest vertex %2").arg(name).arg(vertex + 1));
+    connect(field, &NumberField::edited, this, [=, this](double value) {
+        if (vertices == Vertices::Current)
+            editCurrent(vertex, axis, value);
+        else
+            editRest(vertex, axis, value);
+    });
+    connect(field, &NumberField::committed, this, [this] {
+        m_edit.commit();
+        showCage();
+    });
+    connect(field, &NumberField::cancelled, this, [this] { m_edit.cancel(); });
+    return field;
+}
+
+void CagePanel::addRow() {
+    const std::size_t vertex = m_rows.size();
+    const int line = static_cast<int>(vertex) + 2;
+    VertexRow row{quietLabel(QString::number(vertex + 1), m_grid->parentWidget()), {}, {}};
+    m_grid->addWidget(row.number, line, 0);
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        row.current[at] = vertexField(Vertices::Current, vertex, axis);
+        row.rest[at] = vertexField(Vertices::Rest, vertex, axis);
+        m_grid->addWidget(row.current[at], line, 1 + axis);
+        m_grid->addWidget(row.rest[at], line, 3 + axis);
+    }
+    m_rows.push_back(row);
+}
+
+NumberField* CagePanel::field(Vertices vertices, std::size_t vertex, int axis) const {
+    const VertexRow& row = m_rows.at(vertex);
+    const auto at = static_cast<std::size_t>(axis);
+    return vertices == Vertices::Current ? row.current[at] : row.rest[at];
+}
+
+void CagePanel::showRest(bool shown) {
+    m_restShown = shown;
+    showCage();
+}
+
+void CagePanel::editCurrent(std::size_t vertex, int axis, double value) {
+    m_edit.preview(tr("Move vertex %1").arg(vertex + 1), [&](document::Fractal& fractal) {
+        auto cage = document::effectiveCage(fractal);
+        cage.current.at(vertex)[axis] = value;
+        fractal.cage = std::move(cage);
+    });
+}
+
+void CagePanel::editRest(std::size_t vertex, int axis, double value) {
+    auto cage = document::effectiveCage(m_edit.before());
+    const auto placement = ifs::displayMap(cage);
+    cage.rest.at(vertex)[axis] = value;
+    if (!ifs::isValid(cage)) {
+        emit message(tr("The three points are on one line: the rest cage must enclose an area."));
+        return;
+    }
+    // The picture stays; only the points by which it is held are others.
+    cage.current[vertex] = placement(cage.rest[vertex]);
+    m_edit.preview(tr("Define vertex %1").arg(vertex + 1),
+                   [&](document::Fractal& fractal) { fractal.cage = cage; });
+}
+
+void CagePanel::fit(SimplexChoice choice) {
+    if (auto fitted = withCageFitted(m_document->fractal(), choice))
+        m_document->edit(tr("Fit the cage"), std::move(*fitted));
+    else
+        emit message(fitObstacle(m_document->fractal()));
+}
+
+void CagePanel::reset() {
+    m_document->edit(tr("Reset the cage"), withCageAtRest(m_document->fractal()));
+}
+
+void CagePanel::bake() {
+    if (auto after = baked(m_document->fractal()))
+        m_document->edit(tr("Bake the cage into the code"), std::move(*after));
+    else
+        emit message(bakeObstacle(m_document->fractal()));
+}
+
+void CagePanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showCage();
+}
+
+void CagePanel::follow(const document::Change& change) {
+    using document::Change;
+    if (isVisible() &&
+        change.parts & (Change::System | Change::Cage | Change::Entries | Change::Current | Change::File))
+        showCage();
+}
+
+void CagePanel::showCage() {
+    const document::Fractal& fractal = m_document->fractal();
+    const bool plane = document::dimension(fractal) == 2;
+    setEnabled(plane);
+    m_cage = plane ? document::effectiveCage(fractal) : ifs::ControlCage<2>{};
+    while (m_rows.size() < m_cage.current.size())
+        addRow();
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const bool used = i < m_cage.current.size();
+        m_rows[i].number->setVisible(used);
+        for (int axis = 0; axis < 2; ++axis) {
+            NumberField* current = field(Vertices::Current, i, axis);
+            NumberField* rest = field(Vertices::Rest, i, axis);
+            current->setVisible(used);
+            rest->setVisible(used && m_restShown);
+            rest->setReadOnly(m_cage.current.size() != triangle);
+            if (used) {
+                current->setValue(m_cage.current[i][axis]);
+                rest->setValue(m_cage.rest[i][axis]);
+            }
+        }
+    }
+    for (QWidget* widget : m_restWidgets)
+        widget->setVisible(m_restShown);
+    m_status->setText(status());
+    updateActions();
+    showPoint();
+    m_settled.start();
+}
+
+QString CagePanel::status() const {
+    const document::Fractal& fractal = m_document->fractal();
+    if (document::dimension(fractal) == 3) return tr("3D: not yet shown.");
+    if (document::dimension(fractal) == 0) return tr("This entry could not be read, so it has no cage.");
+    if (isAtRest(fractal)) return tr("At rest: the picture is that of the code.");
+    if (m_cage.current.size() != triangle)
+        return tr("A cage of %1 vertices: it bends the picture.").arg(m_cage.current.size());
+    if (!ifs::isInvertible(m_cage))
+        return tr("Flat: the picture lies on one line. Open the triangle and it comes back.");
+    const double factor = ifs::determinant<2>(ifs::displayMap(m_cage).linear);
+    return factor < 0 ? tr("Placed and mirrored: areas change by the factor %1, and the sense of rotation is "
+                           "reversed.")
+                            .arg(shortNumber(-factor))
+                      : tr("Placed: areas change by the factor %1.").arg(shortNumber(factor));
+}
+
+QString CagePanel::barycentric() const {
+    return m_barycentric->text();
+}
+
+void CagePanel::showPoint() {
+    if (m_cage.current.size() != triangle) {
+        m_barycentric->setText(m_cage.current.empty() ? QString()
+                                                      : tr("Only a triangle has barycentric coordinates."));
+        return;
+    }
+    const ifs::Simplex<2> simplex{m_cage.current[0], m_cage.current[1], m_cage.current[2]};
+    if (!ifs::isAffineBasis<2>(simplex)) {
+        m_barycentric->setText(tr("The triangle is flat: it holds no coordinates."));
+        return;
+    }
+    const auto weights = ifs::barycentric<2>(simplex, {m_pointX->value(), m_pointY->value()});
+    m_barycentric->setText(
+        QStringLiteral("(%1, %2, %3)")
+            .arg(shortNumber(weights[0]), shortNumber(weights[1]), shortNumber(weights[2])));
+}
+
+void CagePanel::showSimplex() {
+    if (!isVisible()) return;
+    const auto simplex = displayedSimplex(m_document->fractal(), SimplexChoice::Minimal);
+    m_simplex->setText(simplex ? tr("Orientation %1, leg %2, right angle at (%3, %4)")
+                                     .arg(orientationText(simplex->orientation), shortNumber(simplex->leg),
+                                          shortNumber(simplex->vertices[0].x()),
+                                          shortNumber(simplex->vertices[0].y()))
+                               : fitObstacle(m_document->fractal()));
+}
+
+void CagePanel::updateActions() {
+    const document::Fractal& fractal = m_document->fractal();
+    const bool plane = document::dimension(fractal) == 2;
+    m_define->setEnabled(plane);
+    m_fit->setEnabled(plane);
+    m_fit->setToolTip(tr("Hold the picture by a fitted triangle; the picture stays"));
+    const bool atRest = isAtRest(fractal);
+    m_reset->setEnabled(plane && !atRest);
+    m_reset->setToolTip(atRest ? tr("The cage is at rest.")
+                               : tr("Put the cage and the picture back to rest"));
+    const QString obstacle = bakeObstacle(fractal);
+    m_bake->setEnabled(obstacle.isEmpty());
+    m_bake->setToolTip(obstacle.isEmpty() ? tr("Make the displayed picture the code; the cage then rests")
+                                          : obstacle);
+}
+
+} // namespace view

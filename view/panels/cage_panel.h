@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "panels/cage_edits.h"
+#include "panels/live_edit.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <vector>
+
+class QAction;
+class QGridLayout;
+class QLabel;
+class QLayout;
+class QToolButton;
+
+namespace view {
+
+class NumberField;
+
+// The control cage in numbers: its vertices, what it does to the picture, and how it is fitted, reset and
+// baked.
+class CagePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CagePanel(document::Document* document, QWidget* parent = nullptr);
+
+    enum class Vertices { Current, Rest };
+    NumberField* field(Vertices vertices, std::size_t vertex, int axis) const;
+    QString status() const;      // at rest, placed, mirrored or flat, as a sentence
+    QString barycentric() const; // of the point typed in the panel
+
+    void fit(SimplexChoice choice);
+    void reset();
+    void bake();
+    QAction* bakeAction() const { return m_bake; }
+    NumberField* pointField(int axis) const { return axis == 0 ? m_pointX : m_pointY; }
+
+signals:
+    void defineRequested(); // by three clicks on the canvas
+    void message(const QString& text);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    struct VertexRow {
+        QLabel* number;
+        std::array<NumberField*, 2> current;
+        std::array<NumberField*, 2> rest;
+    };
+    QWidget* makeVertices();
+    QLayout* makeButtons();
+    QWidget* makeSimplex();
+    QWidget* makePoint();
+    void addRow();
+    NumberField* vertexField(Vertices vertices, std::size_t vertex, int axis);
+    void editCurrent(std::size_t vertex, int axis, double value);
+    void editRest(std::size_t vertex, int axis, double value);
+    void follow(const document::Change& change);
+    void showCage();
+    void showPoint();
+    void showSimplex();
+    void updateActions();
+    void showRest(bool shown);
+
+    document::Document* m_document;
+    LiveEdit m_edit;
+    ifs::ControlCage<2> m_cage; // as shown
+    QGridLayout* m_grid = nullptr;
+    std::vector<VertexRow> m_rows;
+    std::vector<QWidget*> m_restWidgets;
+    bool m_restShown = false;
+    QLabel* m_status = nullptr;
+    QLabel* m_simplex = nullptr;
+    QLabel* m_barycentric = nullptr;
+    NumberField* m_pointX = nullptr;
+    NumberField* m_pointY = nullptr;
+    QAction* m_define = nullptr;
+    QAction* m_reset = nullptr;
+    QAction* m_bake = nullptr;
+    QToolButton* m_fit = nullptr;
+    QTimer m_settled; // the simplex is computed when the hand rests
+};
+
+} // namespace view

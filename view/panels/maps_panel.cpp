@@ -1,0 +1,488 @@
+// SPDX-License-Identifier: MIT
+#include "panels/maps_panel.h"
+
+#include "io/table_reader.h"
+#include "panels/cage_edits.h"
+#include "panels/map_shape_editor.h"
+#include "panels/maps_delegate.h"
+#include "panels/maps_row_header.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QColorDialog>
+#include <QFrame>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+constexpr int narrowest = 30; // of a number column
+
+QFrame* separator(QWidget* parent) {
+    auto* line = new QFrame(parent);
+    line->setFrameShape(QFrame::VLine);
+    line->setFrameShadow(QFrame::Sunken);
+    return line;
+}
+
+} // namespace
+
+MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_model(new MapsModel(document, this)),
+      m_table(new QTableView(this)),
+      m_rowHeader(new MapsRowHeader(m_table)),
+      m_shape(new MapShapeEditor(document, this)),
+      m_pages(new QStackedWidget(this)) {
+    setAccessibleName(tr("Maps"));
+    makeActions();
+    auto* content = new QWidget(this);
+    auto* contentLayout = new QVBoxLayout(content);
+    contentLayout->setContentsMargins(0, 0, 0, 0);
+    contentLayout->setSpacing(6);
+    contentLayout->addWidget(makeTable(), 1);
+    contentLayout->addWidget(m_shape);
+    m_pages->addWidget(content);
+    m_pages->addWidget(makeNotice());
+
+    m_bars = new QWidget(this);
+    auto* bars = new QVBoxLayout(m_bars);
+    bars->setContentsMargins(0, 0, 0, 0);
+    bars->setSpacing(4);
+    bars->addWidget(makeEditBar());
+    bars->addWidget(makeColumnBar());
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(6);
+    layout->addWidget(m_bars);
+    layout->addWidget(m_pages, 1);
+
+    connect(document, &document::Document::changed, this, &MapsPanel::follow);
+    follow({document::Change::Everything, false});
+}
+
+QAction* MapsPanel::action(const QString& text, const QString&, const QString& shortcut, const QString& tip,
+                           void (MapsPanel::*slot)()) {
+    auto* made = new QAction(text, this);
+    made->setStatusTip(tip);
+    made->setToolTip(shortcut.isEmpty() ? tip : tr("%1 (%2)").arg(tip, shortcut));
+    if (!shortcut.isEmpty()) made->setShortcut(QKeySequence(shortcut));
+    made->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(made, &QAction::triggered, this, slot);
+    m_table->addAction(made);
+    return made;
+}
+
+void MapsPanel::makeActions() {
+    m_add = action(tr("Add"), QStringLiteral("add"), QStringLiteral("Ctrl+Ins"),
+                   tr("Add a map of half the size"), &MapsPanel::addMap);
+    m_duplicate = action(tr("Duplicate"), QStringLiteral("duplicate"), QStringLiteral("Ins"),
+                         tr("Duplicate the selected maps"), &MapsPanel::duplicateMaps);
+    m_delete = action(tr("Delete"), QStringLiteral("remove"), QStringLiteral("Del"),
+                      tr("Delete the selected maps"), &MapsPanel::deleteMaps);
+    m_up = action(tr("Move Up"), QStringLiteral("up"), QStringLiteral("Alt+Up"),
+                  tr("Move the selected maps up"), &MapsPanel::moveMapsUp);
+    m_down = action(tr("Move Down"), QStringLiteral("down"), QStringLiteral("Alt+Down"),
+                    tr("Move the selected maps down"), &MapsPanel::moveMapsDown);
+    m_copy = new QAction(tr("Copy Rows"), this);
+    m_copy->setShortcut(QKeySequence::Copy);
+    m_copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    m_copy->setStatusTip(tr("Copy the selected maps as rows a b c d e f p, separated by tabs"));
+    connect(m_copy, &QAction::triggered, this, &MapsPanel::copyMaps);
+    m_table->addAction(m_copy);
+    m_paste = action(tr("Paste in Place"), QStringLiteral("paste"), QStringLiteral("Ctrl+V"),
+                     tr("Replace the selected maps by rows of 6 or 7 numbers from the clipboard"),
+                     &MapsPanel::pasteMaps);
+    m_append =
+        action(tr("Paste as New Maps"), QStringLiteral("paste"), QStringLiteral("Ctrl+Shift+V"),
+               tr("Add rows of 6 or 7 numbers from the clipboard as new maps"), &MapsPanel::appendPasted);
+    m_bake = action(tr("Bake"), QStringLiteral("bake"), {},
+                    tr("Make the effective code the code; the cage then rests"), &MapsPanel::bake);
+}
+
+QToolButton* MapsPanel::button(QAction* action) {
+    auto* made = new QToolButton(this);
+    made->setDefaultAction(action);
+    made->setAutoRaise(true);
+    made->setAccessibleName(action->text());
+    return made;
+}
+
+QToolButton* MapsPanel::weightsButton() {
+    auto* menu = new QMenu(this);
+    const auto add = [&](const QString& text, const QString& tip, WeightRule rule) {
+        QAction* rules = menu->addAction(text, this, [this, rule] { applyWeights(rule); });
+        rules->setStatusTip(tip);
+        rules->setToolTip(tip);
+        m_weightActions.append(rules);
+    };
+    menu->setToolTipsVisible(true);
+    add(tr("By |Determinant|"),
+        tr("Weights in proportion to the areas of the images, so that the picture is even"),
+        WeightRule::Determinant);
+    add(tr("Equal"), tr("The same weight for every map"), WeightRule::Equal);
+    add(tr("By Dimension"), tr("Weights for an even cover of the attractor at its own dimension"),
+        WeightRule::Dimension);
+    menu->addSeparator();
+    add(tr("Normalise"), tr("The same proportions, with the sum 1"), WeightRule::Normalise);
+    auto* made = new QToolButton(this);
+    made->setText(tr("Weights"));
+    made->setMenu(menu);
+    made->setPopupMode(QToolButton::InstantPopup);
+    made->setAutoRaise(true);
+    made->setToolTip(tr("Weights of all maps that are on, by a rule"));
+    made->setAccessibleName(tr("Weights"));
+    return made;
+}
+
+QWidget* MapsPanel::makeEditBar() {
+    auto* bar = new QWidget(this);
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    for (QAction* each : {m_add, m_duplicate, m_delete})
+        layout->addWidget(button(each));
+    layout->addWidget(separator(bar));
+    for (QAction* each : {m_up, m_down})
+        layout->addWidget(button(each));
+    layout->addStretch();
+    layout->addWidget(weightsButton());
+    return bar;
+}
+
+QToolButton* MapsPanel::columnToggle(const QString& text, const QString& tip, Columns group, bool shown) {
+    auto* toggle = new QToolButton(this);
+    toggle->setText(text);
+    toggle->setToolTip(tip);
+    toggle->setAccessibleName(tr("Show columns: %1").arg(text));
+    toggle->setCheckable(true);
+    toggle->setChecked(shown);
+    toggle->setAutoRaise(true);
+    connect(toggle, &QToolButton::toggled, this, [this, group](bool on) { showColumns(group, on); });
+    showColumns(group, shown);
+    return toggle;
+}
+
+QWidget* MapsPanel::makeColumnBar() {
+    auto* bar = new QWidget(this);
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(columnToggle(tr("Code"), tr("Show the coefficients a … f"), Columns::Code, true));
+    layout->addWidget(columnToggle(
+        tr("Facts"), tr("Show determinant, contraction factor and kind of each map"), Columns::Facts, true));
+    layout->addWidget(columnToggle(tr("Effective code"),
+                                   tr("Show the maps as they act on the picture under the current cage"),
+                                   Columns::Effective, false));
+    layout->addStretch();
+    layout->addWidget(button(m_bake));
+    return bar;
+}
+
+QWidget* MapsPanel::makeTable() {
+    m_table->setAccessibleName(tr("Table of maps"));
+    m_table->setModel(m_model);
+    auto* delegate = new MapsDelegate(m_model, this);
+    m_table->setItemDelegate(delegate);
+    m_table->setVerticalHeader(m_rowHeader);
+    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                             QAbstractItemView::AnyKeyPressed);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setWordWrap(false);
+    m_table->setCornerButtonEnabled(false);
+    m_table->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_table->setMinimumHeight(120);
+    auto* header = m_table->horizontalHeader();
+    header->setMinimumSectionSize(24);
+    header->setHighlightSections(false);
+    header->setSectionResizeMode(QHeaderView::Interactive);
+
+    connect(delegate, &MapsDelegate::refused, this, &MapsPanel::message);
+    connect(delegate, &MapsDelegate::colourRequested, this, &MapsPanel::chooseColour);
+    connect(m_rowHeader, &MapsRowHeader::rowDragged, this, &MapsPanel::moveRowTo);
+    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, &MapsPanel::keepSelection);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &MapsPanel::restoreSelection);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        updateActions();
+        emit selectionChanged();
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& current) { m_shape->setMap(m_model->idAt(current.row())); });
+    connect(m_table, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
+        QMenu menu(this);
+        menu.addActions({m_add, m_duplicate, m_delete});
+        menu.addSeparator();
+        menu.addActions({m_up, m_down});
+        menu.addSeparator();
+        menu.addActions({m_copy, m_paste, m_append});
+        QMenu* weights = menu.addMenu(tr("Weights"));
+        weights->addActions(m_weightActions);
+        menu.addSeparator();
+        menu.addAction(m_bake);
+        menu.exec(m_table->viewport()->mapToGlobal(place));
+    });
+    return m_table;
+}
+
+QWidget* MapsPanel::makeNotice() {
+    auto* page = new QWidget(this);
+    m_notice = new QLabel(page);
+    m_notice->setAlignment(Qt::AlignCenter);
+    m_notice->setWordWrap(true);
+    m_notice->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_noticeAdd = new QToolButton(page);
+    m_noticeAdd->setDefaultAction(m_add);
+    m_noticeAdd->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto* layout = new QVBoxLayout(page);
+    layout->addStretch();
+    layout->addWidget(m_notice);
+    layout->addWidget(m_noticeAdd, 0, Qt::AlignHCenter);
+    layout->addStretch();
+    return page;
+}
+
+void MapsPanel::showColumns(Columns group, bool shown) {
+    const auto show = [&](int first, int last) {
+        for (int column = first; column <= last; ++column)
+            m_table->setColumnHidden(column, !shown);
+    };
+    switch (group) {
+    case Columns::Code:
+        show(MapsModel::A, MapsModel::F);
+        break;
+    case Columns::Facts:
+        show(MapsModel::Determinant, MapsModel::Kind);
+        break;
+    case Columns::Effective:
+        show(MapsModel::EffectiveA, MapsModel::EffectiveF);
+        break;
+    }
+    fitColumns();
+}
+
+void MapsPanel::fitColumns() {
+    for (int column = 0; column < MapsModel::ColumnCount; ++column) {
+        if (m_table->isColumnHidden(column)) continue;
+        if (column == MapsModel::Enabled || column == MapsModel::Colour) {
+            m_table->setColumnWidth(column, column == MapsModel::Enabled ? 28 : 26);
+            continue;
+        }
+        m_table->resizeColumnToContents(column);
+        m_table->setColumnWidth(column, std::max(narrowest, m_table->columnWidth(column)));
+    }
+}
+
+void MapsPanel::follow(const document::Change& change) {
+    using document::Change;
+    if (change.parts & (Change::Current | Change::File | Change::Entries | Change::System)) updateNotice();
+    if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) updateActions();
+    if (!change.live) // columns do not move under the typing hand
+        fitColumns();
+}
+
+void MapsPanel::updateNotice() {
+    const document::Entry& entry = m_document->currentEntry();
+    const int dimension = document::dimension(*entry.fractal);
+    const bool noMaps = dimension == 2 && m_model->maps().empty();
+    m_noticeAdd->setVisible(noMaps);
+    m_bars->setVisible(dimension == 2);
+    m_pages->setCurrentIndex(dimension == 2 && !noMaps ? 0 : 1);
+    if (noMaps) {
+        m_notice->setText(tr("No maps: add one, or paste rows of 6 or 7 numbers."));
+    } else if (dimension == 3) {
+        m_notice->setText(tr("3D: not yet shown.\nThe entry is kept as it is."));
+    } else if (dimension == 0) {
+        QStringList lines{tr("This entry could not be read. It is kept as it is.")};
+        for (const auto& problem : entry.problems)
+            lines << (problem.line > 0 ? tr("Line %1, column %2: %3")
+                                             .arg(problem.line)
+                                             .arg(problem.column)
+                                             .arg(problem.message)
+                                       : problem.message);
+        m_notice->setText(lines.join(QStringLiteral("\n\n")));
+    }
+}
+
+void MapsPanel::updateActions() {
+    const bool plane = document::system2(m_document->fractal()) != nullptr;
+    const Rows rows = selectedRows();
+    const int count = m_model->rowCount();
+    m_add->setEnabled(plane);
+    m_append->setEnabled(plane);
+    m_paste->setEnabled(plane);
+    for (QAction* each : {m_duplicate, m_delete, m_copy})
+        each->setEnabled(!rows.empty());
+    const auto size = static_cast<int>(rows.size());
+    m_up->setEnabled(size > 0 && rows.back() >= size); // not yet a block at the top
+    m_down->setEnabled(size > 0 && rows.front() < count - size);
+    for (QAction* each : std::as_const(m_weightActions))
+        each->setEnabled(count > 0);
+    const QString obstacle = bakeObstacle(m_document->fractal());
+    m_bake->setEnabled(obstacle.isEmpty());
+    m_bake->setToolTip(obstacle.isEmpty() ? m_bake->statusTip() : obstacle);
+}
+
+Rows MapsPanel::selectedRows() const {
+    Rows rows;
+    for (const QModelIndex& index : m_table->selectionModel()->selectedRows(MapsModel::Enabled))
+        rows.push_back(index.row());
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
+std::vector<ifs::MapId> MapsPanel::selectedMaps() const {
+    std::vector<ifs::MapId> ids;
+    for (const int row : selectedRows())
+        ids.push_back(m_model->idAt(row));
+    return ids;
+}
+
+void MapsPanel::selectMaps(const std::vector<ifs::MapId>& ids) {
+    QItemSelection selection;
+    QModelIndex first;
+    for (const ifs::MapId id : ids) {
+        const int row = m_model->rowOf(id);
+        if (row < 0) continue;
+        selection.select(m_model->index(row, 0), m_model->index(row, MapsModel::ColumnCount - 1));
+        if (!first.isValid()) first = m_model->index(row, m_keptColumn);
+    }
+    auto* model = m_table->selectionModel();
+    if (first.isValid()) model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+    model->select(selection, QItemSelectionModel::ClearAndSelect);
+    if (first.isValid()) m_table->scrollTo(first);
+}
+
+void MapsPanel::keepSelection() {
+    m_kept = selectedMaps();
+    const QModelIndex current = m_table->currentIndex();
+    m_keptColumn = current.isValid() ? current.column() : int(MapsModel::A);
+}
+
+void MapsPanel::restoreSelection() {
+    m_shape->setMap(ifs::MapId::None);
+    const bool any =
+        std::any_of(m_kept.begin(), m_kept.end(), [this](ifs::MapId id) { return m_model->rowOf(id) >= 0; });
+    if (any)
+        selectMaps(m_kept);
+    else if (m_model->rowCount() > 0)
+        selectMaps({m_model->idAt(0)});
+    updateActions();
+}
+
+void MapsPanel::applyEdit(const QString& text, MapsEdit edit) {
+    m_document->edit(text, std::move(edit.fractal));
+    selectMaps(edit.touched);
+}
+
+void MapsPanel::addMap() {
+    if (document::system2(m_document->fractal()))
+        applyEdit(tr("Add a map"), withNewMap(m_document->fractal()));
+}
+
+void MapsPanel::duplicateMaps() {
+    const Rows rows = selectedRows();
+    if (!rows.empty())
+        applyEdit(rows.size() == 1 ? tr("Duplicate a map") : tr("Duplicate %1 maps").arg(rows.size()),
+                  withDuplicates(m_document->fractal(), rows));
+}
+
+void MapsPanel::deleteMaps() {
+    const Rows rows = selectedRows();
+    if (!rows.empty())
+        applyEdit(rows.size() == 1 ? tr("Delete a map") : tr("Delete %1 maps").arg(rows.size()),
+                  withoutMaps(m_document->fractal(), rows));
+}
+
+void MapsPanel::moveSelection(int before) {
+    applyEdit(tr("Reorder maps"), withMapsMoved(m_document->fractal(), selectedRows(), before));
+}
+
+void MapsPanel::moveMapsUp() {
+    if (m_up->isEnabled()) moveSelection(std::max(0, selectedRows().front() - 1));
+}
+
+void MapsPanel::moveMapsDown() {
+    if (m_down->isEnabled()) moveSelection(std::min(m_model->rowCount(), selectedRows().back() + 2));
+}
+
+void MapsPanel::moveRowTo(int from, int to) {
+    Rows rows = selectedRows();
+    if (std::find(rows.begin(), rows.end(), from) == rows.end()) rows = {from};
+    applyEdit(tr("Reorder maps"), withMapsMoved(m_document->fractal(), rows, to > from ? to + 1 : to));
+}
+
+void MapsPanel::copyMaps() const {
+    MapRows rows;
+    for (const int row : selectedRows())
+        rows.push_back(m_model->maps()[static_cast<std::size_t>(row)]);
+    if (!rows.empty()) QGuiApplication::clipboard()->setText(io::writeTable(rows));
+}
+
+void MapsPanel::pasteMaps() {
+    paste(selectedRows());
+}
+
+void MapsPanel::appendPasted() {
+    paste({});
+}
+
+void MapsPanel::paste(const Rows& rows) {
+    if (!document::system2(m_document->fractal())) return;
+    const io::Table table = io::readTable(QGuiApplication::clipboard()->text());
+    for (const auto& problem : table.problems) {
+        if (problem.severity != document::Problem::Severity::Error) continue;
+        emit message(problem.line > 0 ? tr("Nothing was pasted. Line %1 of the clipboard: %2")
+                                            .arg(problem.line)
+                                            .arg(problem.message)
+                                      : tr("Nothing was pasted. %1").arg(problem.message));
+        return;
+    }
+    if (table.rows.empty()) {
+        emit message(tr("Nothing was pasted: the clipboard holds no rows of 6 or 7 numbers."));
+        return;
+    }
+    const auto count = static_cast<int>(table.rows.size());
+    applyEdit(count == 1 ? tr("Paste a map") : tr("Paste %1 maps").arg(count),
+              withMapsPasted(m_document->fractal(), rows, table.rows));
+    QString text = rows.empty() ? tr("Maps added: %1.").arg(count)
+                                : tr("The selected maps were replaced; maps pasted: %1.").arg(count);
+    if (!table.problems.isEmpty()) text += u' ' + table.problems.front().message;
+    emit message(text);
+}
+
+void MapsPanel::applyWeights(WeightRule rule) {
+    if (m_model->rowCount() > 0)
+        m_document->edit(tr("Set the weights"), withWeights(m_document->fractal(), rule));
+}
+
+void MapsPanel::bake() {
+    if (auto after = baked(m_document->fractal()))
+        m_document->edit(tr("Bake the cage into the code"), std::move(*after));
+    else
+        emit message(bakeObstacle(m_document->fractal()));
+}
+
+void MapsPanel::chooseColour(const QModelIndex& index) {
+    const QPersistentModelIndex cell = index;
+    const auto chosen = QColorDialog::getColor(index.data(Qt::DecorationRole).value<QColor>(), this,
+                                               tr("Colour of map %1").arg(index.row() + 1));
+    if (chosen.isValid() && cell.isValid()) m_model->setData(cell, chosen, Qt::DecorationRole);
+}
+
+} // namespace view

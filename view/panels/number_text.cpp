@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "panels/number_text.h"
+
+#include "io/number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+QString sentence(const char* text) {
+    return QCoreApplication::translate("NumberField", text);
+}
+
+QString withoutTrailingZeros(QString text) {
+    if (!text.contains(u'.')) return text;
+    while (text.endsWith(u'0'))
+        text.chop(1);
+    if (text.endsWith(u'.')) text.chop(1);
+    return text == QLatin1String("-0") ? QStringLiteral("0") : text;
+}
+
+QString rangeProblem(double value, const NumberRange& range) {
+    const bool open = range.ends == NumberRange::Ends::Open;
+    if (range.min && (open ? value <= *range.min : value < *range.min))
+        return (open ? sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be greater than %1."))
+                     : sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be at least %1.")))
+            .arg(fullNumber(*range.min));
+    if (range.max && (open ? value >= *range.max : value > *range.max))
+        return (open ? sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be less than %1."))
+                     : sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be at most %1.")))
+            .arg(fullNumber(*range.max));
+    return {};
+}
+
+} // namespace
+
+QString shortNumber(double value) {
+    if (!std::isfinite(value)) return std::isnan(value) ? QStringLiteral("–") : QStringLiteral("∞");
+    const double size = std::abs(value);
+    if (size >= 1e6 || (size > 0 && size < 5e-5)) return QString::number(value, 'g', 3);
+    const int digitsBefore = size < 10 ? 1 : static_cast<int>(std::floor(std::log10(size))) + 1;
+    return withoutTrailingZeros(QString::number(value, 'f', std::clamp(6 - digitsBefore, 0, 4)));
+}
+
+QString fullNumber(double value) {
+    return QString::fromLatin1(io::formatNumber(value));
+}
+
+QString numberProblem(const QString& text, const NumberRange& range) {
+    if (const auto value = io::parseNumber(text)) return rangeProblem(*value, range);
+    const QString shown = text.trimmed();
+    if (shown.isEmpty()) return sentence(QT_TRANSLATE_NOOP("NumberField", "A number is missing here."));
+    if (shown.count(u',') == 1 && io::parseNumber(QString(shown).replace(u',', u'.')))
+        return sentence(
+                   QT_TRANSLATE_NOOP("NumberField", "“%1” has a comma: write a decimal point, as in %2."))
+            .arg(shown, QString(shown).replace(u',', u'.'));
+    if (shown.contains(u'/'))
+        return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is a fraction: write it as a decimal number."))
+            .arg(shown);
+    return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is not a number.")).arg(shown);
+}
+
+double stepped(double value, double step, int count) {
+    const double sum = value + count * step;
+    // Twelve digits are more than anybody steps through, and hide the tail of 0.1 + 0.2.
+    return io::parseNumber(QString::number(sum, 'g', 12)).value_or(sum);
+}
+
+} // namespace view

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <optional>
+
+// Numbers as panels show and take them: always the C locale.
+namespace view {
+
+// A few digits to read, not to edit: at most four decimals and about six significant digits.
+QString shortNumber(double value);
+
+// All digits: reads back as the same double.
+QString fullNumber(double value);
+
+// Where a number may lie, ends included unless `open`.
+struct NumberRange {
+    std::optional<double> min;
+    std::optional<double> max;
+    enum class Ends { Closed, Open } ends = Ends::Closed;
+};
+
+// Why `text` is not a number that can be taken, as a sentence for the user; empty when it is one.
+QString numberProblem(const QString& text, const NumberRange& range = {});
+
+// value + count·step, without the digits that binary addition leaves behind.
+double stepped(double value, double step, int count);
+
+} // namespace view
