@@ -26,6 +26,9 @@ enum class Algorithm {
 struct Exposure {
     double meanDensity = 0; // of the occupied pixels of the view
     double whitePoint = 0;  // ρ_w, relative to that mean
+    double gain = 1;        // of light, for what supersampling takes from sets thinner than a pixel
+
+    friend bool operator==(const Exposure&, const Exposure&) = default;
 };
 
 // An immutable job. Same request (revision and threads apart) ⇒ same pixels.
@@ -36,11 +39,13 @@ struct RenderRequest {
     Appearance appearance;
     Camera camera;
     Algorithm algorithm = Algorithm::Density;
-    std::uint64_t samples = 10'000'000; // Density: samples over the whole attractor in one pass
+    std::uint64_t samples = 10'000'000; // Density: samples in one pass, all spent on words that meet the view
     std::uint64_t seed = 1;
-    int iterations = 0;               // Deterministic
-    int threads = 1;                  // ≥ 1; never changes a pixel
-    std::optional<Exposure> exposure; // nullopt: measured
+    int iterations = 0; // Deterministic
+    int threads = 1;    // ≥ 1; never changes a pixel
+    // White point and gain of an earlier frame, to be kept (during a drag, in an export). The mean density is
+    // that of this picture always, so that neither zoom nor the placement changes its brightness.
+    std::optional<Exposure> exposure;
 };
 
 // Why a picture may not show what the user expects. The sentence for the user is the view's.
@@ -57,9 +62,10 @@ enum class RenderNote {
 struct Frame {
     std::uint64_t revision = 0;
     Camera camera;
-    std::vector<std::uint32_t>
-        pixels;                // 0xAARRGGBB, premultiplied, rows from the top, camera.width × camera.height
+    // 0xAARRGGBB, premultiplied, rows from the top, camera.width × camera.height
+    std::vector<std::uint32_t> pixels;
     std::uint64_t samples = 0; // accumulated so far
+    double measure = 0;        // of the words that meet the view, estimated; 1 when all of the attractor does
     int passes = 0;
     Exposure exposure;
     RenderNote note = RenderNote::None;
@@ -67,17 +73,18 @@ struct Frame {
 };
 
 // A picture in the making: each pass adds request.samples samples with streams of its own and converges to
-// the invariant measure. Algorithm::Deterministic is finished after one pass. Not thread-safe; owns its
-// worker threads.
+// the invariant measure. Algorithm::ChaosGame is finished when it has plotted request.samples points,
+// Algorithm::Deterministic after one pass. Not thread-safe; owns its worker threads.
 class Rendering {
 public:
     explicit Rendering(RenderRequest request);
+    void restart(RenderRequest request); // as if new, with the memory and the threads there are
     ~Rendering();
     Rendering(Rendering&&) noexcept;
     Rendering& operator=(Rendering&&) noexcept;
 
-    // One more pass of `samples` samples (0: request.samples). Returns false, with the picture as before,
-    // when stopped.
+    // One more pass of `samples` samples (0: request.samples). Returns false when stopped, within
+    // milliseconds; the rest of that pass is made up for by the next refine() or frame().
     bool refine(std::stop_token stop = {}, std::uint64_t samples = 0);
     bool finished() const; // nothing more to gain
     Frame frame() const;   // tone-mapped picture of what has been accumulated

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/drawable_system.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace attractor {
+
+// Draws map i with probability p_i from one 32-bit number: the upper bits choose a slot, the others decide
+// between the slot's own map and its alias. At least 16 slots, a power of two.
+class AliasTable {
+public:
+    explicit AliasTable(const std::vector<double>& probabilities);
+
+    int bits() const { return m_bits; }
+    std::uint32_t draw(std::uint32_t random) const {
+        const std::uint32_t slot = random >> (32 - m_bits);
+        return (random << m_bits) < m_threshold[slot] ? m_own[slot] : m_alias[slot];
+    }
+    const std::vector<std::uint32_t>& thresholds() const { return m_threshold; }
+    const std::vector<std::uint32_t>& own() const { return m_own; }
+    const std::vector<std::uint32_t>& aliases() const { return m_alias; }
+
+private:
+    int m_bits = 4;
+    std::vector<std::uint32_t> m_threshold;
+    std::vector<std::uint32_t> m_own;
+    std::vector<std::uint32_t> m_alias;
+};
+
+// Points of the invariant measure in coordinates in which the box of the system is [−1, 1]².
+// `size` points; each array repeats its beginning once more, so that any run of `size` points is contiguous.
+struct SampleSet {
+    static constexpr std::size_t lanes = 64; // orbits side by side; the number never changes
+    static constexpr std::size_t size = 16384;
+    std::vector<float> x;
+    std::vector<float> y;
+};
+
+// 64 orbits that have forgotten their start, with streams of their own for every (seed, pass). The same bits
+// whatever the instruction set. An orbit that escapes begins anew in the middle of the box.
+void drawSamples(const DrawableSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples);
+
+// The seed paper's chaos game: one orbit from a fixed point of the first map (or the origin) of which the
+// first `skipped` points are not plotted. An orbit that escapes begins anew.
+class Orbit {
+public:
+    static constexpr int skipped = 14;
+
+    Orbit(const DrawableSystem& system, std::uint64_t seed);
+
+    struct Point {
+        ifs::Vector<2> x;
+        std::uint32_t lastMap = 0;    // among the maps that take part
+        double addressCoordinate = 0; // Σ σ_k N^−k, newest map first
+    };
+    Point next(); // the point that is plotted next
+
+private:
+    void step();
+
+    const DrawableSystem* m_system; // outlives the orbit
+    AliasTable m_table;
+    Point m_point;
+    double m_farAway = 0;
+    std::uint64_t m_random = 0;
+};
+
+} // namespace attractor

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/renderer.h"
+#include "ifs/affine_map.h"
+#include "ifs/iterated_function_system.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace attractor {
+
+// The maps that take part, and where their attractor lies.
+struct DrawableSystem {
+    std::vector<ifs::AffineMap<2>> maps;
+    std::vector<double> probabilities; // positive, sum 1
+    std::vector<std::size_t> index;    // place of each map in the system
+    // The attractor lies in the box centre ± halfExtent; half extents are positive. A system without an
+    // attractor gets a box in which its orbits spend most of their time.
+    ifs::Vector<2> centre = ifs::Vector<2>::Zero();
+    ifs::Vector<2> halfExtent = ifs::Vector<2>::Ones();
+    RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
+};
+
+DrawableSystem drawable(const ifs::IteratedFunctionSystem<2>& system);
+
+} // namespace attractor

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/render_thread.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace attractor {
+
+namespace {
+// A pass is at most this long, so that a refining picture is seen to refine.
+constexpr std::uint64_t longestPass = 100'000'000;
+} // namespace
+
+struct RenderThread::State {
+    struct Job {
+        RenderRequest request;
+        std::uint64_t quality = 0;
+    };
+
+    explicit State(std::function<void()> ready) : frameReady(std::move(ready)), thread([this] { serve(); }) {}
+    ~State();
+
+    void replace(std::optional<Job> job);
+    void serve();
+    void work(Job job, const std::stop_token& stop);
+    void publish(Frame frame, const std::stop_token& stop);
+
+    std::function<void()> frameReady;
+    std::mutex mutex;
+    std::condition_variable wake;
+    std::optional<Job> waiting;
+    std::stop_source present; // of the job that is being worked on
+    bool quit = false;
+    std::shared_ptr<const Frame> newest;
+    bool announced = false;             // frameReady was called, newestFrame() was not yet
+    std::optional<Rendering> rendering; // the worker's own; its memory serves every request
+    std::jthread thread;                // last: it uses the rest
+};
+
+RenderThread::State::~State() {
+    const std::lock_guard lock(mutex);
+    quit = true;
+    present.request_stop();
+    wake.notify_one();
+}
+
+void RenderThread::State::replace(std::optional<Job> job) {
+    const std::lock_guard lock(mutex);
+    present.request_stop();
+    waiting = std::move(job);
+    wake.notify_one();
+}
+
+void RenderThread::State::serve() {
+    while (true) {
+        Job job;
+        std::stop_token stop;
+        {
+            std::unique_lock lock(mutex);
+            wake.wait(lock, [this] { return quit || waiting; });
+            if (quit) return;
+            job = std::move(*waiting);
+            waiting.reset();
+            present = {};
+            stop = present.get_token();
+        }
+        work(std::move(job), stop);
+    }
+}
+
+void RenderThread::State::work(Job job, const std::stop_token& stop) {
+    const std::uint64_t first = std::max<std::uint64_t>(1, job.request.samples);
+    if (rendering)
+        rendering->restart(std::move(job.request));
+    else
+        rendering.emplace(std::move(job.request));
+    std::uint64_t done = 0;
+    std::uint64_t pass = first;
+    while (rendering->refine(stop, pass)) {
+        publish(rendering->frame(), stop);
+        done += pass;
+        if (done >= job.quality || rendering->finished()) return;
+        pass = std::min({std::max(done, first), longestPass, job.quality - done});
+    }
+}
+
+void RenderThread::State::publish(Frame frame, const std::stop_token& stop) {
+    auto shared = std::make_shared<const Frame>(std::move(frame));
+    {
+        const std::lock_guard lock(mutex);
+        if (stop.stop_requested()) return;
+        newest = std::move(shared);
+        if (announced) return;
+        announced = true;
+    }
+    frameReady();
+}
+
+RenderThread::RenderThread(std::function<void()> frameReady)
+    : m_state(std::make_unique<State>(std::move(frameReady))) {}
+
+RenderThread::~RenderThread() = default;
+
+void RenderThread::submit(RenderRequest request, std::uint64_t quality) {
+    m_state->replace(State::Job{std::move(request), quality});
+}
+
+void RenderThread::cancel() {
+    m_state->replace(std::nullopt);
+}
+
+std::shared_ptr<const Frame> RenderThread::newestFrame() {
+    const std::lock_guard lock(m_state->mutex);
+    m_state->announced = false;
+    return m_state->newest;
+}
+
+} // namespace attractor

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/renderer.h"
+
+#include "attractor/address_cut.h"
+#include "attractor/arithmetic.h"
+#include "attractor/cell_sums.h"
+#include "attractor/chaos_game.h"
+#include "attractor/drawable_system.h"
+#include "attractor/linear_light.h"
+#include "attractor/splat.h"
+#include "attractor/tone_map.h"
+#include "attractor/workers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+namespace attractor {
+
+namespace {
+
+constexpr std::uint64_t mostPerSampleSet = 1U << 24; // more samples are drawn from a fresh set
+constexpr std::uint64_t samplesPerJob = 1U << 16;    // between two looks at the stop token
+constexpr std::size_t addressColours = 1024;
+
+// A run of words, or a part of a single word with very many samples.
+struct Job {
+    std::uint32_t firstWord = 0;
+    std::uint32_t endWord = 0;
+    std::uint64_t part = 0; // > 0: that many samples of the first word
+};
+
+ColourCell colourCell(const Rgba& colour) {
+    const auto channel = [](std::uint8_t code) {
+        return static_cast<std::uint32_t>(linearLight(code) * 4095 + 0.5);
+    };
+    return {1, channel(colour.red), channel(colour.green), channel(colour.blue)};
+}
+
+double unitInterval(std::uint64_t random) {
+    return static_cast<double>(random >> 11) * 0x1p-53;
+}
+
+int wordsFor(std::uint64_t samples) {
+    return static_cast<int>(std::clamp<std::uint64_t>(samples / 2048, 512, 8192));
+}
+
+// The affine map that serves for the cage: exactly its own with three vertices.
+ifs::AffineMap<2> affinePart(const std::optional<ifs::ControlCage<2>>& cage) {
+    if (!cage || !ifs::isValid(*cage) || cage->rest.size() != 3) return {};
+    return ifs::displayMap(*cage);
+}
+
+} // namespace
+
+struct Rendering::State {
+    RenderRequest request;
+    DrawableSystem system;
+    Projection projection;
+    CellSums sums;
+    std::unique_ptr<Workers> workers;
+    std::vector<ColourCell> colours; // by map, or along the address coordinate
+    RenderNote note = RenderNote::None;
+    bool drawable = false; // there is something to draw and something to draw on
+
+    // Density
+    std::optional<AddressCut> cut;
+    SampleSet samples;
+    std::uint64_t sampleSets = 0; // drawn so far
+    std::vector<std::uint64_t> counts;
+    std::vector<Job> jobs;
+    std::atomic<std::size_t> nextJob = 0;
+    std::uint64_t sinceCarry = 0;
+
+    // ChaosGame
+    std::optional<Orbit> orbit;
+
+    std::uint64_t remaining = 0; // of the present pass
+    std::uint64_t drawn = 0;
+    double overAttractor = 0; // samples as they would be without culling
+    int passes = 0;
+    std::optional<Exposure> exposure;
+    double milliseconds = 0;
+
+    void start(RenderRequest newRequest);
+    RenderNote placementNote() const;
+    void makeColours();
+    bool finished() const;
+    bool complete(const std::stop_token& stop); // the present pass
+    bool completeDensity(const std::stop_token& stop);
+    void planSampleSet();
+    void planJobs();
+    void runJobs(const std::stop_token& stop);
+    void runJob(const Job& job, std::size_t thread);
+    bool completeOrbit(const std::stop_token& stop);
+    void plot(const Orbit::Point& point);
+    const ColourCell& colourOf(std::uint32_t map, double addressCoordinate) const;
+    bool coloured() const {
+        return request.appearance.colourBy == ColourBy::Map ||
+               request.appearance.colourBy == ColourBy::Address;
+    }
+    double samplesOverAttractor() const {
+        return request.algorithm == Algorithm::Density ? overAttractor : static_cast<double>(drawn);
+    }
+    Frame frame();
+};
+
+void Rendering::State::start(RenderRequest newRequest) {
+    const bool sameSystem = system.maps.size() > 0 && newRequest.system == request.system;
+    request = std::move(newRequest);
+    request.threads = std::clamp(request.threads, 1, 256);
+    request.appearance.supersample = std::clamp(request.appearance.supersample, 1, 4);
+    if (!sameSystem) system = attractor::drawable(request.system);
+    const Camera& camera = request.camera;
+    drawable = !system.maps.empty() && camera.width > 0 && camera.height > 0 && camera.pixelsPerUnit > 0 &&
+               std::isfinite(camera.pixelsPerUnit) && camera.centre.allFinite();
+    projection = attractor::projection(camera, affinePart(request.cage), request.appearance.supersample);
+    note = placementNote();
+    if (!workers || workers->size() != static_cast<std::size_t>(request.threads))
+        workers = std::make_unique<Workers>(static_cast<std::size_t>(request.threads));
+    const CellWindow window{std::max(0, projection.grid.width), 0, std::max(0, projection.grid.height)};
+    sums.reset(coloured() ? CellKind::Colour : CellKind::Count, window,
+               static_cast<std::size_t>(request.threads));
+    makeColours();
+    cut.reset();
+    orbit.reset();
+    jobs.clear();
+    nextJob = 0;
+    sampleSets = 0;
+    sinceCarry = 0;
+    remaining = 0;
+    drawn = 0;
+    overAttractor = 0;
+    passes = 0;
+    exposure.reset();
+    milliseconds = 0;
+}
+
+RenderNote Rendering::State::placementNote() const {
+    if (system.note != RenderNote::None) return system.note;
+    const ifs::Vector<2> stretch = ifs::singularValues<2>(projection.cage.linear);
+    if (!(stretch[1] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
+    // Beyond this the camera's own centre has no digits left for a pixel.
+    const double farthest =
+        std::max(request.camera.centre.cwiseAbs().maxCoeff(), system.halfExtent.maxCoeff());
+    return request.camera.pixelsPerUnit * farthest * 0x1p-53 > 0.5 ? RenderNote::TooDeep : RenderNote::None;
+}
+
+void Rendering::State::makeColours() {
+    colours.clear();
+    const Appearance& look = request.appearance;
+    if (look.colourBy == ColourBy::Map) {
+        for (const std::size_t place : system.index)
+            colours.push_back(colourCell(mapColour(look, request.system.maps[place].id, place)));
+    } else if (look.colourBy == ColourBy::Address) {
+        for (std::size_t i = 0; i < addressColours; ++i)
+            colours.push_back(
+                colourCell(colourAt(look.palette, (static_cast<double>(i) + 0.5) / addressColours)));
+    }
+}
+
+const ColourCell& Rendering::State::colourOf(std::uint32_t map, double addressCoordinate) const {
+    if (request.appearance.colourBy == ColourBy::Map) return colours[map];
+    const auto at = static_cast<std::size_t>(addressCoordinate * static_cast<double>(addressColours));
+    return colours[std::min(at, addressColours - 1)];
+}
+
+bool Rendering::State::finished() const {
+    if (!drawable) return true;
+    if (request.algorithm == Algorithm::ChaosGame) return drawn >= request.samples;
+    return cut && cut->words.empty();
+}
+
+bool Rendering::State::complete(const std::stop_token& stop) {
+    if (!drawable) return true;
+    return request.algorithm == Algorithm::ChaosGame ? completeOrbit(stop) : completeDensity(stop);
+}
+
+bool Rendering::State::completeDensity(const std::stop_token& stop) {
+    if (!cut) {
+        CutSettings settings;
+        settings.words = wordsFor(request.samples);
+        settings.seed = request.seed;
+        if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
+        if (request.appearance.colourBy == ColourBy::Address)
+            for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
+                ++settings.minDepth;
+        AddressCut fresh = addressCut(system, projection, settings, stop);
+        if (stop.stop_requested()) return false;
+        cut = std::move(fresh);
+    }
+    if (cut->words.empty()) {
+        remaining = 0;
+        return true;
+    }
+    while (true) {
+        runJobs(stop);
+        if (nextJob < jobs.size()) return false;
+        if (remaining == 0) return true;
+        planSampleSet();
+    }
+}
+
+// Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
+// exact.
+void Rendering::State::planSampleSet() {
+    const std::uint64_t number = std::min(remaining, mostPerSampleSet);
+    if (sinceCarry + number >= std::uint64_t{1} << 32) {
+        sums.carryOverCounts();
+        sinceCarry = 0;
+    }
+    drawSamples(system, request.seed, sampleSets, samples);
+    const double perMeasure = static_cast<double>(number) / cut->probability;
+    double sum = unitInterval(mixed(mixed(request.seed) ^ sampleSets));
+    std::uint64_t before = 0;
+    counts.clear();
+    for (const Word& word : cut->words) {
+        sum += word.probability * perMeasure;
+        const auto after = static_cast<std::uint64_t>(sum);
+        counts.push_back(after - before);
+        before = after;
+    }
+    planJobs();
+    overAttractor += perMeasure;
+    drawn += before;
+    sinceCarry += before;
+    remaining -= number;
+    ++sampleSets;
+}
+
+void Rendering::State::planJobs() {
+    jobs.clear();
+    nextJob = 0;
+    Job job;
+    std::uint64_t planned = 0;
+    const auto close = [&](std::size_t end) {
+        job.endWord = static_cast<std::uint32_t>(end);
+        if (job.endWord > job.firstWord) jobs.push_back(job);
+        job.firstWord = job.endWord;
+        planned = 0;
+    };
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        if (counts[k] > samplesPerJob) {
+            close(k);
+            for (std::uint64_t rest = counts[k]; rest > 0; rest -= std::min(rest, samplesPerJob))
+                jobs.push_back({job.firstWord, job.firstWord + 1, std::min(rest, samplesPerJob)});
+            ++job.firstWord;
+            continue;
+        }
+        planned += counts[k];
+        if (planned >= samplesPerJob) close(k + 1);
+    }
+    close(counts.size());
+}
+
+void Rendering::State::runJobs(const std::stop_token& stop) {
+    if (nextJob >= jobs.size()) return;
+    std::atomic<std::size_t> undone = 0;
+    workers->run([&](std::size_t thread) {
+        while (!stop.stop_requested()) {
+            const std::size_t job = nextJob.fetch_add(1);
+            if (job >= jobs.size()) return;
+            runJob(jobs[job], thread);
+        }
+    });
+    nextJob = std::min(nextJob.load(), jobs.size());
+}
+
+void Rendering::State::runJob(const Job& job, std::size_t thread) {
+    for (std::uint32_t k = job.firstWord; k < job.endWord; ++k) {
+        const Word& word = cut->words[k];
+        const std::uint64_t count = job.part > 0 ? job.part : counts[k];
+        if (!coloured()) {
+            splat(word, samples, count, sums.window(), sums.counts(thread));
+        } else if (splat(word, samples, count, sums.window(), colourOf(word.firstMap, word.addressCoordinate),
+                         sums.colours(thread))) {
+            sums.carryOverColours(thread);
+        }
+    }
+}
+
+bool Rendering::State::completeOrbit(const std::stop_token& stop) {
+    if (!orbit) orbit.emplace(system, request.seed);
+    remaining = std::min(remaining, request.samples - std::min(request.samples, drawn));
+    while (remaining > 0) {
+        if (stop.stop_requested()) return false;
+        const std::uint64_t run = std::min<std::uint64_t>(remaining, 8192);
+        if (sinceCarry + run >= std::uint64_t{1} << (coloured() ? 20 : 32)) {
+            coloured() ? sums.carryOverColours(0) : sums.carryOverCounts();
+            sinceCarry = 0;
+        }
+        for (std::uint64_t n = 0; n < run; ++n)
+            plot(orbit->next());
+        sinceCarry += run;
+        drawn += run;
+        remaining -= run;
+    }
+    return true;
+}
+
+void Rendering::State::plot(const Orbit::Point& point) {
+    const ifs::Vector<2> offset = projection.cage(point.x) - projection.centre;
+    const double column = projection.scale(0, 0) * offset.x() + projection.grid.width / 2.0;
+    const double row = projection.scale(1, 1) * offset.y() + projection.grid.height / 2.0;
+    const CellWindow& window = sums.window();
+    if (!(column >= 0 && column < window.width && row >= window.firstRow && row < window.endRow)) return;
+    const std::size_t cell = static_cast<std::size_t>(static_cast<int>(row) - window.firstRow) *
+                                 static_cast<std::size_t>(window.width) +
+                             static_cast<std::size_t>(column);
+    if (!coloured()) {
+        ++sums.counts(0)[cell];
+        return;
+    }
+    const ColourCell& colour = colourOf(point.lastMap, point.addressCoordinate);
+    ColourCell& sum = sums.colours(0)[cell];
+    sum.samples += 1;
+    sum.red += colour.red;
+    sum.green += colour.green;
+    sum.blue += colour.blue;
+}
+
+Frame Rendering::State::frame() {
+    Frame result;
+    result.revision = request.revision;
+    result.camera = request.camera;
+    result.samples = drawn;
+    result.measure = cut ? cut->probability : 1;
+    result.passes = passes;
+    result.note = note;
+    result.milliseconds = milliseconds;
+    const auto width = static_cast<std::size_t>(std::max(0, request.camera.width));
+    const auto height = static_cast<std::size_t>(std::max(0, request.camera.height));
+    result.pixels.resize(width * height);
+    if (width * height == 0) return result;
+    const int side = request.appearance.supersample;
+    if (!exposure) {
+        Exposure measured = measuredExposure(sums, request.appearance, side, samplesOverAttractor());
+        if (request.exposure && request.exposure->whitePoint > 0) {
+            measured.whitePoint = request.exposure->whitePoint;
+            measured.gain = request.exposure->gain;
+        }
+        if (!(measured.meanDensity > 0)) measured = {1, measured.whitePoint, measured.gain};
+        exposure = measured;
+    }
+    result.exposure = *exposure;
+    ToneSettings settings{request.appearance, side, 0, exposure->whitePoint, exposure->gain};
+    if (samplesOverAttractor() > 0)
+        settings.densityPerSample = side * side / (samplesOverAttractor() * exposure->meanDensity);
+    const ToneMap toneMap(settings, drawn);
+    workers->run([&](std::size_t thread) {
+        const auto rows = static_cast<std::size_t>(request.camera.height);
+        const auto first = static_cast<int>(rows * thread / workers->size());
+        const auto end = static_cast<int>(rows * (thread + 1) / workers->size());
+        toneMap.apply(sums, first, end, result.pixels);
+    });
+    return result;
+}
+
+Rendering::Rendering(RenderRequest request) : m_state(std::make_unique<State>()) {
+    m_state->start(std::move(request));
+}
+
+Rendering::~Rendering() = default;
+Rendering::Rendering(Rendering&&) noexcept = default;
+Rendering& Rendering::operator=(Rendering&&) noexcept = default;
+
+void Rendering::restart(RenderRequest request) {
+    m_state->start(std::move(request));
+}
+
+bool Rendering::refine(std::stop_token stop, std::uint64_t samples) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (!m_state->complete(stop)) // what an earlier stop left
+        return false;
+    m_state->remaining = samples > 0 ? samples : m_state->request.samples;
+    if (!m_state->complete(stop)) return false;
+    ++m_state->passes;
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+    m_state->milliseconds = time.count();
+    return true;
+}
+
+bool Rendering::finished() const {
+    return m_state->finished();
+}
+
+Frame Rendering::frame() const {
+    m_state->complete({});
+    return m_state->frame();
+}
+
+Frame render(const RenderRequest& request) {
+    Rendering rendering(request);
+    rendering.refine();
+    return rendering.frame();
+}
+
+} // namespace attractor

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/workers.h"
+
+namespace attractor {
+
+Workers::Workers(std::size_t size) {
+    for (std::size_t place = 1; place < size; ++place)
+        m_threads.emplace_back([this, place] { serve(place); });
+}
+
+Workers::~Workers() {
+    const std::lock_guard lock(m_mutex);
+    m_quit = true;
+    m_wake.notify_all();
+}
+
+void Workers::run(const std::function<void(std::size_t)>& work) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_work = &work;
+        m_busy = m_threads.size();
+        ++m_round;
+    }
+    m_wake.notify_all();
+    work(0);
+    std::unique_lock lock(m_mutex);
+    m_finished.wait(lock, [this] { return m_busy == 0; });
+}
+
+void Workers::serve(std::size_t place) {
+    std::size_t seen = 0;
+    while (true) {
+        const std::function<void(std::size_t)>* work = nullptr;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, [&] { return m_quit || m_round != seen; });
+            if (m_quit) return;
+            seen = m_round;
+            work = m_work;
+        }
+        (*work)(place);
+        const std::lock_guard lock(m_mutex);
+        if (--m_busy == 0) m_finished.notify_one();
+    }
+}
+
+} // namespace attractor
