@@ -31,12 +31,6 @@ const Entry& noEntry() {
     return entry;
 }
 
-FractalFile newFile() {
-    FractalFile file;
-    file.entries.append({freshId(file), std::make_shared<const Fractal>(sierpinskiTriangle()), nullptr, {}});
-    return file;
-}
-
 EntryId firstLoadable(const FractalFile& file) {
     for (const Entry& entry : file.entries)
         if (dimension(*entry.fractal) == 2) return entry.id;
@@ -71,7 +65,7 @@ Change::Parts difference(const Fractal& a, const Fractal& b) {
     return parts;
 }
 
-Document::Document(QObject* parent) : QObject(parent), m_file(newFile()) {
+Document::Document(QObject* parent) : QObject(parent), m_file(fileOf(sierpinskiTriangle())) {
     m_current = m_file.entries.front().id;
     m_index = 0;
 }

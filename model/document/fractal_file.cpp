@@ -69,4 +69,10 @@ QString uniqueName(const FractalFile& file, const QString& name, EntryId except)
     return candidate;
 }
 
+FractalFile fileOf(Fractal fractal) {
+    FractalFile file;
+    file.entries.append({freshId(file), std::make_shared<const Fractal>(std::move(fractal)), nullptr, {}});
+    return file;
+}
+
 } // namespace document

@@ -49,4 +49,6 @@ qsizetype indexOf(const FractalFile& file, EntryId id); // −1 when absent
 // ; or :. The entry `except` (the one being renamed) does not count as a holder of the name.
 QString uniqueName(const FractalFile& file, const QString& name, EntryId except = EntryId::None);
 
+FractalFile fileOf(Fractal fractal); // a new file of one entry
+
 } // namespace document

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QApplication>
+
+// Who the program is to the desktop: names, icon, settings, translations.
+class Application : public QApplication {
+    Q_OBJECT
+
+public:
+    Application(int& argc, char** argv);
+
+    // One window per file; without files one window with the maple.
+    void openWindows(const QStringList& files);
+};

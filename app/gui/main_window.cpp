@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+#include "main_window.h"
+
+#include "io/fractint_reader.h"
+#include "panels/analysis_panel.h"
+#include "panels/appearance_panel.h"
+#include "panels/cage_panel.h"
+#include "panels/collection_panel.h"
+#include "panels/entries_panel.h"
+#include "panels/history_panel.h"
+#include "panels/maps_panel.h"
+#include "panels/problems_panel.h"
+#include "recent_files.h"
+#include "status_line.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QStatusBar>
+
+namespace {
+
+QString fileFilter() {
+    return MainWindow::tr(
+        "Fractint collections (*.ifs);;Pictures that carry their fractal (*.png *.svg);;All files (*)");
+}
+
+// Adds the fractal to the file as a new entry and shows it: one undo step.
+void addEntry(document::Document& document, const document::Fractal& fractal) {
+    document::FractalFile file = document.file();
+    document::Fractal added = fractal;
+    added.name = document::uniqueName(file, fractal.name);
+    document::Entry entry;
+    entry.id = document::freshId(file);
+    entry.fractal = std::make_shared<const document::Fractal>(std::move(added));
+    file.entries.append(entry);
+    document.editFile(MainWindow::tr("Add %1").arg(fractal.name), std::move(file), entry.id);
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      m_file(&m_document),
+      m_recovery(&m_document, &m_file, nullptr),
+      m_bridge(new view::RenderBridge(&m_document, this)),
+      m_canvas(new view::CanvasView(&m_document, m_bridge, this)),
+      m_status(new StatusLine(this)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    setCentralWidget(m_canvas);
+    statusBar()->addWidget(m_status, 1);
+    statusBar()->setSizeGripEnabled(false);
+
+    createFileActions();
+    createEditActions();
+    createCageActions();
+    createViewActions();
+    createPanels();
+    createHelpActions();
+    createToolBar();
+    connectDocument();
+    restoreLayout();
+    m_canvas->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QString& id,
+                              Qt::DockWidgetArea area) {
+    auto* made = new QDockWidget(title, this);
+    made->setObjectName(id);
+    made->setWidget(panel);
+    addDockWidget(area, made);
+    m_panelMenu->addAction(made->toggleViewAction());
+    made->toggleViewAction()->setStatusTip(tr("Show or hide the panel “%1”").arg(title));
+    return made;
+}
+
+void MainWindow::createPanels() {
+    auto* entries = new view::EntriesPanel(&m_document);
+    auto* collection = new view::CollectionPanel;
+    auto* problems = new view::ProblemsPanel(&m_document);
+    auto* maps = new view::MapsPanel(&m_document);
+    auto* cage = new view::CagePanel(&m_document);
+
+    QDockWidget* entriesDock =
+        dock(entries, tr("Entries"), QStringLiteral("entries"), Qt::LeftDockWidgetArea);
+    QDockWidget* collectionDock =
+        dock(collection, tr("Collection"), QStringLiteral("collection"), Qt::LeftDockWidgetArea);
+    splitDockWidget(entriesDock, collectionDock, Qt::Vertical);
+    QDockWidget* mapsDock = dock(maps, tr("Maps"), QStringLiteral("maps"), Qt::RightDockWidgetArea);
+    QDockWidget* previous = mapsDock;
+    for (QDockWidget* next : {dock(cage, tr("Cage"), QStringLiteral("cage"), Qt::RightDockWidgetArea),
+                              dock(new view::AppearancePanel(&m_document), tr("Appearance"),
+                                   QStringLiteral("appearance"), Qt::RightDockWidgetArea),
+                              dock(new view::AnalysisPanel(&m_document), tr("Analysis"),
+                                   QStringLiteral("analysis"), Qt::RightDockWidgetArea),
+                              dock(new view::HistoryPanel(&m_document), tr("History"),
+                                   QStringLiteral("history"), Qt::RightDockWidgetArea)}) {
+        tabifyDockWidget(previous, next);
+        previous = next;
+    }
+    mapsDock->raise();
+    QDockWidget* problemsDock =
+        dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
+    problemsDock->hide();
+
+    connect(entries, &view::EntriesPanel::message, this, &MainWindow::say);
+    connect(maps, &view::MapsPanel::message, this, &MainWindow::say);
+    connect(cage, &view::CagePanel::message, this, &MainWindow::say);
+    connect(cage, &view::CagePanel::defineRequested, m_canvas,
+            [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
+    connect(problems, &view::ProblemsPanel::countChanged, problemsDock,
+            [problemsDock](int count) { problemsDock->setVisible(count > 0); });
+    connect(collection, &view::CollectionPanel::openRequested, this,
+            [this](const document::Fractal& fractal) {
+                if (!maySpoil()) return;
+                m_file.startFrom(document::fileOf(fractal), document::EntryId::None);
+                m_canvas->fit();
+            });
+    connect(collection, &view::CollectionPanel::addRequested, this, [this](const document::Fractal& fractal) {
+        addEntry(m_document, fractal);
+        m_canvas->fit();
+    });
+}
+
+void MainWindow::connectDocument() {
+    connect(&m_document, &document::Document::changed, this, [this](const document::Change& change) {
+        using document::Change;
+        if (change.parts & (Change::System | Change::Current | Change::File))
+            m_status->showVerdict(m_document.fractal());
+        if (!change.live && change.parts & (Change::Name | Change::Current | Change::File)) updateTitle();
+    });
+    connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+    connect(&m_file, &OpenFile::pathChanged, this, &MainWindow::updateTitle);
+    connect(m_canvas, &view::CanvasView::message, this, &MainWindow::say);
+    connect(m_canvas, &view::CanvasView::pointerMoved, m_status, &StatusLine::showPointer);
+    connect(m_canvas, &view::CanvasView::pointerLeft, m_status, &StatusLine::clearPointer);
+    connect(m_bridge, &view::RenderBridge::frameChanged, m_status, [this] {
+        if (m_bridge->frame()) m_status->showFrame(*m_bridge->frame());
+    });
+    m_status->showVerdict(m_document.fractal());
+    updateTitle();
+}
+
+void MainWindow::openFirstPicture() {
+    QFile resource(QStringLiteral(":/ifs_library/paper.ifs"));
+    if (!resource.open(QIODevice::ReadOnly)) return;
+    document::FractalFile file = io::readFractint(resource.readAll());
+    document::EntryId maple = document::EntryId::None;
+    for (const document::Entry& entry : file.entries)
+        if (entry.fractal->name == QLatin1String("maple")) maple = entry.id;
+    m_file.startFrom(std::move(file), maple);
+    m_canvas->fit();
+}
+
+void MainWindow::openPath(const QString& path) {
+    if (const io::Failure failure = m_file.open(path)) {
+        fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
+        return;
+    }
+    m_canvas->fit();
+    reportOpened();
+}
+
+void MainWindow::openRecovered(const document::Abandoned& abandoned) {
+    m_file.recover(abandoned.snapshot);
+    m_canvas->fit();
+    m_recovery.keepNow();
+    document::forget(abandoned);
+    say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
+}
+
+void MainWindow::reportOpened() {
+    qsizetype broken = 0;
+    qsizetype bent = 0;
+    for (const document::Entry& entry : m_document.file().entries) {
+        if (document::dimension(*entry.fractal) == 0)
+            ++broken;
+        else if (!entry.problems.isEmpty())
+            ++bent;
+    }
+    QString sentence = tr("%n entries", nullptr, int(m_document.file().entries.size()));
+    if (broken > 0)
+        sentence += tr(", %n of them could not be read and are kept as they are", nullptr, int(broken));
+    if (bent > 0) sentence += tr(", %n read with a remark", nullptr, int(bent));
+    say(sentence + u'.');
+}
+
+void MainWindow::chooseAndOpen() {
+    if (!maySpoil()) return;
+    const QString folder = m_file.path().isEmpty() ? QString() : QFileInfo(m_file.path()).path();
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open"), folder, fileFilter());
+    if (!path.isEmpty()) openPath(path);
+}
+
+bool MainWindow::maySpoil() {
+    m_canvas->cancelGesture();
+    if (!m_document.isModified()) return true;
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
+                    tr("“%1” has changes that are not saved.").arg(m_file.name()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setInformativeText(tr("Do you want to save them?"));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool MainWindow::save() {
+    if (m_file.path().isEmpty()) return saveAs();
+    if (m_file.changedOnDisk()) {
+        QMessageBox box(
+            QMessageBox::Warning, tr("Changed on disk"),
+            tr("“%1” was changed by another program since it was opened here.").arg(m_file.name()),
+            QMessageBox::Cancel, this);
+        box.setInformativeText(tr("Saving replaces what the other program wrote."));
+        QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+        QPushButton* elsewhere = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
+        box.exec();
+        if (box.clickedButton() == elsewhere) return saveAs();
+        if (box.clickedButton() != replace) return false;
+    }
+    if (const io::Failure failure = m_file.save()) {
+        fail(tr("%1 was not saved").arg(m_file.name()), *failure);
+        return false;
+    }
+    say(tr("Saved %1.").arg(m_file.name()));
+    return true;
+}
+
+bool MainWindow::saveAs() {
+    const QString suggestion =
+        m_file.path().isEmpty() ? m_document.fractal().name + QStringLiteral(".ifs") : m_file.path();
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Save As"), suggestion, tr("Fractint collections (*.ifs)"));
+    if (path.isEmpty()) return false;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".ifs");
+    if (const io::Failure failure = m_file.saveAs(path)) {
+        fail(tr("%1 was not saved").arg(QFileInfo(path).fileName()), *failure);
+        return false;
+    }
+    say(tr("Saved %1.").arg(m_file.name()));
+    return true;
+}
+
+void MainWindow::revert() {
+    if (m_document.isModified()) {
+        const auto answer = QMessageBox::question(
+            this, tr("Revert"),
+            tr("Go back to “%1” as it is on disk? The changes made since then are lost.").arg(m_file.name()),
+            QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
+        if (answer != QMessageBox::Discard) return;
+    }
+    if (const io::Failure failure = m_file.revert())
+        fail(tr("%1 could not be read again").arg(m_file.name()), *failure);
+}
+
+void MainWindow::fillRecent() {
+    m_recentMenu->clear();
+    for (const QString& path : recent_files::list()) {
+        QAction* action = m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] {
+            if (maySpoil()) openPath(path);
+        });
+        action->setStatusTip(path);
+    }
+    if (m_recentMenu->isEmpty()) m_recentMenu->addAction(tr("No recent files"))->setEnabled(false);
+    m_recentMenu->addSeparator();
+    m_recentMenu->addAction(tr("Clear this list"), this, [] { recent_files::clear(); });
+}
+
+void MainWindow::updateTitle() {
+    setWindowTitle(tr("%1[*] — %2", "file, entry").arg(m_file.name(), m_document.fractal().name));
+    setWindowFilePath(m_file.path());
+    setWindowModified(m_document.isModified());
+}
+
+void MainWindow::say(const QString& sentence) {
+    statusBar()->showMessage(sentence, 8000);
+}
+
+void MainWindow::fail(const QString& title, const QString& sentence) {
+    QMessageBox::critical(this, title, sentence);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!maySpoil()) {
+        event->ignore();
+        return;
+    }
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), saveState());
+    m_recovery.discard();
+    event->accept();
+}
+
+void MainWindow::restoreLayout() {
+    const QSettings settings;
+    if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray())) resize(1440, 900);
+    restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    bool first = true;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (!url.isLocalFile()) continue;
+        if (first) {
+            if (maySpoil()) openPath(url.toLocalFile());
+        } else {
+            auto* window = new MainWindow;
+            window->show();
+            window->openPath(url.toLocalFile());
+        }
+        first = false;
+    }
+}

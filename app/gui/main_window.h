@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_view.h"
+#include "document/document.h"
+#include "io/save_file.h"
+#include "open_file.h"
+#include "recovery.h"
+#include "render_bridge.h"
+
+#include <QKeySequence>
+#include <QMainWindow>
+
+class QActionGroup;
+class QMenu;
+class StatusLine;
+
+// A document, its canvas and its panels. Owns them all; deletes itself when closed.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void openPath(const QString& path); // says what went wrong
+    void openFirstPicture();            // the maple of the collection, without a path
+    void openRecovered(const document::Abandoned& abandoned);
+
+    document::Document& document() { return m_document; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void createPanels();
+    void createFileActions();
+    void createEditActions();
+    void createCageActions();
+    void createViewActions();
+    void createHelpActions();
+    void createToolBar();
+    void connectDocument();
+
+    // An action with its icon ("" for none), shortcut and status tip, in a menu and in the window.
+    template <typename Slot>
+    QAction* command(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
+                     const QString& tip, Slot slot);
+    QAction* toggle(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
+                    const QString& tip, const QString& setting, bool initially,
+                    void (view::CanvasView::*set)(bool));
+    QDockWidget* dock(QWidget* panel, const QString& title, const QString& id, Qt::DockWidgetArea area);
+
+    bool maySpoil(); // asks about unsaved changes; false: the user wants to stay
+    bool save();
+    bool saveAs();
+    void chooseAndOpen();
+    void revert();
+    void reportOpened();
+    void fillRecent();
+    void updateTitle();
+    void say(const QString& sentence); // in the status bar, for a few seconds
+    void fail(const QString& title, const QString& sentence);
+    void restoreLayout();
+
+    document::Document m_document;
+    OpenFile m_file;
+    Recovery m_recovery;
+    view::RenderBridge* m_bridge;
+    view::CanvasView* m_canvas;
+    StatusLine* m_status;
+
+    QMenu* m_fileMenu = nullptr;
+    QMenu* m_recentMenu = nullptr;
+    QMenu* m_editMenu = nullptr;
+    QMenu* m_cageMenu = nullptr;
+    QMenu* m_viewMenu = nullptr;
+    QMenu* m_panelMenu = nullptr;
+    QMenu* m_helpMenu = nullptr;
+    QActionGroup* m_tools = nullptr;
+    QList<QAction*> m_toolBarActions; // a null pointer is a separator
+};

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/cage_actions.h"
+#include "dialogs/command_palette.h"
+#include "dialogs/export_dialog.h"
+#include "dialogs/print_fractal.h"
+#include "dialogs/shortcuts_dialog.h"
+#include "dialogs/transform_dialog.h"
+#include "icon.h"
+#include "main_window.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QToolBar>
+
+template <typename Slot>
+QAction* MainWindow::command(QMenu* menu, const QString& icon, const QString& text,
+                             const QKeySequence& shortcut, const QString& tip, Slot slot) {
+    auto* action = new QAction(text, this);
+    if (!icon.isEmpty()) action->setIcon(view::icon(icon));
+    action->setShortcut(shortcut);
+    action->setStatusTip(tip);
+    const QString keys = shortcut.toString(QKeySequence::NativeText);
+    action->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)", "what it does, shortcut").arg(tip, keys));
+    connect(action, &QAction::triggered, this, slot);
+    menu->addAction(action);
+    return action;
+}
+
+QAction* MainWindow::toggle(QMenu* menu, const QString& icon, const QString& text,
+                            const QKeySequence& shortcut, const QString& tip, const QString& setting,
+                            bool initially, void (view::CanvasView::*set)(bool)) {
+    QAction* action = command(menu, icon, text, shortcut, tip, [] {});
+    action->setCheckable(true);
+    connect(action, &QAction::toggled, this, [this, setting, set](bool on) {
+        (m_canvas->*set)(on);
+        QSettings().setValue(setting, on);
+    });
+    action->setChecked(QSettings().value(setting, initially).toBool());
+    (m_canvas->*set)(action->isChecked());
+    return action;
+}
+
+void MainWindow::createFileActions() {
+    m_fileMenu = menuBar()->addMenu(tr("&File"));
+    command(m_fileMenu, QStringLiteral("new"), tr("&New"), QKeySequence::New,
+            tr("Start with a Sierpiński triangle"), [this] {
+                if (!maySpoil()) return;
+                m_file.startNew();
+                m_canvas->fit();
+            });
+    command(m_fileMenu, {}, tr("New &Window"), QKeySequence(tr("Ctrl+Shift+N")), tr("Open another window"),
+            [] {
+                auto* window = new MainWindow;
+                window->openFirstPicture();
+                window->show();
+            });
+    QAction* open = command(m_fileMenu, QStringLiteral("open"), tr("&Open…"), QKeySequence::Open,
+                            tr("Open a collection of fractals"), [this] { chooseAndOpen(); });
+    m_recentMenu = m_fileMenu->addMenu(tr("Open &Recent"));
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+    m_fileMenu->addSeparator();
+    QAction* saveAction =
+        command(m_fileMenu, QStringLiteral("save"), tr("&Save"), QKeySequence::Save,
+                tr("Save the file; entries not edited keep every byte"), [this] { save(); });
+    command(m_fileMenu, QStringLiteral("save-as"), tr("Save &As…"), QKeySequence::SaveAs,
+            tr("Save the file under another name"), [this] { saveAs(); });
+    QAction* revertAction = command(m_fileMenu, {}, tr("Re&vert"), {},
+                                    tr("Go back to the file as it is on disk"), [this] { revert(); });
+    connect(m_fileMenu, &QMenu::aboutToShow, revertAction,
+            [this, revertAction] { revertAction->setEnabled(!m_file.path().isEmpty()); });
+    m_fileMenu->addSeparator();
+    QAction* exportAction =
+        command(m_fileMenu, QStringLiteral("export"), tr("&Export Picture…"), QKeySequence(tr("Ctrl+E")),
+                tr("Export the picture as PNG or SVG, framed as on the screen"), [this] {
+                    auto* dialog = new view::ExportDialog(&m_document, m_canvas->camera(), this);
+                    dialog->setAttribute(Qt::WA_DeleteOnClose);
+                    dialog->show();
+                });
+    command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
+            tr("Copy the picture to the clipboard"), [this] {
+                view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture());
+                say(tr("The picture is on the clipboard."));
+            });
+    command(m_fileMenu, QStringLiteral("print"), tr("&Print…"), QKeySequence::Print,
+            tr("Print the picture, its name and its coefficients"),
+            [this] { view::printFractal(&m_document, m_canvas->camera(), this); });
+    m_fileMenu->addSeparator();
+    command(m_fileMenu, QStringLiteral("close"), tr("C&lose"), QKeySequence::Close, tr("Close this window"),
+            [this] { close(); });
+    command(m_fileMenu, {}, tr("&Quit"), QKeySequence::Quit, tr("Close all windows"),
+            [] { QApplication::closeAllWindows(); });
+    m_toolBarActions << open << saveAction << exportAction << nullptr;
+}
+
+void MainWindow::createEditActions() {
+    m_editMenu = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = m_document.undoStack()->createUndoAction(this, tr("&Undo"));
+    undo->setShortcuts(QKeySequence::Undo);
+    undo->setIcon(view::icon(QStringLiteral("undo")));
+    undo->setStatusTip(tr("Take the last edit back"));
+    QAction* redo = m_document.undoStack()->createRedoAction(this, tr("&Redo"));
+    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    redo->setIcon(view::icon(QStringLiteral("redo")));
+    redo->setStatusTip(tr("Make the edit again that was taken back"));
+    m_editMenu->addActions({undo, redo});
+    m_editMenu->addSeparator();
+    command(m_editMenu, QStringLiteral("transform"), tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
+            tr("Rotate, scale, shear, reflect or move the whole fractal by numbers"), [this] {
+                auto* dialog = new view::TransformDialog(&m_document, this);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->show();
+            });
+    m_toolBarActions << undo << redo << nullptr;
+}
+
+void MainWindow::createCageActions() {
+    using Tool = view::CanvasView::Tool;
+    m_cageMenu = menuBar()->addMenu(tr("&Cage"));
+    m_tools = new QActionGroup(this);
+    const auto tool = [this](const QString& icon, const QString& text, const QKeySequence& shortcut,
+                             const QString& tip, Tool which) {
+        QAction* action =
+            command(m_cageMenu, icon, text, shortcut, tip, [this, which] { m_canvas->setTool(which); });
+        action->setCheckable(true);
+        action->setChecked(m_canvas->tool() == which);
+        m_tools->addAction(action);
+        connect(m_canvas, &view::CanvasView::toolChanged, action,
+                [action, which](Tool now) { action->setChecked(now == which); });
+        return action;
+    };
+    QAction* drag = tool(QStringLiteral("cage"), tr("&Drag the Cage"), QKeySequence(tr("C")),
+                         tr("Take the fractal by the vertices of its control triangle"), Tool::Cage);
+    QAction* define = tool(QStringLiteral("define"), tr("De&fine Triangle"), QKeySequence(tr("D")),
+                           tr("Define the control triangle by three clicks"), Tool::DefineTriangle);
+    m_cageMenu->addSeparator();
+    const auto action = [this](const QString& icon, const QString& text, const QKeySequence& shortcut,
+                               const QString& tip, auto operation) {
+        return command(m_cageMenu, icon, text, shortcut, tip, [this, operation] {
+            if (const auto sentence = operation(m_document)) say(*sentence);
+        });
+    };
+    QAction* fitSimplex = action(QStringLiteral("fit-simplex"), tr("Fit &Minimal Canonical Simplex"), {},
+                                 tr("Hold the attractor in the smallest isosceles right triangle around it"),
+                                 &view::fitMinimalCanonicalSimplex);
+    QAction* reset = action(QStringLiteral("reset"), tr("&Reset"), {},
+                            tr("Put the cage back to rest: the code is drawn as it is"), &view::resetCage);
+    QAction* bake =
+        action(QStringLiteral("bake"), tr("&Bake"), QKeySequence(tr("Ctrl+B")),
+               tr("Make the placement part of the code: the picture stays, the coefficients change"),
+               &view::bakeCage);
+    m_toolBarActions << drag << define << fitSimplex << reset << bake << nullptr;
+}
+
+void MainWindow::createViewActions() {
+    m_viewMenu = menuBar()->addMenu(tr("&View"));
+    QAction* fit = command(m_viewMenu, QStringLiteral("fit"), tr("&Fit"), QKeySequence(tr("F")),
+                           tr("Show the whole fractal"), [this] { m_canvas->fit(); });
+    QAction* in = command(m_viewMenu, QStringLiteral("zoom-in"), tr("Zoom &In"), QKeySequence::ZoomIn,
+                          tr("Zoom in"), [this] { m_canvas->zoomBy(1.25); });
+    QAction* out = command(m_viewMenu, QStringLiteral("zoom-out"), tr("Zoom &Out"), QKeySequence::ZoomOut,
+                           tr("Zoom out"), [this] { m_canvas->zoomBy(1 / 1.25); });
+    command(m_viewMenu, QStringLiteral("zoom-reset"), tr("&100 %"), QKeySequence(tr("1")),
+            tr("Show one unit as one hundred pixels"), [this] { m_canvas->resetZoom(); });
+    m_viewMenu->addSeparator();
+    toggle(m_viewMenu, QStringLiteral("grid"), tr("&Grid"), QKeySequence(tr("G")), tr("Show the grid"),
+           QStringLiteral("canvas/grid"), true, &view::CanvasView::setGridVisible);
+    toggle(m_viewMenu, QStringLiteral("axes"), tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"),
+           QStringLiteral("canvas/axes"), true, &view::CanvasView::setAxesVisible);
+    QAction* down = command(m_viewMenu, QStringLiteral("y-axis"), tr("&Y Axis Down"), QKeySequence(tr("Y")),
+                            tr("Let y grow downwards, as in window coordinates"), [] {});
+    down->setCheckable(true);
+    connect(down, &QAction::toggled, this,
+            [this](bool on) { m_canvas->setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up); });
+    QAction* hide =
+        command(m_viewMenu, QStringLiteral("hide"), tr("&Only the Picture"), QKeySequence(tr("H")),
+                tr("Hide everything on the canvas but the picture"), [] {});
+    hide->setCheckable(true);
+    connect(hide, &QAction::toggled, this, [this](bool on) { m_canvas->setOverlaysVisible(!on); });
+    connect(m_canvas, &view::CanvasView::overlaysVisibleChanged, hide,
+            [hide](bool on) { hide->setChecked(!on); });
+
+    QMenu* snap = m_viewMenu->addMenu(view::icon(QStringLiteral("snap")), tr("&Snap To"));
+    for (const auto& [flag, text, name] :
+         {std::tuple{view::SnapTo::Grid, tr("&Grid"), QStringLiteral("grid")},
+          std::tuple{view::SnapTo::Vertices, tr("&Vertices"), QStringLiteral("vertices")},
+          std::tuple{view::SnapTo::Axes, tr("&Axes"), QStringLiteral("axes")}}) {
+        QAction* action = command(snap, {}, text, {}, tr("Let dragged vertices snap to this"), [] {});
+        action->setCheckable(true);
+        const QString setting = QStringLiteral("canvas/snap/") + name;
+        connect(action, &QAction::toggled, this, [this, flag = flag, setting](bool on) {
+            m_canvas->setSnapping(m_canvas->snapping().setFlag(flag, on));
+            QSettings().setValue(setting, on);
+        });
+        action->setChecked(QSettings().value(setting, false).toBool());
+    }
+    m_viewMenu->addSeparator();
+    m_panelMenu = m_viewMenu->addMenu(tr("&Panels"));
+    QAction* full = command(m_viewMenu, {}, tr("F&ull Screen"), QKeySequence(tr("F11")),
+                            tr("Use the whole screen"), [] {});
+    full->setCheckable(true);
+    connect(full, &QAction::toggled, this,
+            [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
+    m_toolBarActions << fit << in << out;
+}
+
+void MainWindow::createHelpActions() {
+    m_helpMenu = menuBar()->addMenu(tr("&Help"));
+    command(m_helpMenu, QStringLiteral("search"), tr("&Find a Command…"), QKeySequence(tr("Ctrl+K")),
+            tr("Find any command by typing what it does"), [this] {
+                auto* palette = new view::CommandPalette(view::actionsOf(menuBar()), this);
+                palette->setAttribute(Qt::WA_DeleteOnClose);
+                palette->move(mapToGlobal(QPoint((width() - palette->width()) / 2, height() / 6)));
+                palette->show();
+            });
+    command(m_helpMenu, QStringLiteral("help"), tr("&Keyboard and Mouse…"), QKeySequence(tr("Ctrl+/")),
+            tr("Every shortcut and gesture"), [this] {
+                auto* dialog = new view::ShortcutsDialog(view::actionsOf(menuBar()), this);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->show();
+            });
+    m_helpMenu->addSeparator();
+    command(m_helpMenu, QStringLiteral("info"), tr("&About Barycage"), {}, tr("Version and licence"), [this] {
+        QMessageBox::about(
+            this, tr("About Barycage"),
+            tr("<h3>Barycage %1</h3><p>Take a fractal by its corners: an editor for iterated function "
+               "systems "
+               "whose attractors are held in barycentric coordinates of a control triangle.</p>"
+               "<p>After E. Hadzieva and M. Shuminoska, <i>Real-time Tool for Affine Transformations of Two "
+               "Dimensional IFS Fractals</i>.</p><p>MIT licence.</p>")
+                .arg(QApplication::applicationVersion()));
+    });
+    command(m_helpMenu, {}, tr("About &Qt"), {}, tr("The toolkit this program is built with"),
+            &QApplication::aboutQt);
+}
+
+void MainWindow::createToolBar() {
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    bar->setIconSize({22, 22});
+    for (QAction* action : m_toolBarActions) {
+        if (action)
+            bar->addAction(action);
+        else
+            bar->addSeparator();
+    }
+    m_panelMenu->addSeparator();
+    m_panelMenu->addAction(bar->toggleViewAction());
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "open_file.h"
+
+#include "io/fractint_reader.h"
+#include "io/fractint_writer.h"
+#include "recent_files.h"
+
+#include <QCryptographicHash>
+#include <QFileInfo>
+
+namespace {
+
+QByteArray digest(const QByteArray& bytes) {
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+}
+
+} // namespace
+
+OpenFile::OpenFile(document::Document* document, QObject* parent) : QObject(parent), m_document(document) {}
+
+QString OpenFile::name() const {
+    return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
+}
+
+void OpenFile::startNew() {
+    startFrom(document::fileOf(document::sierpinskiTriangle()), document::EntryId::None);
+}
+
+void OpenFile::startFrom(document::FractalFile file, document::EntryId current) {
+    m_document->setFile(std::move(file), current);
+    remember({}, {});
+}
+
+io::Failure OpenFile::open(const QString& path) {
+    io::Loaded loaded = io::loadFile(path);
+    if (loaded.failure) return loaded.failure;
+    document::FractalFile file = io::readFractint(loaded.bytes);
+    if (file.entries.isEmpty() && !file.problems.isEmpty()) return file.problems.first().message;
+    m_document->setFile(std::move(file));
+    remember(path, loaded.bytes);
+    recent_files::add(path);
+    return std::nullopt;
+}
+
+void OpenFile::recover(const document::Snapshot& snapshot) {
+    if (snapshot.path.isEmpty() || open(snapshot.path)) startNew();
+    document::FractalFile recovered = io::readFractint(snapshot.bytes);
+    const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
+    const document::EntryId current =
+        known ? recovered.entries[snapshot.current].id : document::EntryId::None;
+    m_document->editFile(tr("Recover unsaved work"), std::move(recovered), current);
+}
+
+io::Failure OpenFile::save() {
+    return write(m_path);
+}
+
+io::Failure OpenFile::saveAs(const QString& path) {
+    return write(path);
+}
+
+io::Failure OpenFile::revert() {
+    return open(m_path);
+}
+
+bool OpenFile::changedOnDisk() const {
+    if (m_path.isEmpty() || !QFileInfo::exists(m_path)) return false;
+    const io::Loaded now = io::loadFile(m_path);
+    return !now.failure && digest(now.bytes) != m_digest;
+}
+
+io::Failure OpenFile::write(const QString& path) {
+    const QByteArray bytes = io::writeFractint(m_document->file());
+    if (io::Failure failure = io::saveFile(path, bytes)) return failure;
+    m_document->markSaved(io::readFractint(bytes));
+    remember(path, bytes);
+    recent_files::add(path);
+    return std::nullopt;
+}
+
+void OpenFile::remember(const QString& path, const QByteArray& bytes) {
+    m_path = path;
+    m_digest = digest(bytes);
+    emit pathChanged();
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/journal.h"
+#include "io/save_file.h"
+
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+
+// Where a window's document comes from and goes to.
+class OpenFile : public QObject {
+    Q_OBJECT
+
+public:
+    explicit OpenFile(document::Document* document, QObject* parent = nullptr);
+
+    QString path() const { return m_path; } // empty while it has none
+    QString name() const;                   // for titles: file name, or "Untitled"
+
+    void startNew();                                                       // a Sierpiński triangle, no path
+    void startFrom(document::FractalFile file, document::EntryId current); // no path
+    // Pictures that carry their system open as a file without path. The document is as before when this
+    // fails.
+    io::Failure open(const QString& path);
+    // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
+    // is saved.
+    void recover(const document::Snapshot& snapshot);
+    io::Failure save(); // to path()
+    io::Failure saveAs(const QString& path);
+    io::Failure revert();
+
+    // Whether the bytes at path() are no longer those that were read or written here.
+    bool changedOnDisk() const;
+
+signals:
+    void pathChanged();
+
+private:
+    io::Failure write(const QString& path);
+    void remember(const QString& path, const QByteArray& bytes);
+
+    document::Document* m_document;
+    QString m_path;
+    QByteArray m_digest; // of the bytes at m_path as last seen
+};

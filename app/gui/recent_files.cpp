@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "recent_files.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+namespace recent_files {
+
+namespace {
+
+constexpr int capacity = 12;
+
+QString key() {
+    return QStringLiteral("recentFiles");
+}
+
+} // namespace
+
+QStringList list() {
+    QStringList paths = QSettings().value(key()).toStringList();
+    paths.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
+    return paths;
+}
+
+void add(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList paths = list();
+    paths.removeAll(absolute);
+    paths.prepend(absolute);
+    QSettings().setValue(key(), paths.mid(0, capacity));
+}
+
+void clear() {
+    QSettings().remove(key());
+}
+
+} // namespace recent_files

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QStringList>
+
+// The last files opened or saved, newest first, kept between runs and shared by all windows.
+namespace recent_files {
+
+QStringList list(); // those that still exist
+void add(const QString& path);
+void clear();
+
+} // namespace recent_files

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "recovery.h"
+
+#include "io/fractint_writer.h"
+
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include <chrono>
+
+using namespace std::chrono_literals;
+
+Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* parent)
+    : QObject(parent), m_document(document), m_file(file), m_journal(folder()) {
+    m_timer.setSingleShot(true);
+    m_timer.setInterval(1500ms);
+    connect(&m_timer, &QTimer::timeout, this, &Recovery::keepNow);
+    // Not restarted by further changes: a long drag is kept along the way.
+    connect(document, &document::Document::changed, this, [this] {
+        if (!m_timer.isActive()) m_timer.start();
+    });
+    connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
+        if (clean) m_journal.discard();
+    });
+}
+
+void Recovery::keepNow() {
+    if (!m_document->isModified()) {
+        m_journal.discard();
+        return;
+    }
+    m_journal.write({m_file->path(), m_file->name(),
+                     int(document::indexOf(m_document->file(), m_document->currentId())),
+                     QDateTime::currentDateTimeUtc(), io::writeFractint(m_document->file())});
+}
+
+void Recovery::discard() {
+    m_timer.stop();
+    m_journal.discard();
+}
+
+QString Recovery::folder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+           QStringLiteral("/recovery");
+}
+
+QList<document::Abandoned> Recovery::ask() {
+    const QList<document::Abandoned> found = document::abandonedSnapshots(folder());
+    if (found.isEmpty()) return {};
+    QStringList lines;
+    for (const document::Abandoned& abandoned : found)
+        lines << tr("%1, %2", "file, time")
+                     .arg(abandoned.snapshot.title,
+                          QLocale().toString(abandoned.snapshot.when.toLocalTime(), QLocale::ShortFormat));
+    QMessageBox box(QMessageBox::Question, tr("Unsaved work was found"),
+                    tr("Barycage ended last time before this work was saved:"));
+    box.setInformativeText(lines.join(u'\n'));
+    QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+    QPushButton* forget = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+    QPushButton* later = box.addButton(tr("Ask Later"), QMessageBox::RejectRole);
+    box.setDefaultButton(recover);
+    box.setEscapeButton(later);
+    box.exec();
+    if (box.clickedButton() == forget)
+        for (const document::Abandoned& abandoned : found)
+            document::forget(abandoned);
+    return box.clickedButton() == recover ? found : QList<document::Abandoned>{};
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/journal.h"
+#include "open_file.h"
+
+#include <QObject>
+#include <QTimer>
+
+// Keeps a window's unsaved work in a journal, at most a second and a half behind, until it is saved or given
+// up.
+class Recovery : public QObject {
+    Q_OBJECT
+
+public:
+    Recovery(document::Document* document, const OpenFile* file, QObject* parent);
+
+    void keepNow(); // without waiting for the next change
+    void discard(); // the window closes and its work is saved or not wanted
+
+    static QString folder();
+    // Asks about the work of processes that ended without closing; returns what the user wants back.
+    // What is not wanted is forgotten.
+    static QList<document::Abandoned> ask();
+
+private:
+    document::Document* m_document;
+    const OpenFile* m_file;
+    document::Journal m_journal;
+    QTimer m_timer;
+};

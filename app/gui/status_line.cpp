@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "status_line.h"
+
+#include "ifs/attractor_existence.h"
+
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+namespace {
+
+QLabel* label(const QString& name, const QString& meaning) {
+    auto* made = new QLabel;
+    made->setAccessibleName(name);
+    made->setToolTip(meaning);
+    made->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return made;
+}
+
+// Fixed decimals, so that digits stay in place while the pointer moves.
+QString fixed(double value) {
+    return QString::number(value, 'f', 4);
+}
+
+QString count(std::uint64_t samples) {
+    if (samples >= 1'000'000'000) return StatusLine::tr("%1 G points").arg(double(samples) / 1e9, 0, 'f', 1);
+    if (samples >= 1'000'000)
+        return StatusLine::tr("%1 M points").arg(double(samples) / 1e6, 0, 'f', samples < 10'000'000 ? 1 : 0);
+    return StatusLine::tr("%1 points").arg(QLocale::c().toString(qulonglong(samples)));
+}
+
+QString verdictText(const ifs::Existence& existence) {
+    const QString factor = QString::number(existence.contractivity, 'f', 4);
+    switch (existence.verdict) {
+    case ifs::Verdict::Hyperbolic:
+        return StatusLine::tr("hyperbolic, s = %1").arg(factor);
+    case ifs::Verdict::EventuallyContractive:
+        return StatusLine::tr("eventually contractive, γ = %1 (words of %2 maps)")
+            .arg(factor)
+            .arg(existence.wordLength);
+    case ifs::Verdict::None: {
+        QStringList word;
+        for (int symbol : existence.witness)
+            word << QString::number(symbol + 1);
+        return StatusLine::tr("no attractor: the word %1 does not contract").arg(word.join(u' '));
+    }
+    case ifs::Verdict::Undecided:
+        return StatusLine::tr("existence of an attractor undecided");
+    case ifs::Verdict::Empty:
+        return StatusLine::tr("no map takes part");
+    }
+    return {};
+}
+
+} // namespace
+
+StatusLine::StatusLine(QWidget* parent)
+    : QWidget(parent),
+      m_pointer(label(tr("Pointer position"), tr("World and barycentric coordinates of the pointer"))),
+      m_verdict(label(tr("Verdict"),
+                      tr("Whether the system has an attractor, and the factor by which it contracts"))),
+      m_frame(label(tr("Picture"), tr("Points drawn so far and the time of the last pass"))) {
+    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    digits.setPointSizeF(font().pointSizeF() * 0.95);
+    m_pointer->setFont(digits);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 0, 8, 0);
+    row->setSpacing(18);
+    row->addWidget(m_pointer, 1);
+    row->addWidget(m_verdict);
+    row->addWidget(m_frame);
+}
+
+void StatusLine::showPointer(const view::PointerPosition& position) {
+    QString text = QStringLiteral("x %1  y %2").arg(fixed(position.world.x()), fixed(position.world.y()));
+    if (position.barycentric) {
+        QStringList coordinates;
+        for (double coordinate : *position.barycentric)
+            coordinates << QString::number(coordinate, 'f', 3);
+        text += tr("  barycentric (%1)").arg(coordinates.join(QStringLiteral(", ")));
+    }
+    m_pointer->setText(text);
+}
+
+void StatusLine::clearPointer() {
+    m_pointer->clear();
+}
+
+void StatusLine::showVerdict(const document::Fractal& fractal) {
+    if (const auto* plane = document::system2(fractal))
+        m_verdict->setText(verdictText(ifs::classify<2>(ifs::activeMaps(*plane).maps)));
+    else if (document::dimension(fractal) == 3)
+        m_verdict->setText(tr("3D: not yet shown"));
+    else
+        m_verdict->setText(tr("this entry could not be read"));
+}
+
+void StatusLine::showFrame(const attractor::Frame& frame) {
+    m_frame->setText(tr("%1 · %2 ms").arg(count(frame.samples)).arg(frame.milliseconds, 0, 'f', 1));
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/command_palette.h"
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+constexpr int actionRole = Qt::UserRole;
+
+QString plain(QString text) {
+    return text.remove(u'&').remove(u'…');
+}
+
+void collect(const QList<QAction*>& actions, const QString& path, QList<NamedAction>& found) {
+    for (QAction* action : actions) {
+        if (action->isSeparator() || action->text().isEmpty()) continue;
+        const QString here =
+            path.isEmpty() ? plain(action->text()) : path + QStringLiteral(" › ") + plain(action->text());
+        if (const QMenu* menu = action->menu())
+            collect(menu->actions(), here, found);
+        else
+            found << NamedAction{action, here};
+    }
+}
+
+} // namespace
+
+bool matchesCommand(const QString& title, const QString& text) {
+    static const QRegularExpression separators(QStringLiteral("[^\\w]+"),
+                                               QRegularExpression::UseUnicodePropertiesOption);
+    const QStringList words = title.split(separators, Qt::SkipEmptyParts);
+    for (const QString& wanted : text.split(separators, Qt::SkipEmptyParts)) {
+        const bool found = std::any_of(words.begin(), words.end(), [&wanted](const QString& word) {
+            return word.startsWith(wanted, Qt::CaseInsensitive);
+        });
+        if (!found) return false;
+    }
+    return true;
+}
+
+QList<NamedAction> actionsOf(const QWidget* menuBar) {
+    QList<NamedAction> found;
+    collect(menuBar->actions(), {}, found);
+    return found;
+}
+
+CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* parent)
+    : QDialog(parent, Qt::Popup),
+      m_actions(actions),
+      m_model(new QStandardItemModel(this)),
+      m_search(new QLineEdit),
+      m_list(new QListView) {
+    setAccessibleName(tr("Command palette"));
+    m_search->setPlaceholderText(tr("Type what you want to do"));
+    m_search->setAccessibleName(tr("Command"));
+    m_search->setClearButtonEnabled(true);
+    m_search->installEventFilter(this);
+    m_list->setModel(m_model);
+    m_list->setAccessibleName(tr("Matching commands"));
+    m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_list->setUniformItemSizes(true);
+    m_list->setFocusPolicy(Qt::NoFocus);
+    m_list->setFrameShape(QFrame::NoFrame);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->addWidget(m_search);
+    column->addWidget(m_list);
+    resize(520, 380);
+
+    connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::filter);
+    connect(m_search, &QLineEdit::returnPressed, this, &CommandPalette::run);
+    connect(m_list, &QListView::clicked, this, &CommandPalette::run);
+    filter({});
+}
+
+void CommandPalette::filter(const QString& text) {
+    m_model->clear();
+    for (qsizetype i = 0; i < m_actions.size(); ++i) {
+        const auto& [action, title] = m_actions[i];
+        if (!action->isEnabled() || !matchesCommand(title, text)) continue;
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        auto* item =
+            new QStandardItem(action->icon(), keys.isEmpty() ? title : title + QStringLiteral("    ") + keys);
+        item->setData(int(i), actionRole);
+        item->setToolTip(action->statusTip());
+        m_model->appendRow(item);
+    }
+    m_list->setCurrentIndex(m_model->index(0, 0));
+}
+
+void CommandPalette::run() {
+    const QModelIndex index = m_list->currentIndex();
+    if (!index.isValid()) return;
+    QAction* action = m_actions[index.data(actionRole).toInt()].action;
+    accept();
+    action->trigger();
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != m_search || event->type() != QEvent::KeyPress) return QDialog::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const int step = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
+    if (step == 0) return false;
+    const int row = qBound(0, m_list->currentIndex().row() + step, m_model->rowCount() - 1);
+    m_list->setCurrentIndex(m_model->index(row, 0));
+    return true;
+}
+
+} // namespace view
