@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/collection_reader.h"
 
+#include "io/flame.h"
 #include "io/fractint_reader.h"
 #include "io/png_system.h"
 #include "io/svg_system.h"
@@ -24,6 +25,7 @@ document::FractalFile fileOf(const EmbeddedSystem& embedded) {
 Collection readCollection(const QByteArray& bytes) {
     if (looksLikePng(bytes)) return {QStringLiteral("png"), fileOf(readPngSystem(bytes))};
     if (looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes))};
+    if (looksLikeFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes)};
     return {QStringLiteral("fractint"), readFractint(bytes)};
 }
 

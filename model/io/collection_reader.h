@@ -10,11 +10,11 @@ namespace io {
 
 // What a file of any kind that can be opened holds. Only a Fractint collection may be written back in place.
 struct Collection {
-    QString format; // "fractint", "png", "svg"
+    QString format; // "fractint", "flame", "png", "svg"
     document::FractalFile file;
 };
 
-// Tells the format from the content: a Fractint collection, or a picture that carries one.
+// Tells the format from the content: a Fractint collection, flames, or a picture that carries one.
 Collection readCollection(const QByteArray& bytes);
 
 } // namespace io
