@@ -20,21 +20,41 @@ public:
     explicit RenderBridge(document::Document* document, QObject* parent = nullptr);
     ~RenderBridge() override;
 
-    void setCamera(const attractor::Camera& camera); // in device pixels
+    void setCamera(const attractor::Camera& camera); // in device pixels; nothing is drawn before the first
     const attractor::Camera& camera() const { return m_camera; }
 
-    std::shared_ptr<const attractor::Frame> frame() const { return m_frame; } // nullptr before the first
+    // Samples to which a picture at rest is refined.
+    void setQuality(std::uint64_t samples);
+    std::uint64_t quality() const { return m_quality; }
+
+    // nullptr before the first, and while the entry is not a system of the plane.
+    std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
+    bool isCurrent() const; // whether the frame shows the document and the camera as they are now
+
+    // Samples in the first pass of a frame during a gesture: what this machine does in one sixtieth of a
+    // second.
+    std::uint64_t liveSamples() const { return m_liveSamples; }
 
 signals:
     void frameChanged();
 
 private:
-    void request(bool live);
+    // Whether brightness keeps its meaning from the frame before.
+    enum class Exposing { Kept, Measured };
+
+    void follow(const document::Change& change);
+    void request();
     void takeFrame();
+    void adaptBudget(const attractor::Frame& frame);
 
     document::Document* m_document;
     attractor::Camera m_camera;
     std::shared_ptr<const attractor::Frame> m_frame;
+    std::uint64_t m_quality = 200'000'000;
+    std::uint64_t m_liveSamples = 4'000'000;
+    std::uint64_t m_requested = 0;    // revision of the newest request
+    std::uint64_t m_measuredFrom = 1; // requests since this revision share their exposure
+    Exposing m_exposing = Exposing::Measured;
     bool m_live = false;
     std::unique_ptr<attractor::RenderThread> m_thread; // last: stops before the rest goes
 };

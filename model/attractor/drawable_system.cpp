@@ -166,8 +166,7 @@ void placeBox(DrawableSystem& system) {
 
 RenderNote existenceNote(const std::vector<ifs::AffineMap<2>>& maps) {
     for (const ifs::AffineMap<2>& map : maps)
-        if (!(ifs::spectralNorm<2>(map.linear) < 1))
-            return RenderNote::Undecided;
+        if (!(ifs::spectralNorm<2>(map.linear) < 1)) return RenderNote::Undecided;
     return RenderNote::None;
 }
 

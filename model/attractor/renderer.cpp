@@ -7,6 +7,7 @@
 #include "attractor/chaos_game.h"
 #include "attractor/drawable_system.h"
 #include "attractor/linear_light.h"
+#include "attractor/preattractor.h"
 #include "attractor/splat.h"
 #include "attractor/tone_map.h"
 #include "attractor/workers.h"
@@ -73,8 +74,8 @@ struct Rendering::State {
     std::atomic<std::size_t> nextJob = 0;
     std::uint64_t sinceCarry = 0;
 
-    // ChaosGame
-    std::optional<Orbit> orbit;
+    std::optional<Orbit> orbit; // ChaosGame
+    int iterations = 0;         // Deterministic
 
     std::uint64_t remaining = 0; // of the present pass
     std::uint64_t drawn = 0;
@@ -95,6 +96,8 @@ struct Rendering::State {
     void runJob(const Job& job, std::size_t thread);
     bool completeOrbit(const std::stop_token& stop);
     void plot(const Orbit::Point& point);
+    bool completePreattractor(const std::stop_token& stop);
+    std::vector<ifs::Vector<2>> restPolygon() const;
     const ColourCell& colourOf(std::uint32_t map, double addressCoordinate) const;
     bool coloured() const {
         return request.appearance.colourBy == ColourBy::Map ||
@@ -116,6 +119,9 @@ void Rendering::State::start(RenderRequest newRequest) {
     drawable = !system.maps.empty() && camera.width > 0 && camera.height > 0 && camera.pixelsPerUnit > 0 &&
                std::isfinite(camera.pixelsPerUnit) && camera.centre.allFinite();
     projection = attractor::projection(camera, affinePart(request.cage), request.appearance.supersample);
+    iterations = request.algorithm == Algorithm::Deterministic
+                     ? affordableIterations(system.maps.size(), request.iterations)
+                     : 0;
     note = placementNote();
     if (!workers || workers->size() != static_cast<std::size_t>(request.threads))
         workers = std::make_unique<Workers>(static_cast<std::size_t>(request.threads));
@@ -139,6 +145,8 @@ void Rendering::State::start(RenderRequest newRequest) {
 
 RenderNote Rendering::State::placementNote() const {
     if (system.note != RenderNote::None) return system.note;
+    if (request.algorithm == Algorithm::Deterministic && iterations < request.iterations)
+        return RenderNote::FewerIterations;
     const ifs::Vector<2> stretch = ifs::singularValues<2>(projection.cage.linear);
     if (!(stretch[1] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
     // Beyond this the camera's own centre has no digits left for a pixel.
@@ -174,7 +182,14 @@ bool Rendering::State::finished() const {
 
 bool Rendering::State::complete(const std::stop_token& stop) {
     if (!drawable) return true;
-    return request.algorithm == Algorithm::ChaosGame ? completeOrbit(stop) : completeDensity(stop);
+    switch (request.algorithm) {
+    case Algorithm::ChaosGame:
+        return completeOrbit(stop);
+    case Algorithm::Deterministic:
+        return completePreattractor(stop);
+    default:
+        return completeDensity(stop);
+    }
 }
 
 bool Rendering::State::completeDensity(const std::stop_token& stop) {
@@ -256,7 +271,6 @@ void Rendering::State::planJobs() {
 
 void Rendering::State::runJobs(const std::stop_token& stop) {
     if (nextJob >= jobs.size()) return;
-    std::atomic<std::size_t> undone = 0;
     workers->run([&](std::size_t thread) {
         while (!stop.stop_requested()) {
             const std::size_t job = nextJob.fetch_add(1);
@@ -320,6 +334,25 @@ void Rendering::State::plot(const Orbit::Point& point) {
     sum.blue += colour.blue;
 }
 
+std::vector<ifs::Vector<2>> Rendering::State::restPolygon() const {
+    if (request.cage && ifs::isValid(*request.cage)) return request.cage->rest;
+    const ifs::Vector<2> low = system.centre - system.halfExtent;
+    const ifs::Vector<2> high = system.centre + system.halfExtent;
+    return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+bool Rendering::State::completePreattractor(const std::stop_token& stop) {
+    if (remaining == 0) return true;
+    sums.reset(sums.kind(), sums.window(), workers->size());
+    const Preattractor job{system, restPolygon(), iterations};
+    const auto colour = [this](std::uint32_t map, double place) {
+        return coloured() ? colourOf(map, place) : ColourCell{};
+    };
+    if (!job.draw(projection, colour, sums, stop)) return false;
+    remaining = 0;
+    return true;
+}
+
 Frame Rendering::State::frame() {
     Frame result;
     result.revision = request.revision;
@@ -327,6 +360,7 @@ Frame Rendering::State::frame() {
     result.samples = drawn;
     result.measure = cut ? cut->probability : 1;
     result.passes = passes;
+    result.iterations = iterations;
     result.note = note;
     result.milliseconds = milliseconds;
     const auto width = static_cast<std::size_t>(std::max(0, request.camera.width));
@@ -334,6 +368,8 @@ Frame Rendering::State::frame() {
     result.pixels.resize(width * height);
     if (width * height == 0) return result;
     const int side = request.appearance.supersample;
+    if (!exposure && request.algorithm == Algorithm::Deterministic)
+        exposure = Exposure{1, 16, 1}; // an area covered once has density 1
     if (!exposure) {
         Exposure measured = measuredExposure(sums, request.appearance, side, samplesOverAttractor());
         if (request.exposure && request.exposure->whitePoint > 0) {
@@ -345,9 +381,11 @@ Frame Rendering::State::frame() {
     }
     result.exposure = *exposure;
     ToneSettings settings{request.appearance, side, 0, exposure->whitePoint, exposure->gain};
-    if (samplesOverAttractor() > 0)
+    if (request.algorithm == Algorithm::Deterministic)
+        settings.densityPerSample = 1;
+    else if (samplesOverAttractor() > 0)
         settings.densityPerSample = side * side / (samplesOverAttractor() * exposure->meanDensity);
-    const ToneMap toneMap(settings, drawn);
+    const ToneMap toneMap(settings, request.algorithm == Algorithm::Deterministic ? 1U << 20 : drawn);
     workers->run([&](std::size_t thread) {
         const auto rows = static_cast<std::size_t>(request.camera.height);
         const auto first = static_cast<int>(rows * thread / workers->size());

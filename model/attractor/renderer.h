@@ -51,11 +51,12 @@ struct RenderRequest {
 // Why a picture may not show what the user expects. The sentence for the user is the view's.
 enum class RenderNote {
     None,
-    NoMaps,      // no map takes part: an empty picture
-    NoAttractor, // some word expands; points that leave a huge range are dropped
-    Undecided,   // existence not settled; drawn with the same guard
-    TooDeep,     // zoomed beyond the resolution of the arithmetic
-    Degenerate,  // the picture is flat in this placement
+    NoMaps,          // no map takes part: an empty picture
+    NoAttractor,     // some word expands; points that leave a huge range are dropped
+    Undecided,       // existence not settled; drawn with the same guard
+    TooDeep,         // zoomed beyond the resolution of the arithmetic
+    Degenerate,      // the picture is flat in this placement
+    FewerIterations, // Deterministic: fewer than asked for, Frame::iterations says how many
 };
 
 // An immutable result.
@@ -67,6 +68,7 @@ struct Frame {
     std::uint64_t samples = 0; // accumulated so far
     double measure = 0;        // of the words that meet the view, estimated; 1 when all of the attractor does
     int passes = 0;
+    int iterations = 0; // Deterministic: drawn
     Exposure exposure;
     RenderNote note = RenderNote::None;
     double milliseconds = 0; // time the last pass took

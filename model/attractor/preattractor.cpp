@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/preattractor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace attractor {
+
+namespace {
+
+constexpr double mostImages = 1e6;
+
+class Painter {
+public:
+    Painter(const Preattractor& job, const Projection& projection, const Preattractor::Colour& colour,
+            CellSums& sums)
+        : m_job(job), m_projection(projection), m_colour(colour), m_sums(sums) {
+        // Everything that an image can become lies in the image of this box.
+        m_low = job.system.centre - job.system.halfExtent;
+        m_high = job.system.centre + job.system.halfExtent;
+        for (const ifs::Vector<2>& vertex : job.polygon) {
+            m_low = m_low.cwiseMin(vertex);
+            m_high = m_high.cwiseMax(vertex);
+        }
+    }
+
+    bool paint(const std::stop_token& stop) {
+        struct Node {
+            ifs::AffineMap<2> map;
+            int depth = 0;
+            std::uint32_t firstMap = 0;
+            double place = 0;
+            double step = 1;
+        };
+        const auto count = static_cast<double>(m_job.system.maps.size());
+        std::vector<Node> stack{{}};
+        std::size_t visits = 0;
+        while (!stack.empty()) {
+            if (++visits % 1024 == 0 && stop.stop_requested()) return false;
+            const Node node = stack.back();
+            stack.pop_back();
+            const Reach reach = reachOf(node.map);
+            if (!reach.inView) continue;
+            if (node.depth == m_job.iterations || reach.size < 0.5) {
+                fill(node.map, m_colour(node.firstMap, node.place + node.step / 2));
+                continue;
+            }
+            for (std::size_t i = m_job.system.maps.size(); i-- > 0;) {
+                const double step = node.step / count;
+                stack.push_back({node.map * m_job.system.maps[i], node.depth + 1,
+                                 node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap,
+                                 node.place + static_cast<double>(i) * step, step});
+            }
+        }
+        return true;
+    }
+
+private:
+    struct Reach {
+        bool inView = false;
+        double size = 0; // cells
+    };
+
+    ifs::Vector<2> cell(const ifs::Vector<2>& world) const {
+        const ifs::Vector<2> offset = m_projection.cage(world) - m_projection.centre;
+        return {m_projection.scale(0, 0) * offset.x() + m_projection.grid.width / 2.0,
+                m_projection.scale(1, 1) * offset.y() + m_projection.grid.height / 2.0};
+    }
+
+    // Images of the polygon may leave the box of an expanding system; what has left the view then comes back
+    // only by chance, so it is not followed.
+    Reach reachOf(const ifs::AffineMap<2>& map) const {
+        const ifs::Vector<2> middle = cell(map((m_low + m_high) / 2));
+        const ifs::Matrix<2> linear = m_projection.scale * m_projection.cage.linear * map.linear;
+        const ifs::Vector<2> half = linear.cwiseAbs() * ((m_high - m_low) / 2);
+        const CellWindow& window = m_sums.window();
+        return {middle.x() + half.x() >= 0 && middle.x() - half.x() <= window.width &&
+                    middle.y() + half.y() >= window.firstRow && middle.y() - half.y() <= window.endRow,
+                2 * half.maxCoeff()};
+    }
+
+    void add(int x, int y, const ColourCell& colour) {
+        const CellWindow& window = m_sums.window();
+        const std::size_t at =
+            static_cast<std::size_t>(y - window.firstRow) * static_cast<std::size_t>(window.width) +
+            static_cast<std::size_t>(x);
+        if (m_sums.kind() == CellKind::Count) {
+            ++m_sums.counts(0)[at];
+            return;
+        }
+        ColourCell& sum = m_sums.colours(0)[at];
+        sum.samples += 1;
+        sum.red += colour.red;
+        sum.green += colour.green;
+        sum.blue += colour.blue;
+    }
+
+    // Even-odd rule at the middles of cells.
+    void fill(const ifs::AffineMap<2>& map, const ColourCell& colour) {
+        m_corners.clear();
+        ifs::Vector<2> middle = ifs::Vector<2>::Zero();
+        for (const ifs::Vector<2>& vertex : m_job.polygon) {
+            m_corners.push_back(cell(map(vertex)));
+            if (!m_corners.back().allFinite()) return;
+            middle += m_corners.back() / static_cast<double>(m_job.polygon.size());
+        }
+        const CellWindow& window = m_sums.window();
+        const auto [low, high] = std::minmax_element(
+            m_corners.begin(), m_corners.end(), [](const auto& a, const auto& b) { return a.y() < b.y(); });
+        const int first = static_cast<int>(
+            std::clamp(std::floor(low->y()), double(window.firstRow), double(window.endRow)));
+        const int end = static_cast<int>(
+            std::clamp(std::ceil(high->y()) + 1, double(window.firstRow), double(window.endRow)));
+        bool any = false;
+        for (int y = first; y < end; ++y)
+            any = fillRow(y, colour) || any;
+        if (!any && middle.x() >= 0 && middle.x() < window.width && middle.y() >= window.firstRow &&
+            middle.y() < window.endRow)
+            add(static_cast<int>(middle.x()), static_cast<int>(middle.y()), colour);
+    }
+
+    bool fillRow(int y, const ColourCell& colour) {
+        const double height = y + 0.5;
+        m_crossings.clear();
+        for (std::size_t k = 0; k < m_corners.size(); ++k) {
+            const ifs::Vector<2>& a = m_corners[k];
+            const ifs::Vector<2>& b = m_corners[(k + 1) % m_corners.size()];
+            if ((a.y() <= height) != (b.y() <= height))
+                m_crossings.push_back(a.x() + (height - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+        }
+        std::sort(m_crossings.begin(), m_crossings.end());
+        const double width = m_sums.window().width;
+        bool any = false;
+        for (std::size_t k = 0; k + 1 < m_crossings.size(); k += 2) {
+            const int from = static_cast<int>(std::clamp(std::ceil(m_crossings[k] - 0.5), 0.0, width));
+            const int to = static_cast<int>(std::clamp(std::ceil(m_crossings[k + 1] - 0.5), 0.0, width));
+            for (int x = from; x < to; ++x)
+                add(x, y, colour);
+            any = any || to > from;
+        }
+        return any;
+    }
+
+    const Preattractor& m_job;
+    const Projection& m_projection;
+    const Preattractor::Colour& m_colour;
+    CellSums& m_sums;
+    ifs::Vector<2> m_low;
+    ifs::Vector<2> m_high;
+    std::vector<ifs::Vector<2>> m_corners;
+    std::vector<double> m_crossings;
+};
+
+} // namespace
+
+bool Preattractor::draw(const Projection& projection, const Colour& colour, CellSums& sums,
+                        const std::stop_token& stop) const {
+    return Painter(*this, projection, colour, sums).paint(stop);
+}
+
+int affordableIterations(std::size_t maps, int wanted) {
+    if (maps <= 1) return std::min(std::max(wanted, 0), static_cast<int>(mostImages));
+    int iterations = 0;
+    for (double images = static_cast<double>(maps); iterations < wanted && images <= mostImages;
+         images *= static_cast<double>(maps))
+        ++iterations;
+    return iterations;
+}
+
+} // namespace attractor

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "io/png_system.h"
+
+#include <QCoreApplication>
+
+#include <png.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace io {
+
+namespace {
+
+constexpr png_size_t largestText = 8 * 1024 * 1024;
+
+struct Source {
+    const char* next;
+    const char* end;
+};
+
+[[noreturn]] void onError(png_structp png, png_const_charp) {
+    png_longjmp(png, 1);
+}
+
+void onWarning(png_structp, png_const_charp) {}
+
+void onRead(png_structp png, png_bytep data, png_size_t size) {
+    auto* source = static_cast<Source*>(png_get_io_ptr(png));
+    if (png_size_t(source->end - source->next) < size) png_error(png, "end of file");
+    std::memcpy(data, source->next, size);
+    source->next += size;
+}
+
+// Everything before the pixels; libpng leaves by longjmp, so no object with a destructor lives here.
+bool readChunks(png_structp png, png_infop info, Source* source) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_read_fn(png, source, onRead);
+    png_set_chunk_malloc_max(png, largestText); // also what a compressed text may grow to
+    png_set_chunk_cache_max(png, 100);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_read_info(png, info);
+    return true;
+}
+
+EmbeddedSystem systemAmong(png_structp png, png_infop info) {
+    png_textp texts = nullptr;
+    const int count = png_get_text(png, info, &texts, nullptr);
+    const png_textp end = texts + count;
+    const png_textp found = std::find_if(
+        texts, end, [](const png_text& text) { return std::strcmp(text.key, pngSystemKeyword) == 0; });
+    if (found == end)
+        return {{},
+                QCoreApplication::translate("PngSystem", "The picture holds no system: it was not written by "
+                                                         "Barycage, or another program removed its text.")};
+    const png_size_t size = std::strlen(found->text);
+    if (size > largestText)
+        return {{},
+                QCoreApplication::translate("PngSystem", "The system in the picture has more than 8 MB.")};
+    return {QByteArray(found->text, qsizetype(size)), {}};
+}
+
+} // namespace
+
+bool looksLikePng(const QByteArray& bytes) {
+    return bytes.startsWith("\x89PNG\r\n\x1a\n");
+}
+
+EmbeddedSystem readPngSystem(const QByteArray& bytes) {
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    Source source{bytes.constData(), bytes.constData() + bytes.size()};
+    EmbeddedSystem result;
+    if (!info || !readChunks(png, info, &source))
+        result.failure =
+            QCoreApplication::translate("PngSystem", "The file is no PNG picture, or it is damaged.");
+    else
+        result = systemAmong(png, info);
+    png_destroy_read_struct(&png, &info, nullptr);
+    return result;
+}
+
+} // namespace io

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "io/svg_levels.h"
+
+#include "ifs/support_function.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace io {
+
+namespace {
+
+constexpr double thinnest = 0.1; // of a copy, in pixels
+constexpr double hullGap = 0.05; // between outline and attractor, in pixels
+
+double diameterOf(const std::vector<ifs::Vector<2>>& points) {
+    double longest = 0;
+    for (const auto& a : points)
+        for (const auto& b : points)
+            longest = std::max(longest, (a - b).norm());
+    return longest;
+}
+
+ifs::Vector<2> middleOf(const std::vector<ifs::Vector<2>>& points) {
+    ifs::Vector<2> sum = ifs::Vector<2>::Zero();
+    for (const auto& p : points)
+        sum += p;
+    return sum / double(points.size());
+}
+
+// The convex polygon pushed out so that it holds every point within `distance` of it (the corners are cut
+// only beyond that). A point or a segment becomes a rectangle.
+std::vector<ifs::Vector<2>> pushedOut(const std::vector<ifs::Vector<2>>& polygon, double distance) {
+    std::vector<ifs::Vector<2>> result;
+    const std::size_t n = polygon.size();
+    if (n < 3) {
+        const ifs::Vector<2> a = polygon.front();
+        const ifs::Vector<2> b = polygon.back();
+        const ifs::Vector<2> along = n == 2 ? ifs::Vector<2>((b - a).normalized()) : ifs::Vector<2>(1, 0);
+        const ifs::Vector<2> u = distance * along;
+        const ifs::Vector<2> v(-u.y(), u.x());
+        return {a - u - v, b + u - v, b + u + v, a - u + v};
+    }
+    const auto outward =
+        [&](std::size_t i) { // of the edge from vertex i, the polygon being counter-clockwise
+            const ifs::Vector<2> edge = polygon[(i + 1) % n] - polygon[i % n];
+            return ifs::Vector<2>(ifs::Vector<2>(edge.y(), -edge.x()).normalized());
+        };
+    for (std::size_t i = 0; i < n; ++i) {
+        const ifs::Vector<2> before = outward(i + n - 1);
+        const ifs::Vector<2> after = outward(i);
+        const double cosine = before.dot(after);
+        if (cosine > -0.5) {
+            result.push_back(polygon[i] + distance * (before + after) / (1 + cosine));
+            continue;
+        }
+        // A sharp corner would stick out far: two vertices, the square around the corner's end.
+        const ifs::Vector<2> tip = (before + after).normalized() * distance;
+        result.push_back(polygon[i] + distance * before + tip);
+        result.push_back(polygon[i] + distance * after + tip);
+    }
+    return result;
+}
+
+// How many steps each map descends: the logarithm of its size in units of the largest map's.
+std::vector<int> stepsOf(const std::vector<ifs::AffineMap<2>>& maps) {
+    constexpr double smallestUnit = 0.03;
+    std::vector<double> costs;
+    double unit = HUGE_VAL;
+    for (const auto& map : maps) {
+        const auto sigma = ifs::singularValues<2>(map.linear);
+        // The geometric mean, but a thin copy is also long.
+        const double size = std::sqrt(sigma[0] * std::max(sigma[1], sigma[0] / 10));
+        costs.push_back(-std::log(std::max(size, 1e-9)));
+        if (costs.back() > 0) unit = std::min(unit, costs.back());
+    }
+    unit = std::max(unit, smallestUnit);
+    std::vector<int> steps;
+    for (const double cost : costs)
+        steps.push_back(
+            std::isfinite(unit) ? std::clamp(int(std::lround(cost / unit)), 1, SvgLevels::mostLevels) : 1);
+    return steps;
+}
+
+} // namespace
+
+ifs::AffineMap<2> thickened(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre, double least) {
+    const auto& m = map.linear;
+    // A = R(φ)·diag(s, t)·R(ψ), from A z = αz + βz̄.
+    const std::complex<double> alpha((m(0, 0) + m(1, 1)) / 2, (m(1, 0) - m(0, 1)) / 2);
+    const std::complex<double> beta((m(0, 0) - m(1, 1)) / 2, (m(1, 0) + m(0, 1)) / 2);
+    const double s = std::abs(alpha) + std::abs(beta);
+    const double t = std::abs(alpha) - std::abs(beta);
+    if (std::abs(t) >= least) return map;
+    const Eigen::Rotation2D<double> outer((std::arg(alpha) + std::arg(beta)) / 2);
+    const Eigen::Rotation2D<double> inner((std::arg(alpha) - std::arg(beta)) / 2);
+    const ifs::Vector<2> thickness(std::max(s, least), std::copysign(least, t));
+    ifs::AffineMap<2> thick;
+    thick.linear = outer.toRotationMatrix() * thickness.asDiagonal() * inner.toRotationMatrix();
+    thick.translation = map(centre) - thick.linear * centre;
+    return thick;
+}
+
+std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const ifs::AffineMap<2>& display) {
+    const auto active = ifs::activeMaps(system);
+    const auto support = ifs::SupportFunction<2>::of(active.maps);
+    if (!support) return std::nullopt;
+    const double pixel = 1 / std::max(ifs::spectralNorm<2>(display.linear), 1e-300);
+    // A pixel coarser than the attractor must not make the outline a blob.
+    const double gap = std::min(hullGap * pixel, 1e-3 * support->radius());
+    const ifs::ConvexHull hull = ifs::convexHull(*support, gap);
+    SvgLevels levels;
+    levels.m_outline = pushedOut(hull.vertices, std::max(hull.error, gap));
+    levels.m_diameter = diameterOf(levels.m_outline);
+    if (!std::isfinite(levels.m_diameter) || levels.m_diameter <= 0) return std::nullopt;
+    const ifs::Vector<2> centre = middleOf(levels.m_outline);
+    levels.m_display = thickened(display, centre, thinnest / levels.m_diameter);
+    levels.m_index = active.index;
+    for (const auto& map : active.maps)
+        levels.m_maps.push_back(thickened(map, centre, std::min(thinnest * pixel / levels.m_diameter, 0.1)));
+    levels.m_steps = stepsOf(levels.m_maps);
+    for (int level = 0; level <= mostLevels; ++level) {
+        std::uint64_t sum = 0;
+        for (std::size_t i = 0; level > 0 && i < levels.m_maps.size(); ++i)
+            sum += 1 + levels.m_references[std::size_t(levels.below(level, i))];
+        levels.m_references.push_back(std::min(sum, mostReferences));
+    }
+    return levels;
+}
+
+int SvgLevels::below(int level, std::size_t map) const {
+    return std::max(0, level - m_steps[map]);
+}
+
+std::uint64_t SvgLevels::references(int level) const {
+    return m_references[std::size_t(std::clamp(level, 0, mostLevels))];
+}
+
+int SvgLevels::deepest() const {
+    const auto tooMany = std::find(m_references.begin(), m_references.end(), mostReferences);
+    return int(tooMany - m_references.begin()) - 1;
+}
+
+double SvgLevels::error(int level) const {
+    struct Copy {
+        ifs::Matrix<2> linear;
+        int level;
+    };
+    double largest = 0;
+    std::vector<Copy> open{{m_display.linear, level}};
+    while (!open.empty()) {
+        const Copy copy = open.back();
+        open.pop_back();
+        const double size = ifs::spectralNorm<2>(copy.linear) * m_diameter;
+        if (copy.level == 0) largest = std::max(largest, size);
+        for (std::size_t i = 0; copy.level > 0 && i < m_maps.size(); ++i)
+            open.push_back({copy.linear * m_maps[i].linear, below(copy.level, i)});
+    }
+    return largest + thinnest / 2;
+}
+
+int SvgLevels::levelFor(double wanted) const {
+    const int last = deepest();
+    for (int level = 0; level < last; ++level)
+        if (error(level) <= wanted) return level;
+    return last;
+}
+
+} // namespace io

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace io {
+
+// `map` with every singular value that is too small raised to `least`; the image of `centre` stays. Drawing
+// programs refuse singular matrices.
+ifs::AffineMap<2> thickened(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre, double least);
+
+// How a picture of an attractor is put together from copies of itself. Level 0 is an outline around the
+// attractor; level k is, for every map, a copy of the level that lies below k by as many steps as the map
+// shrinks, so that the copies of level 0 that end up in the picture have about the same size.
+class SvgLevels {
+public:
+    static constexpr std::uint64_t mostReferences = 400'000;
+    static constexpr int mostLevels = 200;
+
+    // `display` takes the code's coordinates to pixels. nullopt without an attractor, or when it has no
+    // finite size.
+    static std::optional<SvgLevels> of(const document::System2& system, const ifs::AffineMap<2>& display);
+
+    const std::vector<ifs::Vector<2>>& outline() const {
+        return m_outline;
+    } // contains the attractor; convex, ≥ 3
+    const std::vector<ifs::AffineMap<2>>& maps() const { return m_maps; } // active maps, none singular
+    const std::vector<std::size_t>& index() const { return m_index; }     // their places in the system
+    const ifs::AffineMap<2>& display() const { return m_display; }        // not singular
+
+    int below(int level, std::size_t map) const; // the level of which `map` makes a copy for `level`
+
+    // Copies that a reader of the file makes in all for one of `level`; stays at mostReferences once it is
+    // reached.
+    std::uint64_t references(int level) const;
+    int deepest() const; // with fewer than mostReferences
+
+    // Certified bound, in pixels, of the distance between the attractor and what is drawn, both ways.
+    double error(int level) const;
+    int levelFor(double error) const; // the first whose error is not larger, else deepest()
+
+private:
+    std::vector<ifs::Vector<2>> m_outline;
+    std::vector<ifs::AffineMap<2>> m_maps;
+    std::vector<std::size_t> m_index;
+    std::vector<int> m_steps;
+    ifs::AffineMap<2> m_display;
+    double m_diameter = 0; // of the outline
+    std::vector<std::uint64_t> m_references;
+};
+
+} // namespace io

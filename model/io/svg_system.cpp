@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "io/svg_system.h"
+
+#include <QCoreApplication>
+#include <QXmlStreamReader>
+
+namespace io {
+
+namespace {
+
+constexpr qsizetype largestText = 8 * 1024 * 1024;
+
+EmbeddedSystem refusal(const char* sentence) {
+    return {{}, QCoreApplication::translate("SvgSystem", sentence)};
+}
+
+EmbeddedSystem textOf(QXmlStreamReader& xml) {
+    QString text;
+    while (xml.readNext() == QXmlStreamReader::Characters || xml.isComment()) {
+        if (xml.isCharacters()) text += xml.text();
+        if (text.size() > largestText) return refusal("The system in the picture has more than 8 MB.");
+    }
+    if (!xml.isEndElement()) return refusal("The system in the picture is damaged.");
+    return {text.toUtf8(), {}};
+}
+
+} // namespace
+
+QString svgSystemNamespace() {
+    return QStringLiteral("urn:barycage:system:1");
+}
+
+bool looksLikeSvg(const QByteArray& bytes) {
+    QByteArray start = bytes.left(4096);
+    if (start.startsWith("\xef\xbb\xbf")) start.remove(0, 3);
+    start = start.trimmed();
+    return (start.startsWith("<?xml") || start.startsWith("<!--") || start.startsWith("<svg")) &&
+           start.contains("<svg");
+}
+
+EmbeddedSystem readSvgSystem(const QByteArray& bytes) {
+    QXmlStreamReader xml(bytes);
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isDTD())
+            return refusal(
+                "The picture declares a document type, which Barycage never writes and does not read.");
+        if (xml.isStartElement() && xml.name() == u"system" && xml.namespaceUri() == svgSystemNamespace())
+            return textOf(xml);
+    }
+    if (xml.hasError()) return refusal("The file is no SVG picture, or it is damaged.");
+    return refusal(
+        "The picture holds no system: it was not written by Barycage, or another program removed it.");
+}
+
+} // namespace io

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/camera.h"
+#include "document/fractal.h"
+#include "io/cage_overlay.h"
+#include "io/save_file.h"
+
+#include <QByteArray>
+
+#include <cstdint>
+#include <optional>
+
+namespace io {
+
+struct SvgFormat {
+    std::optional<int> depth; // levels of copies; nullopt: as many as half a pixel needs
+    CageVisibility cage = CageVisibility::Hidden;
+};
+
+// What a structured picture would be: for the dialog, before anything is written.
+struct SvgPlan {
+    int depth = 0;
+    int deepest = 0;              // the largest depth that stays under the bound of references
+    std::uint64_t references = 0; // copies that a reader of the file makes
+    double errorInPixels = 0;     // certified distance to the attractor
+    Failure failure;              // why there can be no structured picture
+};
+SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format);
+
+// The fractal as the camera shows it, in a scalable picture made of copies: `<defs>` holds an outline and the
+// levels, each level one `<use>` for every map. Carries the entry as `.ifs` text for readSvgSystem().
+struct SvgPicture {
+    QByteArray bytes; // empty after a failure
+    SvgPlan plan;
+};
+SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera& camera,
+                      const SvgFormat& format);
+
+} // namespace io

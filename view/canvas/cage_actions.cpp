@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/cage_actions.h"
+
+#include "document/fractal.h"
+#include "ifs/control_cage.h"
+#include "ifs/support_function.h"
+
+#include <QCoreApplication>
+
+namespace view {
+
+namespace {
+
+struct Actions {
+    Q_DECLARE_TR_FUNCTIONS(view::CageActions)
+};
+
+using Failure = std::optional<QString>;
+
+QString notPlanar() {
+    return Actions::tr("This entry is not a system of the plane, so it has no control cage.");
+}
+
+QString tooFlat() {
+    return Actions::tr(
+        "The cage is too flat to be undone. Open it by dragging a vertex, or reset it, and try again.");
+}
+
+QString onOneLine() {
+    return Actions::tr(
+        "The three points lie on one line and hold no coordinates. Put the third one beside the line.");
+}
+
+} // namespace
+
+bool isPlacementInvertible(const document::Fractal& fractal) {
+    return !fractal.cage || ifs::isInvertible(*fractal.cage);
+}
+
+Failure fitMinimalCanonicalSimplex(document::Document& document) {
+    document::Fractal fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    const std::optional<document::System2> displayed = document::effectiveSystem(fractal);
+    if (!displayed) return tooFlat();
+    const auto support = ifs::SupportFunction<2>::of(ifs::activeMaps(*displayed).maps);
+    if (!support)
+        return Actions::tr("The system has no attractor that could be held. Make its maps contract first.");
+    const ifs::ControlCage<2> present = document::effectiveCage(fractal);
+    if (present.current == present.rest) {
+        fractal.cage.reset();
+    } else {
+        const double tolerance = 1e-10 * support->radius();
+        fractal.cage =
+            ifs::redefine<2>(present, ifs::minimalCanonicalSimplex<2>(*support, tolerance).vertices);
+        if (!fractal.cage) return tooFlat();
+    }
+    document.edit(Actions::tr("Fit the minimal canonical simplex"), std::move(fractal));
+    return std::nullopt;
+}
+
+Failure resetCage(document::Document& document) {
+    document::Fractal fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    if (!fractal.cage || fractal.cage->current == fractal.cage->rest)
+        return Actions::tr("The cage is at rest already.");
+    fractal.cage->current = fractal.cage->rest;
+    document.edit(Actions::tr("Reset the cage"), std::move(fractal));
+    return std::nullopt;
+}
+
+Failure resetVertex(document::Document& document, int index) {
+    const document::Fractal& fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    return moveVertex(document, index, cage.rest.at(std::size_t(index)));
+}
+
+Failure bakeCage(document::Document& document) {
+    document::Fractal fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    if (!fractal.cage || fractal.cage->current == fractal.cage->rest)
+        return Actions::tr("The cage is at rest: the code already is what is shown.");
+    const auto baked = ifs::bake<2>(*document::system2(fractal), *fractal.cage);
+    if (!baked) return tooFlat();
+    fractal.system = baked->system;
+    fractal.cage = baked->cage;
+    document.edit(Actions::tr("Bake the placement into the code"), std::move(fractal));
+    return std::nullopt;
+}
+
+Failure defineTriangle(document::Document& document, const ifs::Simplex<2>& vertices) {
+    document::Fractal fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    if (!ifs::isAffineBasis<2>(vertices)) return onOneLine();
+    fractal.cage = ifs::redefine<2>(document::effectiveCage(fractal), vertices);
+    if (!fractal.cage) return tooFlat();
+    document.edit(Actions::tr("Define the control triangle"), std::move(fractal));
+    return std::nullopt;
+}
+
+Failure moveVertex(document::Document& document, int index, const ifs::Vector<2>& position) {
+    document::Fractal fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    if (cage.current.at(std::size_t(index)) == position)
+        return Actions::tr("Vertex %1 is there already.").arg(index + 1);
+    cage.current[std::size_t(index)] = position;
+    fractal.cage = std::move(cage);
+    document.edit(Actions::tr("Move vertex %1").arg(index + 1), std::move(fractal));
+    return std::nullopt;
+}
+
+} // namespace view

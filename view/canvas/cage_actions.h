@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "ifs/barycentric.h"
+
+#include <QString>
+
+#include <optional>
+
+// Operations on the control cage of the current entry, one undo step each.
+// Each returns the sentence that says why nothing was done, or nullopt when it was.
+namespace view {
+
+// The smallest triangle with its legs along the axes that holds what is displayed. The picture stays.
+std::optional<QString> fitMinimalCanonicalSimplex(document::Document& document);
+
+// Every vertex back to rest: the code as it is written.
+std::optional<QString> resetCage(document::Document& document);
+std::optional<QString> resetVertex(document::Document& document, int index);
+
+// The placement becomes the code, T∘w∘T⁻¹, and the cage rests where it is. The picture stays.
+std::optional<QString> bakeCage(document::Document& document);
+
+// These three vertices hold the picture from now on. The picture stays.
+std::optional<QString> defineTriangle(document::Document& document, const ifs::Simplex<2>& vertices);
+
+std::optional<QString> moveVertex(document::Document& document, int index, const ifs::Vector<2>& position);
+
+// Whether the placement can be undone, as fitting, defining and baking need it.
+bool isPlacementInvertible(const document::Fractal& fractal);
+
+} // namespace view

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/cage_item.h"
+
+#include "canvas/vertex_handle.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+namespace view {
+
+CageItem::CageItem() = default;
+CageItem::~CageItem() = default;
+
+void CageItem::setPolygon(const QPolygonF& polygon) {
+    prepareGeometryChange();
+    m_polygon = polygon;
+    while (int(m_handles.size()) > polygon.size())
+        m_handles.pop_back();
+    while (int(m_handles.size()) < polygon.size()) {
+        m_handles.push_back(std::make_unique<VertexHandle>(int(m_handles.size()) + 1, this));
+        m_handles.back()->setStyle(m_style);
+    }
+    for (std::size_t i = 0; i < m_handles.size(); ++i)
+        m_handles[i]->setPos(polygon[int(i)]);
+    update();
+}
+
+void CageItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {
+    m_hovered = hovered;
+    m_pressed = pressed;
+    for (std::size_t i = 0; i < m_handles.size(); ++i) {
+        const CanvasPart self{CanvasPart::Kind::Vertex, int(i)};
+        HandleStates state;
+        state.setFlag(HandleState::Hovered, hovered == self);
+        state.setFlag(HandleState::Pressed, pressed == self);
+        state.setFlag(HandleState::Focused, focused == self);
+        m_handles[i]->setState(state);
+    }
+    update();
+}
+
+void CageItem::setStyle(const OverlayStyle& style) {
+    m_style = style;
+    for (const auto& handle : m_handles)
+        handle->setStyle(style);
+    update();
+}
+
+QRectF CageItem::boundingRect() const {
+    return m_polygon.boundingRect().adjusted(-4, -4, 4, 4);
+}
+
+void CageItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    if (m_polygon.isEmpty()) return;
+    painter->setRenderHint(QPainter::Antialiasing);
+    QPainterPath outline;
+    outline.addPolygon(m_polygon);
+    outline.closeSubpath();
+    strokeWithHalo(*painter, outline, m_style, m_style.line, m_style.lineWidth);
+
+    const CanvasPart& lit = m_pressed.kind == CanvasPart::Kind::None ? m_hovered : m_pressed;
+    if (lit.kind == CanvasPart::Kind::Edge && lit.index < m_polygon.size()) {
+        QPainterPath edge(m_polygon[lit.index]);
+        edge.lineTo(m_polygon[(lit.index + 1) % m_polygon.size()]);
+        strokeWithHalo(*painter, edge, m_style, m_style.accent, m_style.lineWidth + 1);
+    }
+}
+
+} // namespace view

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_part.h"
+#include "canvas/overlay_style.h"
+
+#include <QGraphicsItem>
+#include <QPolygonF>
+
+#include <memory>
+#include <vector>
+
+namespace view {
+
+class VertexHandle;
+
+// The control cage over the picture: its edges and one numbered handle at every vertex.
+class CageItem : public QGraphicsItem {
+public:
+    CageItem();
+    ~CageItem() override;
+
+    void setPolygon(const QPolygonF& polygon); // pixels of the view
+    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused);
+    void setStyle(const OverlayStyle& style);
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    QPolygonF m_polygon;
+    std::vector<std::unique_ptr<VertexHandle>> m_handles;
+    CanvasPart m_hovered;
+    CanvasPart m_pressed;
+    OverlayStyle m_style;
+};
+
+} // namespace view

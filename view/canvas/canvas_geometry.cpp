@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace view {
+
+QPointF toPoint(const ifs::Vector<2>& v) {
+    return {v.x(), v.y()};
+}
+
+ifs::Vector<2> toVector(const QPointF& p) {
+    return {p.x(), p.y()};
+}
+
+QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world) {
+    return toPoint(attractor::toPixel(camera, world));
+}
+
+ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel) {
+    return attractor::toWorld(camera, toVector(pixel));
+}
+
+ifs::Vector<2> worldOffset(const attractor::Camera& camera, const QPointF& pixels) {
+    const double up = camera.yAxis == attractor::YAxis::Up ? -1 : 1;
+    return {pixels.x() / camera.pixelsPerUnit, up * pixels.y() / camera.pixelsPerUnit};
+}
+
+QTransform pixelTransform(const attractor::Camera& from, const attractor::Camera& to) {
+    const double scale = to.pixelsPerUnit / from.pixelsPerUnit;
+    const double flip = from.yAxis == to.yAxis ? scale : -scale;
+    const double down = to.yAxis == attractor::YAxis::Up ? -1 : 1;
+    const ifs::Vector<2> shift = (from.centre - to.centre) * to.pixelsPerUnit;
+    return QTransform(scale, 0, 0, flip, to.width / 2.0 + shift.x() - scale * from.width / 2.0,
+                      to.height / 2.0 + down * shift.y() - flip * from.height / 2.0);
+}
+
+attractor::Camera deviceCamera(const attractor::Camera& view, double ratio) {
+    attractor::Camera device = view;
+    device.width = std::max(1, int(std::lround(view.width * ratio)));
+    device.height = std::max(1, int(std::lround(view.height * ratio)));
+    device.pixelsPerUnit = view.pixelsPerUnit * ratio;
+    // Rounding the size must not shift the picture by a part of a pixel.
+    if (device.width != view.width * ratio || device.height != view.height * ratio)
+        device.centre = worldAt(view, QPointF(device.width / (2 * ratio), device.height / (2 * ratio)));
+    return device;
+}
+
+attractor::Camera withinDepth(attractor::Camera camera) {
+    constexpr double smallest = 1e-30;
+    constexpr double largest = 1e30;
+    const double magnitude = camera.centre.cwiseAbs().maxCoeff();
+    const double pixel = 64 * std::numeric_limits<double>::epsilon() * magnitude;
+    camera.pixelsPerUnit =
+        std::clamp(camera.pixelsPerUnit, smallest, std::min(largest, 1 / std::max(pixel, 1e-30)));
+    return camera;
+}
+
+} // namespace view

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_menu.h"
+
+#include "canvas/cage_actions.h"
+#include "canvas/canvas_scene.h"
+#include "canvas/canvas_view.h"
+#include "canvas/vertex_dialog.h"
+#include "document/fractal.h"
+
+#include <QCoreApplication>
+#include <QMenu>
+
+#include <cmath>
+#include <functional>
+
+namespace view {
+
+namespace {
+
+struct Menu {
+    Q_DECLARE_TR_FUNCTIONS(view::CanvasMenu)
+};
+
+using Kind = CanvasPart::Kind;
+
+QAction* add(QMenu& menu, const QString& text, const QString& tip, std::function<void()> act) {
+    QAction* action = menu.addAction(text);
+    action->setStatusTip(tip);
+    action->setToolTip(tip);
+    QObject::connect(action, &QAction::triggered, &menu, [act = std::move(act)] { act(); });
+    return action;
+}
+
+// Runs an operation on the document; why it could not be done goes to the status bar.
+std::function<void()> attempt(const MenuContext& context, std::function<std::optional<QString>()> operation) {
+    return [context, operation = std::move(operation)] {
+        if (const std::optional<QString> failure = operation()) emit context.view.message(*failure);
+    };
+}
+
+void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
+    const ifs::ControlCage<2> cage = *context.scene.cage();
+    const ifs::Vector<2> position = cage.current[std::size_t(index)];
+    const ifs::Vector<2> rest = cage.rest[std::size_t(index)];
+    document::Document& document = context.document;
+    menu.addSection(Menu::tr("Vertex %1").arg(index + 1));
+    add(menu, Menu::tr("&Coordinates…"), Menu::tr("Types the place of this vertex"), [context, index] {
+        auto* dialog = new VertexDialog(&context.document, index, &context.view);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
+    add(menu, Menu::tr("&Reset This Vertex"), Menu::tr("Puts this vertex back to rest"),
+        attempt(context, [&document, index] { return resetVertex(document, index); }))
+        ->setEnabled(position != rest);
+    SnapTargets targets = context.scene.snapTargets({index});
+    targets.snapping = SnapTo::Grid;
+    const double step = gridSpacing(targets.camera.pixelsPerUnit).minor;
+    const ifs::Vector<2> onGrid(gridLabel(step, std::round(position.x() / step)).toDouble(),
+                                gridLabel(step, std::round(position.y() / step)).toDouble());
+    add(menu, Menu::tr("Snap to &Grid Point (%1, %2)").arg(onGrid.x()).arg(onGrid.y()),
+        Menu::tr("Moves this vertex to the nearest point of the grid"),
+        attempt(context, [&document, index, onGrid] { return moveVertex(document, index, onGrid); }))
+        ->setEnabled(onGrid != position);
+    add(menu, Menu::tr("Snap to the &x Axis"), Menu::tr("Moves this vertex straight to the x axis"),
+        attempt(context,
+                [&document, index, position] {
+                    return moveVertex(document, index, {position.x(), 0});
+                }))
+        ->setEnabled(position.y() != 0);
+    add(menu, Menu::tr("Snap to the &y Axis"), Menu::tr("Moves this vertex straight to the y axis"),
+        attempt(context,
+                [&document, index, position] {
+                    return moveVertex(document, index, {0, position.y()});
+                }))
+        ->setEnabled(position.x() != 0);
+    add(menu, Menu::tr("Put the &Pivot Here"), Menu::tr("Turns and scales the cage about this vertex"),
+        [context, position] { context.scene.setPivot(position); });
+}
+
+void addPivotActions(QMenu& menu, const MenuContext& context) {
+    menu.addSection(Menu::tr("Pivot"));
+    add(menu, Menu::tr("Put the &Pivot in the Middle"),
+        Menu::tr("Turns and scales the cage about its middle"),
+        [context] { context.scene.setPivot(std::nullopt); })
+        ->setEnabled(context.scene.hasOwnPivot());
+}
+
+void addCageActions(QMenu& menu, const MenuContext& context) {
+    document::Document& document = context.document;
+    menu.addSection(Menu::tr("Cage"));
+    add(menu, Menu::tr("Fit &Minimal Canonical Simplex"),
+        Menu::tr("Holds the picture by the smallest right-angled triangle around it"),
+        attempt(context, [&document] { return fitMinimalCanonicalSimplex(document); }));
+    add(menu, Menu::tr("&Define Triangle"), Menu::tr("Holds the picture by three points that are clicked"),
+        [context] { context.view.setTool(CanvasView::Tool::DefineTriangle); });
+    const std::optional<ifs::ControlCage<2>>& cage = context.scene.cage();
+    const bool displaced = cage && cage->current != cage->rest;
+    add(menu, Menu::tr("R&eset Cage"), Menu::tr("Puts every vertex back to rest"),
+        attempt(context, [&document] { return resetCage(document); }))
+        ->setEnabled(displaced);
+    add(menu, Menu::tr("&Bake Placement into the Code"),
+        Menu::tr("Rewrites the maps so that they draw what is shown, with the cage at rest"),
+        attempt(context, [&document] { return bakeCage(document); }))
+        ->setEnabled(displaced);
+}
+
+void addToggle(QMenu& menu, const QString& text, const QString& tip, bool checked,
+               std::function<void(bool)> set) {
+    QAction* action = menu.addAction(text);
+    action->setCheckable(true);
+    action->setChecked(checked);
+    action->setStatusTip(tip);
+    QObject::connect(action, &QAction::toggled, &menu, [set = std::move(set)](bool on) { set(on); });
+}
+
+void addCanvasActions(QMenu& menu, const MenuContext& context) {
+    CanvasView& view = context.view;
+    menu.addSection(Menu::tr("View"));
+    add(menu, Menu::tr("&Fit\tF"), Menu::tr("Shows the whole picture and its cage"), [&view] { view.fit(); });
+    add(menu, Menu::tr("&100 %\t1"), Menu::tr("Shows one unit of the plane as a hundred pixels"),
+        [&view] { view.resetZoom(); });
+    addToggle(menu, Menu::tr("&Grid"), Menu::tr("Shows or hides the grid"), view.isGridVisible(),
+              [&view](bool on) { view.setGridVisible(on); });
+    addToggle(menu, Menu::tr("&Axes"), Menu::tr("Shows or hides the axes and their numbers"),
+              view.areAxesVisible(), [&view](bool on) { view.setAxesVisible(on); });
+    addToggle(menu, Menu::tr("&Y Axis Down"),
+              Menu::tr("Turns the plane over, as on the screen of a computer"),
+              view.yAxis() == attractor::YAxis::Down,
+              [&view](bool on) { view.setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up); });
+    addToggle(menu, Menu::tr("&Only the Picture\tH"), Menu::tr("Hides the cage, the grid and the axes"),
+              !view.overlaysVisible(), [&view](bool on) { view.setOverlaysVisible(!on); });
+    menu.addSeparator();
+    add(menu, Menu::tr("&Copy Picture"), Menu::tr("Copies the picture as it is seen, without the cage"),
+        [&view] { view.copyPicture(); });
+}
+
+} // namespace
+
+void popUpCanvasMenu(const MenuContext& context, const CanvasPart& part, const QPoint& global) {
+    auto* menu = new QMenu(&context.view);
+    menu->setAccessibleName(Menu::tr("Canvas"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (context.scene.cage()) {
+        if (part.kind == Kind::Vertex) addVertexActions(*menu, context, part.index);
+        if (part.kind == Kind::Pivot || part.kind == Kind::Rotate || part.kind == Kind::Scale)
+            addPivotActions(*menu, context);
+        if (part.kind != Kind::None) addCageActions(*menu, context);
+    }
+    if (part.kind == Kind::None) {
+        addCanvasActions(*menu, context);
+        if (context.scene.cage()) addCageActions(*menu, context);
+    }
+    menu->popup(global);
+}
+
+} // namespace view

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_note.h"
+
+#include "ifs/attractor_existence.h"
+#include "ifs/iterated_function_system.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace view {
+
+namespace {
+
+struct Notes {
+    Q_DECLARE_TR_FUNCTIONS(view::Canvas)
+};
+
+QString number(double value) {
+    return QString::number(value, 'g', 4);
+}
+
+QString noAttractor(const document::System2& system) {
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
+    const ifs::Existence existence = ifs::classify<2>(active.maps);
+    if (existence.verdict != ifs::Verdict::None || existence.witness.empty())
+        return Notes::tr("This system has no attractor: its points run away.");
+    ifs::AffineMap<2> word;
+    QStringList address;
+    for (const int letter : existence.witness) {
+        word = word * active.maps[std::size_t(letter)];
+        address << QString::number(active.index[std::size_t(letter)] + 1);
+    }
+    const QString stretch = number(ifs::spectralNorm(word.linear));
+    const QString radius = number(ifs::spectralRadius(word.linear));
+    if (existence.witness.size() == 1)
+        return Notes::tr(
+                   "No attractor: map %1 does not contract (largest singular value %2, spectral radius %3). "
+                   "Make it smaller, or switch it off.")
+            .arg(address.front(), stretch, radius);
+    return Notes::tr(
+               "No attractor: the maps %1, one after the other, do not contract (largest singular value %2, "
+               "spectral radius %3). Make one of them smaller, or switch it off.")
+        .arg(address.join(QLatin1Char(' ')), stretch, radius);
+}
+
+QString undecided(const document::System2& system) {
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
+    for (std::size_t i = 0; i < active.maps.size(); ++i) {
+        const double stretch = ifs::spectralNorm(active.maps[i].linear);
+        if (stretch >= 1)
+            return Notes::tr(
+                       "It is not settled whether this system has an attractor: map %1 stretches by %2. "
+                       "Points that run away are left out.")
+                .arg(active.index[i] + 1)
+                .arg(number(stretch));
+    }
+    return Notes::tr(
+        "It is not settled whether this system has an attractor. Points that run away are left out.");
+}
+
+} // namespace
+
+QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
+    const document::System2* system = document::system2(fractal);
+    if (!system)
+        return document::dimension(fractal) == 3
+                   ? Notes::tr("This entry is a system in space: not yet shown. It is kept as it is.")
+                   : Notes::tr("This entry could not be read. Its text is kept as it is in the file.");
+    switch (note) {
+    case attractor::RenderNote::None:
+        return {};
+    case attractor::RenderNote::NoMaps:
+        return Notes::tr("No map takes part, so there is nothing to draw. Add a map or switch one on.");
+    case attractor::RenderNote::NoAttractor:
+        return noAttractor(*system);
+    case attractor::RenderNote::Undecided:
+        return undecided(*system);
+    case attractor::RenderNote::TooDeep:
+        return Notes::tr("This is as deep as the arithmetic reaches: zoom out a little for a true picture.");
+    case attractor::RenderNote::Degenerate:
+        return Notes::tr(
+            "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");
+    }
+    return {};
+}
+
+} // namespace view

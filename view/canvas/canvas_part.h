@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace view {
+
+// What of the cage can be taken hold of.
+struct CanvasPart {
+    enum class Kind { None, Vertex, Edge, Inside, Pivot, Rotate, Scale };
+
+    Kind kind = Kind::None;
+    int index = 0; // of the vertex, or of the edge's first vertex, from 0
+
+    friend bool operator==(const CanvasPart&, const CanvasPart&) = default;
+};
+
+enum class Reach { Mouse, Touch }; // how near a press must be
+
+} // namespace view

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/renderer.h"
+#include "canvas/canvas_part.h"
+#include "canvas/gizmo_item.h"
+#include "canvas/overlay_style.h"
+#include "canvas/snapping.h"
+#include "document/document.h"
+#include "ifs/control_cage.h"
+
+#include <QGraphicsScene>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace view {
+
+class AttractorItem;
+class CageItem;
+class GridItem;
+class NoteItem;
+class RubberItem;
+class SnapMark;
+
+// What is on the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
+// Follows the document and never edits it.
+class CanvasScene : public QGraphicsScene {
+    Q_OBJECT
+
+public:
+    explicit CanvasScene(document::Document* document, QObject* parent = nullptr);
+    ~CanvasScene() override;
+
+    document::Document& document() const { return *m_document; }
+    const attractor::Camera& camera() const { return m_camera; }
+    void setView(const attractor::Camera& camera, double devicePixelRatio);
+    void setFrame(std::shared_ptr<const attractor::Frame> frame);
+    void setDesktop(const QPalette& palette, const QFont& font);
+
+    // The cage in force; nullopt when the entry is not a system of the plane.
+    const std::optional<ifs::ControlCage<2>>& cage() const { return m_cage; }
+    QPolygonF cagePolygon() const;
+
+    // About which the cage turns and scales: the mean of its vertices until it is put elsewhere.
+    ifs::Vector<2> pivot() const;
+    void setPivot(const std::optional<ifs::Vector<2>>& pivot); // nullopt: the mean again
+    bool hasOwnPivot() const { return m_pivot.has_value(); }
+
+    // What a press would take hold of: from the geometry, whatever has been painted.
+    CanvasPart partAt(const QPointF& position, Reach reach) const;
+    QPointF positionOf(const CanvasPart& part) const;
+
+    CanvasPart hovered() const { return m_hovered; }
+    CanvasPart pressed() const { return m_pressed; }
+    CanvasPart focused() const { return m_focused; }
+    void setHovered(CanvasPart part);
+    void setPressed(CanvasPart part);
+    void setFocused(CanvasPart part);
+    void holdKnobAt(
+        const std::optional<QPointF>& position); // the pressed rotate or scale handle follows the pointer
+
+    Snapping snapping() const { return m_snapping; }
+    void setSnapping(Snapping snapping) { m_snapping = snapping; }
+    SnapTargets snapTargets(const std::vector<int>& moving = {}) const; // without the vertices that move
+    void showSnap(const std::optional<Snapped>& snap);
+    void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
+
+    void setPrompt(const QString& prompt); // what the tool asks for; empty: none
+    void setHint(const QString& hint);     // shown while there is no prompt
+    QString note() const;                  // the sentence shown about the picture
+
+    void setGridVisible(bool visible);
+    void setAxesVisible(bool visible);
+    bool isGridVisible() const;
+    bool areAxesVisible() const;
+    void setOverlaysVisible(bool visible);
+    bool overlaysVisible() const { return m_overlaysVisible; }
+    void setCageVisible(bool visible); // off while another triangle is being defined
+
+signals:
+    void focusMoved(); // another part, or the same elsewhere
+
+private:
+    void follow(const document::Change& change);
+    void place(); // everything that depends on camera and cage
+    void mark();
+    void restyle();
+    void updateNote();
+    void updateVisibility();
+    std::vector<QGraphicsItem*> overlays() const;
+
+    document::Document* m_document;
+    attractor::Camera m_camera;
+    std::shared_ptr<const attractor::Frame> m_frame;
+    std::optional<ifs::ControlCage<2>> m_cage;
+    std::optional<ifs::Vector<2>> m_pivot;
+    std::optional<QPointF> m_heldKnob;
+    std::optional<Snapped> m_snap;
+    std::vector<ifs::Vector<2>> m_clicked;
+    std::optional<ifs::Vector<2>> m_rubberEnd;
+    GizmoLayout m_gizmoLayout;
+    CanvasPart m_hovered;
+    CanvasPart m_pressed;
+    CanvasPart m_focused;
+    Snapping m_snapping;
+    QString m_prompt;
+    QString m_hint;
+    bool m_overlaysVisible = true;
+    bool m_cageVisible = true;
+    QPalette m_palette;
+    attractor::RenderNote m_noted = attractor::RenderNote::None;
+    bool m_noteStale = true;
+
+    std::unique_ptr<AttractorItem> m_attractor;
+    std::unique_ptr<GridItem> m_grid;
+    std::unique_ptr<CageItem> m_cageItem;
+    std::unique_ptr<GizmoItem> m_gizmo;
+    std::unique_ptr<SnapMark> m_snapMark;
+    std::unique_ptr<RubberItem> m_rubber;
+    std::unique_ptr<NoteItem> m_noteItem;
+    std::unique_ptr<NoteItem> m_promptItem;
+};
+
+} // namespace view

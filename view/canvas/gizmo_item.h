@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_part.h"
+#include "canvas/overlay_style.h"
+
+#include <QGraphicsItem>
+#include <QPolygonF>
+
+namespace view {
+
+// Where the handles that turn and scale the whole cage are, in pixels of the view.
+struct GizmoLayout {
+    QPointF pivot;
+    QPointF rotate;
+    QPointF scale;
+};
+
+// Beside the right corners of the cage, kept inside the view and apart from each other and from the vertices.
+GizmoLayout gizmoLayout(const QPolygonF& cage, const QPointF& pivot, const QRectF& view);
+
+// The pivot and the two handles beside the cage. Without modifier keys they do what Ctrl and Alt do with a
+// drag.
+class GizmoItem : public QGraphicsItem {
+public:
+    void setView(const QRectF& view);
+    void setLayout(const GizmoLayout& layout);
+    // While something else is being dragged only the pivot, or what is pressed, is shown.
+    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused);
+    void setStyle(const OverlayStyle& style);
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    void paintPivot(QPainter& painter) const;
+    void paintKnob(QPainter& painter, CanvasPart::Kind kind, const QPointF& at) const;
+
+    QRectF m_view;
+    GizmoLayout m_layout;
+    CanvasPart m_hovered;
+    CanvasPart m_pressed;
+    CanvasPart m_focused;
+    OverlayStyle m_style;
+};
+
+} // namespace view

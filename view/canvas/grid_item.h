@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/camera.h"
+#include "canvas/overlay_style.h"
+
+#include <QGraphicsItem>
+
+namespace view {
+
+// A quiet grid whose spacing follows the zoom, the two axes, and numbers along the axes.
+class GridItem : public QGraphicsItem {
+public:
+    void setView(const attractor::Camera& camera);
+    void setStyle(const OverlayStyle& style);
+    void setGridVisible(bool visible);
+    void setAxesVisible(bool visible);
+    bool isGridVisible() const { return m_grid; }
+    bool areAxesVisible() const { return m_axes; }
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    void paintGrid(QPainter& painter) const;
+    void paintAxes(QPainter& painter) const;
+    void paintLabels(QPainter& painter) const;
+
+    attractor::Camera m_camera;
+    OverlayStyle m_style;
+    bool m_grid = true;
+    bool m_axes = true;
+};
+
+} // namespace view

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/overlay_style.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+QColor translucent(QColor colour, double opacity) {
+    colour.setAlphaF(float(opacity));
+    return colour;
+}
+
+double luminance(const QColor& colour) {
+    const auto linear = [](double v) {
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+// A desktop that shows text in pure black and white asks for contrast everywhere.
+bool wantsHighContrast(const QPalette& palette) {
+    const double text = luminance(palette.color(QPalette::WindowText));
+    const double window = luminance(palette.color(QPalette::Window));
+    return (std::max(text, window) + 0.05) / (std::min(text, window) + 0.05) > 20;
+}
+
+} // namespace
+
+OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& palette) {
+    OverlayStyle style;
+    const bool transparent = background.alpha < 255;
+    const bool darkDesktop = luminance(palette.color(QPalette::Window)) < 0.18;
+    style.backdrop = QColor(background.red, background.green, background.blue);
+    if (transparent) {
+        style.backdrop = darkDesktop ? QColor(38, 40, 44) : QColor(250, 250, 250);
+        style.checker = darkDesktop ? QColor(46, 48, 53) : QColor(236, 237, 239);
+    }
+    const bool dark = luminance(style.backdrop) < 0.18;
+    const bool strong = wantsHighContrast(palette);
+    const QColor ink = dark ? QColor(214, 224, 240) : QColor(28, 36, 50);
+    style.gridMinor = translucent(ink, strong ? 0.18 : 0.055);
+    style.gridMajor = translucent(ink, strong ? 0.36 : 0.11);
+    style.axis = translucent(ink, strong ? 0.9 : 0.34);
+    style.label = translucent(ink, strong ? 1 : 0.55);
+    style.halo = dark ? QColor(6, 9, 14, strong ? 255 : 150) : QColor(255, 255, 255, strong ? 255 : 190);
+    style.line = dark ? QColor(238, 243, 250) : QColor(30, 40, 58);
+    style.core = QColor(22, 28, 40);
+    style.rim = QColor(250, 252, 255);
+    style.number = QColor(250, 252, 255);
+    style.accent = dark ? QColor(255, 190, 70) : QColor(214, 96, 0);
+    style.noteBackground = dark ? QColor(28, 34, 46, 232) : QColor(255, 255, 255, 240);
+    style.noteText = dark ? QColor(240, 244, 250) : QColor(28, 36, 50);
+    style.lineWidth = strong ? 2.5 : 1.5;
+    return style;
+}
+
+void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
+                    const QColor& colour, double width, Qt::PenStyle pattern) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(style.halo, width + 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    painter.setPen(QPen(colour, width, pattern, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+}
+
+} // namespace view

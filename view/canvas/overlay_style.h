@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/palette.h"
+
+#include <QColor>
+#include <QPalette>
+
+class QPainter;
+class QPainterPath;
+
+namespace view {
+
+// Colours of what is drawn over the picture. They follow the background of the picture, not only the
+// desktop's palette: a handle must be seen on both.
+struct OverlayStyle {
+    QColor backdrop; // behind the picture
+    QColor checker;  // the other squares behind a transparent picture; invalid when it is opaque
+    QColor gridMinor;
+    QColor gridMajor;
+    QColor axis;
+    QColor label;
+    QColor halo; // wide and under every line
+    QColor line; // cage and gizmo
+    QColor core; // of a handle
+    QColor rim;
+    QColor number;
+    QColor accent; // hover, focus, snap
+    QColor noteBackground;
+    QColor noteText;
+    double lineWidth = 1.5;
+};
+
+OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& palette);
+
+// A line that is seen on any picture: the halo, then the line.
+void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
+                    const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
+
+} // namespace view

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/vertex_dialog.h"
+
+#include "document/fractal.h"
+#include "io/number.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace view {
+
+VertexDialog::VertexDialog(document::Document* document, int index, QWidget* parent)
+    : QDialog(parent),
+      m_index(index),
+      m_gesture(*document, tr("Move vertex %1").arg(index + 1)),
+      m_x(new QLineEdit),
+      m_y(new QLineEdit),
+      m_problem(new QLabel) {
+    setWindowTitle(tr("Vertex %1").arg(index + 1));
+    const ifs::Vector<2> position =
+        document::effectiveCage(m_gesture.before()).current.at(std::size_t(index));
+    m_x->setText(QString::fromLatin1(io::formatNumber(position.x())));
+    m_y->setText(QString::fromLatin1(io::formatNumber(position.y())));
+    m_x->setAccessibleName(tr("x of the vertex"));
+    m_y->setAccessibleName(tr("y of the vertex"));
+    m_problem->setAccessibleName(tr("What is wrong with the numbers"));
+    m_problem->setWordWrap(true);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    m_accept = buttons->button(QDialogButtonBox::Ok);
+    auto* layout = new QFormLayout(this);
+    layout->addRow(tr("&x"), m_x);
+    layout->addRow(tr("&y"), m_y);
+    layout->addRow(m_problem);
+    layout->addRow(buttons);
+    m_x->selectAll();
+
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_x, &QLineEdit::textEdited, this, &VertexDialog::follow);
+    connect(m_y, &QLineEdit::textEdited, this, &VertexDialog::follow);
+}
+
+void VertexDialog::follow() {
+    const std::optional<double> x = io::parseNumber(m_x->text());
+    const std::optional<double> y = io::parseNumber(m_y->text());
+    m_accept->setEnabled(x && y);
+    m_problem->setText(x && y ? QString()
+                              : tr("“%1” is not a number. Write it with a decimal point, for example -0.25.")
+                                    .arg(x ? m_y->text() : m_x->text()));
+    if (!x || !y || !m_gesture.isOpen()) return;
+    document::Fractal fractal = m_gesture.before();
+    ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    if (cage.current[std::size_t(m_index)] != ifs::Vector<2>(*x, *y)) {
+        cage.current[std::size_t(m_index)] = {*x, *y};
+        fractal.cage = std::move(cage);
+    }
+    m_gesture.preview(std::move(fractal));
+}
+
+void VertexDialog::done(int result) {
+    if (result == QDialog::Accepted)
+        m_gesture.commit();
+    else
+        m_gesture.cancel();
+    QDialog::done(result);
+}
+
+} // namespace view

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edit_gesture.h"
+
+#include <QDialog>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace view {
+
+// Types the place of one vertex of the cage; the picture follows every number that is one. One undo step.
+class VertexDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    VertexDialog(document::Document* document, int index, QWidget* parent);
+
+    void done(int result) override;
+
+private:
+    void follow();
+
+    int m_index;
+    document::EditGesture m_gesture;
+    QLineEdit* m_x;
+    QLineEdit* m_y;
+    QLabel* m_problem;
+    QPushButton* m_accept;
+};
+
+} // namespace view

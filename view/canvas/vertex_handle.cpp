@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/vertex_handle.h"
+
+#include <QPainter>
+
+namespace view {
+
+namespace {
+
+constexpr double radius = 9;
+constexpr double focusRadius = 14;
+
+} // namespace
+
+VertexHandle::VertexHandle(int number, QGraphicsItem* parent) : QGraphicsItem(parent), m_number(number) {}
+
+void VertexHandle::setState(HandleStates state) {
+    if (m_state == state) return;
+    m_state = state;
+    update();
+}
+
+void VertexHandle::setStyle(const OverlayStyle& style) {
+    m_style = style;
+    update();
+}
+
+QRectF VertexHandle::boundingRect() const {
+    constexpr double extent = focusRadius + 3;
+    return {-extent, -extent, 2 * extent, 2 * extent};
+}
+
+void VertexHandle::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    painter->setRenderHint(QPainter::Antialiasing);
+    if (m_state.testFlag(HandleState::Focused)) {
+        QPainterPath ring;
+        ring.addEllipse(QPointF(), focusRadius, focusRadius);
+        strokeWithHalo(*painter, ring, m_style, m_style.accent, m_style.lineWidth + 0.5);
+    }
+    const bool lit = m_state & (HandleStates(HandleState::Hovered) | HandleState::Pressed);
+    const double grown = m_state.testFlag(HandleState::Hovered) ? radius + 1 : radius;
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(QColor(6, 9, 14, 170));
+    painter->drawEllipse(QPointF(), grown + 1.5, grown + 1.5);
+    painter->setBrush(lit ? m_style.accent : m_style.core);
+    painter->setPen(QPen(m_style.rim, m_style.lineWidth + 0.25));
+    painter->drawEllipse(QPointF(), grown - 0.5, grown - 0.5);
+
+    QFont font = painter->font();
+    font.setPixelSize(m_number < 10 ? 11 : 9);
+    font.setBold(true);
+    painter->setFont(font);
+    painter->setPen(lit ? QColor(20, 16, 8) : m_style.number);
+    painter->drawText(QRectF(-12, -12, 24, 24), Qt::AlignCenter, QString::number(m_number));
+}
+
+} // namespace view

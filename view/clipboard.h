@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal_file.h"
+
+#include <QByteArray>
+#include <QList>
+#include <QString>
+
+#include <memory>
+
+class QMimeData;
+
+// Entries on their way through the clipboard and drag and drop, as the text of an .ifs file.
+namespace view {
+
+// The entries one after the other: readable ones in the form every reader takes, unreadable ones as they were
+// read.
+QByteArray entriesText(const QList<document::Entry>& entries);
+std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries);
+
+// Entries found in a text: an .ifs file or part of one, or a bare table of numbers. Readable entries carry no
+// source, so that they are written anew; the ids mean nothing.
+struct FoundEntries {
+    QList<document::Entry> entries;
+    document::Problems problems; // all of them, of the text and of its entries
+};
+FoundEntries entriesIn(const QByteArray& text);
+FoundEntries entriesIn(const QMimeData& mimeData);
+bool mayHoldEntries(const QMimeData& mimeData); // cheap; for enabling actions and accepting a drag
+
+} // namespace view

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "panels/collection_delegate.h"
+
+#include "panels/collection_model.h"
+#include "panels/thumbnail_tile.h"
+
+#include <QApplication>
+#include <QListView>
+#include <QPainter>
+
+namespace view {
+namespace {
+
+constexpr int padding = 4;
+
+QFont nameFont(const QFont& font) {
+    QFont smaller = font;
+    if (font.pointSizeF() > 0) smaller.setPointSizeF(font.pointSizeF() * 0.86);
+    return smaller;
+}
+
+QFont headingFont(const QFont& font) {
+    QFont bold = font;
+    bold.setBold(true);
+    return bold;
+}
+
+bool isHeading(const QModelIndex& index) {
+    return index.data(CollectionModel::HeadingRole).toBool();
+}
+
+} // namespace
+
+void CollectionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                               const QModelIndex& index) const {
+    painter->save();
+    if (isHeading(index))
+        paintHeading(painter, option, index);
+    else
+        paintEntry(painter, option, index);
+    painter->restore();
+}
+
+QSize CollectionDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    if (!isHeading(index))
+        return {pictureSide + 2 * padding,
+                pictureSide + 3 * padding + QFontMetrics(nameFont(option.font)).height()};
+    const int height = QFontMetrics(headingFont(option.font)).height() + 4 * padding;
+    const auto* list = qobject_cast<const QListView*>(option.widget);
+    const int width = list ? list->viewport()->width() - 2 * list->spacing() - 1 : 200;
+    return {qMax(width, pictureSide), height}; // alone in its row
+}
+
+void CollectionDelegate::paintHeading(QPainter* painter, const QStyleOptionViewItem& option,
+                                      const QModelIndex& index) const {
+    const QFont font = headingFont(option.font);
+    const QRect text = option.rect.adjusted(padding, 2 * padding, -padding, -padding);
+    painter->setFont(font);
+    painter->setPen(option.palette.color(QPalette::Active, QPalette::Text));
+    painter->drawText(
+        text, static_cast<int>(Qt::AlignBottom | QStyle::visualAlignment(option.direction, Qt::AlignLeft)),
+        QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, text.width()));
+}
+
+void CollectionDelegate::paintEntry(QPainter* painter, QStyleOptionViewItem option,
+                                    const QModelIndex& index) const {
+    option.index = index;
+    const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
+    style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
+
+    const QRect picture(option.rect.left() + (option.rect.width() - pictureSide) / 2,
+                        option.rect.top() + padding, pictureSide, pictureSide);
+    paintThumbnail(*painter, picture,
+                   {static_cast<Thumbnail::State>(index.data(CollectionModel::ThumbnailStateRole).toInt()),
+                    index.data(Qt::DecorationRole).value<QPixmap>()},
+                   option.palette);
+
+    const QFont font = nameFont(option.font);
+    const bool selected = option.state & QStyle::State_Selected;
+    const QRect name(option.rect.left() + 1, picture.bottom() + padding, option.rect.width() - 2,
+                     QFontMetrics(font).height());
+    painter->setFont(font);
+    painter->setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+    painter->drawText(name, Qt::AlignCenter,
+                      QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, name.width()));
+}
+
+} // namespace view

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QSortFilterProxyModel>
+
+namespace view {
+
+// Entries that contain every word searched for, and the titles of themes that have such entries.
+class CollectionFilter : public QSortFilterProxyModel {
+    Q_OBJECT
+
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+    void setWords(const QString& words);
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+private:
+    bool isWanted(const QModelIndex& entry) const;
+
+    QStringList m_words;
+};
+
+} // namespace view

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "panels/collection_model.h"
+
+#include "clipboard.h"
+
+#include <QMimeData>
+
+#include <algorithm>
+
+namespace view {
+namespace {
+
+bool isReadable(const document::Entry& entry) {
+    return document::dimension(*entry.fractal) != 0;
+}
+
+QString titleOf(const document::Fractal& fractal) {
+    const QString title = fractal.headerComment.trimmed();
+    return title.isEmpty() ? fractal.name : title;
+}
+
+QString toolTip(const document::Fractal& fractal, const QString& theme) {
+    QStringList comments;
+    for (const QString& comment : fractal.comments)
+        comments.append(comment.trimmed());
+    QString text =
+        QStringLiteral("<b>%1</b> (%2)").arg(titleOf(fractal).toHtmlEscaped(), fractal.name.toHtmlEscaped());
+    if (!comments.isEmpty()) text += QStringLiteral("<br>") + comments.join(QLatin1Char(' ')).toHtmlEscaped();
+    return text + QStringLiteral("<br><i>%1</i>").arg(theme.toHtmlEscaped());
+}
+
+} // namespace
+
+CollectionModel::CollectionModel(Thumbnails* thumbnails, QObject* parent)
+    : QAbstractListModel(parent), m_thumbnails(thumbnails) {
+    connect(thumbnails, &Thumbnails::ready, this, [this](quint64 key) {
+        const auto row =
+            std::find_if(m_rows.begin(), m_rows.end(), [key](const Row& r) { return r.key == key; });
+        if (row == m_rows.end()) return;
+        const QModelIndex changed = index(static_cast<int>(row - m_rows.begin()));
+        emit dataChanged(changed, changed, {Qt::DecorationRole, ThumbnailStateRole});
+    });
+}
+
+void CollectionModel::append(const CollectionTheme& theme, const QString& folder) {
+    QList<Row> rows{{0, theme.title, theme.description, folder, {}}};
+    for (const document::Entry& entry : theme.entries)
+        if (isReadable(entry)) rows.append({++m_lastKey, theme.title, {}, folder, entry});
+    const int first = rowCount();
+    beginInsertRows({}, first, first + static_cast<int>(rows.size()) - 1);
+    m_rows += rows;
+    endInsertRows();
+}
+
+void CollectionModel::removeFolder(const QString& folder) {
+    for (int row = rowCount() - 1; row >= 0; --row) {
+        if (m_rows[row].folder != folder) continue;
+        const int last = row;
+        while (row > 0 && m_rows[row - 1].folder == folder)
+            --row;
+        beginRemoveRows({}, row, last);
+        m_rows.remove(row, last - row + 1);
+        endRemoveRows();
+    }
+}
+
+std::shared_ptr<const document::Fractal> CollectionModel::fractalAt(const QModelIndex& index) const {
+    return index.isValid() ? m_rows[index.row()].entry.fractal : nullptr;
+}
+
+int CollectionModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+QVariant CollectionModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    const Row& row = m_rows[index.row()];
+    if (role == FolderRole) return row.folder;
+    return row.entry.fractal ? entryData(row, role) : headingData(row, role);
+}
+
+QVariant CollectionModel::headingData(const Row& row, int role) const {
+    switch (role) {
+    case Qt::DisplayRole:
+        return row.theme;
+    case Qt::ToolTipRole:
+        return row.description;
+    case Qt::AccessibleTextRole:
+        return tr("Theme: %1").arg(row.theme);
+    case Qt::AccessibleDescriptionRole:
+        return row.description;
+    case HeadingRole:
+        return true;
+    default:
+        return {};
+    }
+}
+
+QVariant CollectionModel::entryData(const Row& row, int role) const {
+    const document::Fractal& fractal = *row.entry.fractal;
+    switch (role) {
+    case Qt::DisplayRole:
+        return titleOf(fractal);
+    case Qt::ToolTipRole:
+        return toolTip(fractal, row.theme);
+    case Qt::AccessibleTextRole:
+        return tr("%1, from %2").arg(titleOf(fractal), row.theme);
+    case Qt::AccessibleDescriptionRole:
+        return fractal.comments.join(QLatin1Char(' ')).simplified();
+    case Qt::DecorationRole:
+        return m_thumbnails->thumbnail(row.key, row.entry.fractal).pixmap;
+    case ThumbnailStateRole:
+        return static_cast<int>(m_thumbnails->thumbnail(row.key, row.entry.fractal).state);
+    case HeadingRole:
+        return false;
+    case SearchRole:
+        return (QStringList{fractal.name, fractal.headerComment, row.theme} + fractal.comments)
+            .join(QLatin1Char('\n'));
+    default:
+        return {};
+    }
+}
+
+Qt::ItemFlags CollectionModel::flags(const QModelIndex& index) const {
+    if (!fractalAt(index)) return Qt::ItemNeverHasChildren; // a title is neither chosen nor stepped on
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
+}
+
+QStringList CollectionModel::mimeTypes() const {
+    return {QStringLiteral("text/plain")};
+}
+
+QMimeData* CollectionModel::mimeData(const QModelIndexList& indexes) const {
+    QList<document::Entry> entries;
+    for (const QModelIndex& index : indexes)
+        if (fractalAt(index)) entries.append(m_rows[index.row()].entry);
+    return entriesMimeData(entries).release();
+}
+
+} // namespace view

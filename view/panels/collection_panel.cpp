@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "panels/collection_panel.h"
+
+#include "icon.h"
+#include "panels/collection_delegate.h"
+#include "panels/collection_filter.h"
+#include "panels/collection_model.h"
+#include "panels/focus_shortcuts.h"
+#include "thumbnails.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QSettings>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace view {
+namespace {
+
+const QString foldersKey = QStringLiteral("collection/folders");
+
+} // namespace
+
+CollectionPanel::CollectionPanel(QWidget* parent)
+    : QWidget(parent),
+      m_thumbnails(new Thumbnails(this)),
+      m_model(new CollectionModel(m_thumbnails, this)),
+      m_filtered(new CollectionFilter(this)),
+      m_search(new QLineEdit(this)),
+      m_grid(new QListView(this)) {
+    setAccessibleName(tr("Collection"));
+    m_search->setAccessibleName(tr("Search the collection"));
+    m_search->setPlaceholderText(tr("Search the collection"));
+    m_search->setStatusTip(tr("Show only fractals whose name, title, theme or source contains these words."));
+    m_search->setClearButtonEnabled(true);
+    m_search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+    createGrid();
+    createActions();
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addWidget(m_search);
+    layout->addWidget(m_grid, 1);
+    layout->addWidget(createButtons());
+
+    m_readTimer.setInterval(0);
+    connect(&m_readTimer, &QTimer::timeout, this, &CollectionPanel::readNext);
+    queue(bundledCollection(), {});
+    m_folders = QSettings().value(foldersKey).toStringList();
+    for (const QString& folder : std::as_const(m_folders))
+        queue(collectionIn(folder), folder);
+    updateActions();
+}
+
+void CollectionPanel::createGrid() {
+    m_filtered->setSourceModel(m_model);
+    m_grid->setModel(m_filtered);
+    m_grid->setItemDelegate(new CollectionDelegate(m_grid));
+    m_grid->setAccessibleName(tr("Fractals of the collection"));
+    m_grid->setViewMode(QListView::IconMode);
+    m_grid->setMovement(QListView::Static);
+    m_grid->setResizeMode(QListView::Adjust);
+    m_grid->setSpacing(2);
+    m_grid->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_grid->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_grid->setDragEnabled(true);
+    m_grid->setDragDropMode(QAbstractItemView::DragOnly);
+    m_grid->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_search, &QLineEdit::textChanged, m_filtered, &CollectionFilter::setWords);
+    connect(m_grid, &QListView::doubleClicked, this, [this] { m_open->trigger(); });
+    connect(m_grid->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &CollectionPanel::updateActions);
+    connect(m_grid, &QWidget::customContextMenuRequested, this, &CollectionPanel::showContextMenu);
+}
+
+void CollectionPanel::createActions() {
+    m_open = createAction(tr("&Open"), tr("Open the chosen fractal as a document of its own."),
+                          QStringLiteral("open"), {Qt::Key_Return, Qt::Key_Enter});
+    m_add = createAction(tr("&Add to This File"), tr("Add the chosen fractal to the open file."),
+                         QStringLiteral("add"), {Qt::SHIFT | Qt::Key_Return, Qt::SHIFT | Qt::Key_Enter});
+    m_addFolder = createAction(tr("Add &Folder…"), tr("Show the .ifs files of a folder of yours here, too."),
+                               QStringLiteral("collection"), {});
+    connect(m_open, &QAction::triggered, this, [this] {
+        if (const document::Fractal* fractal = current()) emit openRequested(*fractal);
+    });
+    connect(m_add, &QAction::triggered, this, [this] {
+        if (const document::Fractal* fractal = current()) emit addRequested(*fractal);
+    });
+    connect(m_addFolder, &QAction::triggered, this, &CollectionPanel::chooseFolder);
+    new FocusShortcuts(m_grid);
+}
+
+QAction* CollectionPanel::createAction(const QString& text, const QString& statusTip, const QString& iconName,
+                                       const QList<QKeySequence>& keys) {
+    auto* action = new QAction(icon(iconName), text, this);
+    action->setStatusTip(statusTip);
+    action->setToolTip(statusTip);
+    action->setShortcuts(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    m_grid->addAction(action);
+    return action;
+}
+
+QWidget* CollectionPanel::createButtons() {
+    auto* bar = new QWidget(this);
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(1);
+    for (QAction* action : {m_open, m_add, m_addFolder}) {
+        if (action == m_addFolder) layout->addStretch();
+        auto* button = new QToolButton(bar);
+        button->setDefaultAction(action);
+        button->setAutoRaise(true);
+        button->setIconSize({18, 18});
+        button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+        layout->addWidget(button);
+    }
+    return bar;
+}
+
+void CollectionPanel::showContextMenu(const QPoint& position) {
+    QMenu menu(this);
+    menu.addActions({m_open, m_add});
+    menu.addSeparator();
+    menu.addAction(m_addFolder);
+    const QString folder = m_grid->indexAt(position).data(CollectionModel::FolderRole).toString();
+    if (!folder.isEmpty()) {
+        QAction* remove = menu.addAction(tr("&Remove Folder “%1”").arg(folder));
+        remove->setStatusTip(tr("Show this folder here no more. Its files stay as they are."));
+        connect(remove, &QAction::triggered, this, [this, folder] { removeFolder(folder); });
+    }
+    menu.exec(m_grid->viewport()->mapToGlobal(position));
+}
+
+void CollectionPanel::addFolder(const QString& folder) {
+    if (folder.isEmpty() || m_folders.contains(folder)) return;
+    m_folders.append(folder);
+    saveFolders();
+    queue(collectionIn(folder), folder);
+}
+
+void CollectionPanel::removeFolder(const QString& folder) {
+    m_folders.removeAll(folder);
+    saveFolders();
+    m_unread.removeIf([&folder](const Unread& unread) { return unread.folder == folder; });
+    m_model->removeFolder(folder);
+}
+
+void CollectionPanel::queue(const QStringList& paths, const QString& folder) {
+    for (const QString& path : paths)
+        m_unread.append({path, folder});
+    if (!m_unread.isEmpty()) m_readTimer.start();
+}
+
+void CollectionPanel::readNext() {
+    if (m_unread.isEmpty()) {
+        m_readTimer.stop();
+        return;
+    }
+    const Unread next = m_unread.takeFirst();
+    m_model->append(readTheme(next.path), next.folder);
+}
+
+void CollectionPanel::chooseFolder() {
+    addFolder(QFileDialog::getExistingDirectory(this, tr("Folder of .ifs Files")));
+}
+
+void CollectionPanel::saveFolders() const {
+    QSettings().setValue(foldersKey, m_folders);
+}
+
+void CollectionPanel::updateActions() {
+    m_open->setEnabled(current());
+    m_add->setEnabled(current());
+}
+
+const document::Fractal* CollectionPanel::current() const {
+    return m_model->fractalAt(m_filtered->mapToSource(m_grid->currentIndex())).get();
+}
+
+bool CollectionPanel::event(QEvent* event) {
+    if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal)
+        m_thumbnails->setSize(CollectionDelegate::pictureSide, devicePixelRatioF());
+    return QWidget::event(event);
+}
+
+} // namespace view

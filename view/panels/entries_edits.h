@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal_file.h"
+
+#include <QList>
+#include <QString>
+
+#include <optional>
+
+// Edits of the list of entries: a file in, a file out. No byte of the entries that stay is touched, and the
+// text above a file's first entry stays at the top of the file whatever becomes of that entry.
+namespace view {
+
+struct Inserted {
+    document::FractalFile file;
+    QList<document::EntryId> ids; // of the new entries, in their order
+};
+// Behind the entry `after` (None: at the end), under fresh ids and, where they are readable, unique names.
+Inserted inserted(document::FractalFile file, const QList<document::Entry>& entries, document::EntryId after);
+
+document::FractalFile removed(document::FractalFile file, const QList<document::EntryId>& ids);
+
+// Those entries, in the order of the file, together in front of the entry `before` (None: at the end). When
+// `before` is one of them, they gather where it stands.
+document::FractalFile moved(document::FractalFile file, const QList<document::EntryId>& ids,
+                            document::EntryId before);
+
+document::FractalFile replaced(document::FractalFile file, document::EntryId id, document::Fractal fractal);
+
+// Why the entry cannot be called `name`, as a sentence for the user; nullopt when it can.
+std::optional<QString> nameProblem(const document::FractalFile& file, document::EntryId id,
+                                   const QString& name);
+
+} // namespace view

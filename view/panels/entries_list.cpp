@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "panels/entries_list.h"
+
+#include "clipboard.h"
+#include "panels/entries_model.h"
+
+#include <QDrag>
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QPainter>
+
+#include <algorithm>
+#include <utility>
+
+namespace view {
+
+using document::EntryId;
+
+EntriesList::EntriesList(MimeSource mimeSource, QWidget* parent)
+    : QListView(parent), m_mimeSource(std::move(mimeSource)) {
+    setUniformItemSizes(true);
+    setVerticalScrollMode(ScrollPerPixel);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSelectionMode(ExtendedSelection);
+    setEditTriggers(EditKeyPressed | SelectedClicked);
+    setDragEnabled(true);
+    setAcceptDrops(true);
+    setDragDropMode(DragDrop);
+    setDropIndicatorShown(false); // drawn here, between the rows
+    setContextMenuPolicy(Qt::CustomContextMenu);
+}
+
+QList<EntryId> EntriesList::selectedIds() const {
+    QModelIndexList rows = selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end());
+    QList<EntryId> ids;
+    for (const QModelIndex& row : std::as_const(rows))
+        ids.append(idAtRow(row.row()));
+    return ids;
+}
+
+void EntriesList::select(const QList<EntryId>& ids) {
+    QItemSelection selection;
+    for (int row = 0; row < model()->rowCount(); ++row)
+        if (ids.contains(idAtRow(row))) selection.select(model()->index(row, 0), model()->index(row, 0));
+    selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+}
+
+void EntriesList::setEmptyText(const QString& text) {
+    m_emptyText = text;
+    viewport()->update();
+}
+
+void EntriesList::startDrag(Qt::DropActions) {
+    const QList<EntryId> ids = selectedIds();
+    if (ids.isEmpty()) return;
+    auto* drag = new QDrag(this); // Qt deletes it when the drag is over
+    drag->setMimeData(m_mimeSource(ids).release());
+    drag->setPixmap(currentIndex().data(Qt::DecorationRole).value<QPixmap>());
+    drag->exec(Qt::CopyAction | Qt::MoveAction, Qt::CopyAction);
+}
+
+void EntriesList::dragEnterEvent(QDragEnterEvent* event) {
+    QListView::dragEnterEvent(event);
+    offer(event);
+}
+
+void EntriesList::dragMoveEvent(QDragMoveEvent* event) {
+    QListView::dragMoveEvent(event); // scrolls at the edges
+    showDropRow(offer(event) ? rowBelow(event->position().toPoint()) : -1);
+}
+
+void EntriesList::dragLeaveEvent(QDragLeaveEvent* event) {
+    QListView::dragLeaveEvent(event);
+    showDropRow(-1);
+}
+
+void EntriesList::dropEvent(QDropEvent* event) {
+    if (offer(event)) {
+        const EntryId before = idAtRow(rowBelow(event->position().toPoint()));
+        if (event->source() == this)
+            emit entriesDropped(selectedIds(), before);
+        else
+            emit dataDropped(*event->mimeData(), before);
+    }
+    finishDrag();
+}
+
+void EntriesList::paintEvent(QPaintEvent* event) {
+    QListView::paintEvent(event);
+    QPainter painter(viewport());
+    if (model()->rowCount() == 0) {
+        painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
+        painter.drawText(viewport()->rect().adjusted(16, 24, -16, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                         m_emptyText);
+    }
+    if (m_dropRow >= 0) {
+        const int rows = model()->rowCount();
+        const QRect last = visualRect(model()->index(rows - 1, 0));
+        const int y = m_dropRow < rows ? visualRect(model()->index(m_dropRow, 0)).top() : last.bottom() + 1;
+        painter.fillRect(QRect(0, std::max(0, y - 1), viewport()->width(), 2),
+                         palette().color(QPalette::Highlight));
+    }
+}
+
+EntryId EntriesList::idAtRow(int row) const {
+    return static_cast<EntryId>(model()->index(row, 0).data(EntriesModel::IdRole).toUInt());
+}
+
+int EntriesList::rowBelow(const QPoint& position) const {
+    const QModelIndex index = indexAt(position);
+    if (!index.isValid()) return model()->rowCount();
+    return index.row() + (position.y() > visualRect(index).center().y() ? 1 : 0);
+}
+
+bool EntriesList::offer(QDropEvent* event) const {
+    const bool own = event->source() == this;
+    if (!own && !mayHoldEntries(*event->mimeData())) {
+        event->ignore();
+        return false;
+    }
+    event->setDropAction(own ? Qt::MoveAction : Qt::CopyAction);
+    event->accept();
+    return true;
+}
+
+void EntriesList::showDropRow(int row) {
+    if (row == m_dropRow) return;
+    m_dropRow = row;
+    viewport()->update();
+}
+
+void EntriesList::finishDrag() {
+    stopAutoScroll();
+    setState(NoState);
+    showDropRow(-1);
+}
+
+} // namespace view

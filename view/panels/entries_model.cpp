@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "panels/entries_model.h"
+
+#include "panels/entries_edits.h"
+
+#include <QScopedValueRollback>
+#include <QSet>
+
+#include <algorithm>
+#include <optional>
+
+namespace view {
+namespace {
+
+using document::Entry;
+using document::EntryId;
+using document::FractalFile;
+
+std::optional<document::Problem::Severity> worst(const document::Problems& problems) {
+    if (problems.isEmpty()) return std::nullopt;
+    const bool error = std::any_of(problems.begin(), problems.end(), [](const document::Problem& problem) {
+        return problem.severity == document::Problem::Severity::Error;
+    });
+    return error ? document::Problem::Severity::Error : document::Problem::Severity::Warning;
+}
+
+std::size_t mapCount(const document::Fractal& fractal) {
+    if (const auto* plane = std::get_if<document::System2>(&fractal.system)) return plane->maps.size();
+    if (const auto* space = std::get_if<document::System3>(&fractal.system)) return space->maps.size();
+    return 0;
+}
+
+bool shownAlike(const Entry& a, const Entry& b) {
+    return a.fractal == b.fractal && a.source == b.source && a.problems == b.problems;
+}
+
+bool sameOrder(const FractalFile& a, const FractalFile& b) {
+    return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
+                      [](const Entry& x, const Entry& y) { return x.id == y.id; });
+}
+
+} // namespace
+
+EntriesModel::EntriesModel(document::Document* document, Thumbnails* thumbnails, QObject* parent)
+    : QAbstractListModel(parent), m_document(document), m_thumbnails(thumbnails), m_shown(document->file()) {
+    connect(document, &document::Document::changed, this, &EntriesModel::follow);
+    takeSaved();
+    connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
+        if (clean) takeSaved();
+        if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1), {ModifiedRole});
+    });
+    connect(thumbnails, &Thumbnails::ready, this, [this](quint64 key) {
+        if (const QModelIndex row = indexOf(static_cast<EntryId>(key)); row.isValid())
+            emit dataChanged(row, row, {Qt::DecorationRole, ThumbnailStateRole, SubtitleRole});
+    });
+}
+
+int EntriesModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_shown.entries.size());
+}
+
+QVariant EntriesModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    const Entry& entry = m_shown.entries[index.row()];
+    const auto key = static_cast<Thumbnails::Key>(entry.id);
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+        return entry.fractal->name;
+    case Qt::DecorationRole:
+        return m_thumbnails->thumbnail(key, entry.fractal).pixmap;
+    case Qt::ToolTipRole:
+        return toolTip(entry);
+    case Qt::AccessibleTextRole:
+        return accessibleText(entry);
+    case IdRole:
+        return static_cast<uint>(entry.id);
+    case ThumbnailStateRole:
+        return static_cast<int>(m_thumbnails->thumbnail(key, entry.fractal).state);
+    case SubtitleRole:
+        return subtitle(entry);
+    case ModifiedRole:
+        return isModified(entry);
+    case SeverityRole:
+        if (const auto severity = worst(entry.problems)) return static_cast<int>(*severity);
+        return {};
+    default:
+        return {};
+    }
+}
+
+Qt::ItemFlags EntriesModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) return Qt::ItemIsDropEnabled;
+    const Qt::ItemFlags always =
+        Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
+    const bool readable = document::dimension(*m_shown.entries[index.row()].fractal) != 0;
+    return readable ? always | Qt::ItemIsEditable : always;
+}
+
+bool EntriesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
+    const Entry entry = m_shown.entries[index.row()];
+    const QString name = value.toString().trimmed();
+    if (name == entry.fractal->name) return true;
+    if (const auto problem = nameProblem(m_document->file(), entry.id, name)) {
+        emit refused(*problem);
+        return false;
+    }
+    document::Fractal fractal = *entry.fractal;
+    fractal.name = name;
+    m_document->editFile(tr("Rename “%1” to “%2”").arg(entry.fractal->name, name),
+                         replaced(m_document->file(), entry.id, std::move(fractal)));
+    return true;
+}
+
+EntryId EntriesModel::idAt(const QModelIndex& index) const {
+    return index.isValid() ? m_shown.entries[index.row()].id : EntryId::None;
+}
+
+QModelIndex EntriesModel::indexOf(EntryId id) const {
+    const qsizetype row = document::indexOf(m_shown, id);
+    return row < 0 ? QModelIndex() : index(static_cast<int>(row));
+}
+
+void EntriesModel::follow(const document::Change& change) {
+    if (change.live) return;
+    if (change.parts & document::Change::File) {
+        const QScopedValueRollback<bool> guard(m_syncing, true);
+        beginResetModel();
+        m_shown = m_document->file();
+        takeSaved();
+        m_thumbnails->clear();
+        endResetModel();
+        return;
+    }
+    syncRows();
+}
+
+void EntriesModel::syncRows() {
+    const QScopedValueRollback<bool> guard(m_syncing, true);
+    const FractalFile before = m_shown;
+    const FractalFile now = m_document->file();
+    removeVanished(now);
+    reorder(now);
+    insertNew(now);
+    m_shown = now;
+    announceDifferences(before);
+}
+
+void EntriesModel::removeVanished(const FractalFile& now) {
+    QSet<EntryId> remaining;
+    for (const Entry& entry : now.entries)
+        remaining.insert(entry.id);
+    for (int last = rowCount() - 1; last >= 0; --last) {
+        if (remaining.contains(m_shown.entries[last].id)) continue;
+        int first = last;
+        while (first > 0 && !remaining.contains(m_shown.entries[first - 1].id))
+            --first;
+        beginRemoveRows({}, first, last);
+        m_shown.entries.remove(first, last - first + 1);
+        endRemoveRows();
+        last = first;
+    }
+}
+
+void EntriesModel::reorder(const FractalFile& now) {
+    QHash<EntryId, qsizetype> places;
+    for (qsizetype place = 0; place < now.entries.size(); ++place)
+        places.insert(now.entries[place].id, place);
+    FractalFile sorted = m_shown;
+    std::sort(sorted.entries.begin(), sorted.entries.end(),
+              [&places](const Entry& a, const Entry& b) { return places.value(a.id) < places.value(b.id); });
+    if (sameOrder(sorted, m_shown)) return;
+    emit layoutAboutToBeChanged({}, VerticalSortHint);
+    const QModelIndexList from = persistentIndexList();
+    QModelIndexList to;
+    for (const QModelIndex& index : from)
+        to.append(this->index(static_cast<int>(document::indexOf(sorted, idAt(index)))));
+    m_shown = sorted;
+    changePersistentIndexList(from, to);
+    emit layoutChanged({}, VerticalSortHint);
+}
+
+// The rows shown are now some of the rows to be shown, in the same order.
+void EntriesModel::insertNew(const FractalFile& now) {
+    for (int first = 0; first < now.entries.size(); ++first) {
+        const EntryId next = first < rowCount() ? m_shown.entries[first].id : EntryId::None;
+        if (next == now.entries[first].id) continue;
+        int last = first;
+        while (last + 1 < now.entries.size() && now.entries[last + 1].id != next)
+            ++last;
+        beginInsertRows({}, first, last);
+        for (int row = first; row <= last; ++row)
+            m_shown.entries.insert(row, now.entries[row]);
+        endInsertRows();
+        first = last;
+    }
+}
+
+void EntriesModel::announceDifferences(const FractalFile& before) {
+    QHash<EntryId, const Entry*> known;
+    for (const Entry& entry : before.entries)
+        known.insert(entry.id, &entry);
+    for (int row = 0; row < rowCount(); ++row) {
+        const Entry& entry = m_shown.entries[row];
+        const Entry* former = known.value(entry.id);
+        if (former && !shownAlike(*former, entry)) emit dataChanged(index(row), index(row));
+    }
+}
+
+QString EntriesModel::subtitle(const Entry& entry) const {
+    switch (document::dimension(*entry.fractal)) {
+    case 3:
+        return tr("3D: not yet shown");
+    case 0:
+        return tr("could not be read");
+    default:
+        break;
+    }
+    return tr("%n map(s)", nullptr, static_cast<int>(mapCount(*entry.fractal)));
+}
+
+QString EntriesModel::toolTip(const Entry& entry) const {
+    QStringList lines{QStringLiteral("<b>%1</b>").arg(entry.fractal->name.toHtmlEscaped())};
+    if (!entry.fractal->headerComment.trimmed().isEmpty())
+        lines.append(entry.fractal->headerComment.trimmed().toHtmlEscaped());
+    lines.append(subtitle(entry).toHtmlEscaped());
+    for (const document::Problem& problem : entry.problems) {
+        const QString where =
+            problem.line > 0 ? tr("Line %1, column %2: ").arg(problem.line).arg(problem.column) : QString();
+        lines.append((where + problem.message).toHtmlEscaped());
+    }
+    return lines.join(QStringLiteral("<br>"));
+}
+
+QString EntriesModel::accessibleText(const Entry& entry) const {
+    QStringList parts{entry.fractal->name, subtitle(entry)};
+    if (isModified(entry)) parts.append(tr("modified"));
+    if (const auto severity = worst(entry.problems))
+        parts.append(*severity == document::Problem::Severity::Error ? tr("has errors") : tr("has warnings"));
+    return parts.join(QStringLiteral(", "));
+}
+
+bool EntriesModel::isModified(const Entry& entry) const {
+    if (!m_document->isModified()) return false;
+    const auto saved = m_saved.value(entry.id);
+    return !saved || (saved != entry.fractal && *saved != *entry.fractal);
+}
+
+void EntriesModel::takeSaved() {
+    m_saved.clear();
+    for (const Entry& entry : m_document->file().entries)
+        m_saved.insert(entry.id, entry.fractal);
+}
+
+} // namespace view

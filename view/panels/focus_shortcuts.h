@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QWidget;
+
+namespace view {
+
+// While the widget has the focus, its own actions win their keys, even where the window uses the same ones:
+// Ctrl+C in a list copies what is selected there. Owned by the widget.
+class FocusShortcuts : public QObject {
+    Q_OBJECT
+
+public:
+    explicit FocusShortcuts(QWidget* widget);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QAction* actionFor(const QEvent* event) const;
+
+    QWidget* m_widget;
+};
+
+} // namespace view

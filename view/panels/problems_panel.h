@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTreeView;
+
+namespace view {
+
+class ProblemsModel;
+
+// What the reader had to say about the file: choosing a line shows the entry it concerns.
+class ProblemsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ProblemsPanel(document::Document* document, QWidget* parent = nullptr);
+
+    int count() const;
+    void setFileName(const QString& fileName); // named in the copied text
+
+public slots:
+    void copySelected(); // one "file:line:column: severity: sentence" per line; without a selection, all
+
+signals:
+    void countChanged(int count);
+
+private:
+    void createActions();
+    void showEntry(const QModelIndex& index);
+    void updateCount();
+
+    document::Document* m_document;
+    ProblemsModel* m_model;
+    QTreeView* m_list;
+    QLabel* m_summary;
+    QString m_fileName;
+};
+
+} // namespace view

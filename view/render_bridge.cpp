@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "render_bridge.h"
+
+#include "attractor/cores.h"
+#include "document/fractal.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+constexpr std::uint64_t fewest = 1'000'000;
+constexpr std::uint64_t most = 10'000'000; // in the first pass
+constexpr double fluid = 14;               // milliseconds for one frame of a gesture
+
+} // namespace
+
+RenderBridge::RenderBridge(document::Document* document, QObject* parent)
+    : QObject(parent), m_document(document), m_thread(std::make_unique<attractor::RenderThread>([this] {
+          QMetaObject::invokeMethod(this, &RenderBridge::takeFrame, Qt::QueuedConnection);
+      })) {
+    connect(document, &document::Document::changed, this, &RenderBridge::follow);
+}
+
+RenderBridge::~RenderBridge() = default;
+
+void RenderBridge::setCamera(const attractor::Camera& camera) {
+    if (camera == m_camera) return;
+    m_camera = camera;
+    m_exposing = Exposing::Measured;
+    request();
+}
+
+void RenderBridge::setQuality(std::uint64_t samples) {
+    if (samples == m_quality) return;
+    m_quality = samples;
+    request();
+}
+
+bool RenderBridge::isCurrent() const {
+    return m_frame && m_frame->revision == m_requested;
+}
+
+void RenderBridge::follow(const document::Change& change) {
+    using document::Change;
+    if (!(change.parts &
+          (Change::System | Change::Cage | Change::Appearance | Change::Current | Change::File)))
+        return;
+    m_live = change.live;
+    if (change.parts & (Change::Current | Change::File))
+        m_exposing = Exposing::Measured;
+    else if (!change.live && (change.parts & (Change::System | Change::Appearance)))
+        m_exposing = Exposing::Measured;
+    request();
+}
+
+void RenderBridge::request() {
+    const document::Fractal& fractal = m_document->fractal();
+    if (!document::system2(fractal)) {
+        m_thread->cancel();
+        ++m_requested;
+        m_exposing = Exposing::Measured;
+        if (std::exchange(m_frame, nullptr)) emit frameChanged();
+        return;
+    }
+    if (m_camera.width <= 0 || m_camera.height <= 0) return;
+    attractor::RenderRequest request = document::renderRequest(fractal, m_camera);
+    request.revision = ++m_requested;
+    request.threads = attractor::coreCount();
+    request.samples = m_live ? m_liveSamples : most;
+    if (m_exposing == Exposing::Measured)
+        m_measuredFrom = m_requested;
+    else if (m_frame && m_frame->revision >= m_measuredFrom)
+        request.exposure = m_frame->exposure;
+    m_exposing = Exposing::Kept;
+    m_thread->submit(std::move(request), m_quality);
+}
+
+void RenderBridge::takeFrame() {
+    std::shared_ptr<const attractor::Frame> frame = m_thread->newestFrame();
+    if (!frame || frame == m_frame || !document::system2(m_document->fractal())) return;
+    m_frame = std::move(frame);
+    if (m_frame->passes == 1) adaptBudget(*m_frame);
+    emit frameChanged();
+}
+
+void RenderBridge::adaptBudget(const attractor::Frame& frame) {
+    if (frame.milliseconds <= 0 || frame.samples == 0) return;
+    const double affordable = double(frame.samples) * fluid / frame.milliseconds;
+    // Half way each time: one slow frame on a busy machine must not make the grain jump.
+    m_liveSamples =
+        std::clamp(std::uint64_t((double(m_liveSamples) + std::min(affordable, 1e12)) / 2), fewest, most);
+}
+
+} // namespace view

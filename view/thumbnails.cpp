@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "thumbnails.h"
+
+#include "attractor/render_queue.h"
+
+#include <QImage>
+#include <QPainter>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace view {
+namespace {
+
+constexpr int cacheBytes = 24 * 1024 * 1024;
+constexpr int mostWanted = 512; // more rows than any screen shows; older requests are dropped
+constexpr int mostRunning = 2;  // one being drawn, one waiting: the order stays ours
+constexpr int samplesPerPixel = 24;
+constexpr double margin = 0.07;
+
+bool looksTheSame(const document::Fractal& a, const document::Fractal& b) {
+    return a.system == b.system && a.cage == b.cage && a.appearance == b.appearance;
+}
+
+// What the picture is to hold; nullopt when there is nothing to draw. A cage with many corners has no certified box, but
+// its corners hold the picture as a rule.
+std::optional<document::Box> boxToShow(const document::Fractal& fractal) {
+    if (auto box = document::displayedBox(fractal)) return box;
+    if (!fractal.cage || fractal.cage->current.empty()) return std::nullopt;
+    document::Box box{fractal.cage->current.front(), fractal.cage->current.front()};
+    for (const auto& corner : fractal.cage->current) {
+        box.min = box.min.cwiseMin(corner);
+        box.max = box.max.cwiseMax(corner);
+    }
+    return box;
+}
+
+bool showsNothing(const attractor::Frame& frame) {
+    return frame.note == attractor::RenderNote::NoMaps || frame.note == attractor::RenderNote::NoAttractor;
+}
+
+} // namespace
+
+Thumbnails::Thumbnails(QObject* parent) : QObject(parent), m_pictures(cacheBytes) {
+    m_submitTimer.setSingleShot(true);
+    m_submitTimer.setInterval(0);
+    connect(&m_submitTimer, &QTimer::timeout, this, &Thumbnails::submitNext);
+    m_queue = std::make_unique<attractor::RenderQueue>(
+        [this](std::uint64_t job, std::shared_ptr<const attractor::Frame> frame) {
+            QMetaObject::invokeMethod(
+                this, [this, job, frame = std::move(frame)] { take(job, frame); }, Qt::QueuedConnection);
+        });
+}
+
+Thumbnails::~Thumbnails() = default;
+
+void Thumbnails::setSize(int side, qreal devicePixelRatio) {
+    if (side == m_side && devicePixelRatio == m_ratio) return;
+    m_side = side;
+    m_ratio = devicePixelRatio;
+    clear();
+}
+
+Thumbnail Thumbnails::thumbnail(Key key, const FractalPointer& fractal) {
+    switch (document::dimension(*fractal)) {
+    case 2:
+        break;
+    case 3:
+        return {Thumbnail::State::ThreeDimensional, {}};
+    default:
+        return {Thumbnail::State::Unreadable, {}};
+    }
+    Picture* known = m_pictures.object(key);
+    if (known && known->fractal != fractal && looksTheSame(*known->fractal, *fractal))
+        known->fractal = fractal;
+    if (known && known->fractal == fractal) return known->thumbnail;
+    if (!isUnderway(key, fractal)) want(key, fractal);
+    return {Thumbnail::State::Pending, known ? known->thumbnail.pixmap : QPixmap()};
+}
+
+void Thumbnails::clear() {
+    for (auto job = m_running.keyBegin(); job != m_running.keyEnd(); ++job)
+        m_queue->cancel(*job);
+    m_running.clear();
+    m_wanted.clear();
+    m_pictures.clear();
+}
+
+bool Thumbnails::isUnderway(Key key, const FractalPointer& fractal) const {
+    return std::any_of(m_running.begin(), m_running.end(), [&](const Wanted& wanted) {
+        return wanted.key == key && looksTheSame(*wanted.fractal, *fractal);
+    });
+}
+
+void Thumbnails::want(Key key, const FractalPointer& fractal) {
+    const auto same = std::find_if(m_wanted.begin(), m_wanted.end(),
+                                   [key](const Wanted& wanted) { return wanted.key == key; });
+    if (same != m_wanted.end())
+        m_wanted.erase(same);
+    else if (m_wanted.size() >= mostWanted)
+        m_wanted.removeFirst();
+    m_wanted.append({key, fractal});
+    m_submitTimer.start();
+}
+
+// One request per turn of the event loop: finding the box of a fractal takes a moment, and scrolling comes
+// first.
+void Thumbnails::submitNext() {
+    if (m_wanted.isEmpty() || m_running.size() >= mostRunning) return;
+    const Wanted wanted = m_wanted.takeLast();
+    if (const auto box = boxToShow(*wanted.fractal)) {
+        attractor::Camera camera;
+        camera.width = camera.height = qRound(m_side * m_ratio);
+        camera = attractor::fitted(camera, box->min, box->max, margin);
+        attractor::RenderRequest request = document::renderRequest(*wanted.fractal, camera);
+        request.samples = static_cast<std::uint64_t>(camera.width) * camera.height * samplesPerPixel;
+        request.threads = 1;
+        m_running.insert(++m_lastJob, wanted);
+        ++m_submitted;
+        m_queue->submit(m_lastJob, std::move(request));
+    } else {
+        keep(wanted, {Thumbnail::State::NoAttractor, {}});
+    }
+    if (!m_wanted.isEmpty()) m_submitTimer.start();
+}
+
+void Thumbnails::take(std::uint64_t job, const std::shared_ptr<const attractor::Frame>& frame) {
+    const auto running = m_running.constFind(job);
+    if (running == m_running.cend()) return;
+    const Wanted wanted = running.value();
+    m_running.erase(running);
+    m_submitTimer.start();
+    if (!frame) return;
+    keep(wanted, showsNothing(*frame) ? Thumbnail{Thumbnail::State::NoAttractor, {}}
+                                      : Thumbnail{Thumbnail::State::Ready, toPixmap(*frame)});
+}
+
+void Thumbnails::keep(const Wanted& wanted, const Thumbnail& thumbnail) {
+    const auto bytes = qsizetype{4} * thumbnail.pixmap.width() * thumbnail.pixmap.height() + 256;
+    m_pictures.insert(wanted.key, new Picture{wanted.fractal, thumbnail}, bytes);
+    emit ready(wanted.key);
+}
+
+QPixmap Thumbnails::toPixmap(const attractor::Frame& frame) const {
+    const QImage picture(reinterpret_cast<const uchar*>(frame.pixels.data()), frame.camera.width,
+                         frame.camera.height, QImage::Format_ARGB32_Premultiplied);
+    QImage rounded(picture.size(), QImage::Format_ARGB32_Premultiplied);
+    rounded.fill(Qt::transparent);
+    QPainter painter(&rounded);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(picture);
+    painter.drawRoundedRect(rounded.rect(), cornerRadius * m_ratio, cornerRadius * m_ratio);
+    painter.end();
+    QPixmap pixmap = QPixmap::fromImage(std::move(rounded));
+    pixmap.setDevicePixelRatio(m_ratio);
+    return pixmap;
+}
+
+} // namespace view
