@@ -37,15 +37,23 @@ public:
     double radius() const { return m_radius; }
     const std::vector<AffineMap<Dim>>& maps() const { return m_maps; }
 
+    // max ‖A_i‖_* < 1 and C with |x| ≤ ‖x‖_* ≤ C|x|, as classify() found them.
+    double contractivity() const { return m_contractivity; }
+    double normEquivalence() const { return m_normEquivalence; }
+
+    // What rounding may have cost a support value at |u| = 1, over addresses of that many symbols.
+    double roundingError(int depth) const;
+
 private:
     SupportFunction() = default;
 
     std::vector<AffineMap<Dim>> m_maps;
     Vector<Dim> m_centre = Vector<Dim>::Zero();
     double m_radius = 0;
-    Vector<Dim> m_anchor = Vector<Dim>::Zero(); // a fixed point, so a point of the attractor
-    struct Table;
-    std::shared_ptr<const Table> m_table;
+    double m_contractivity = 0;
+    double m_normEquivalence = 1;
+    struct Container;
+    std::shared_ptr<const Container> m_container;
 };
 
 template <int Dim> struct BoundingBox {
