@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace view {
@@ -20,6 +21,23 @@ constexpr double margin = 0.07;
 
 bool looksTheSame(const document::Fractal& a, const document::Fractal& b) {
     return a.system == b.system && a.cage == b.cage && a.appearance == b.appearance;
+}
+
+// What the picture is to hold; nullopt when there is nothing to draw. A cage with many corners has no certified box, but
+// its corners hold the picture as a rule.
+std::optional<document::Box> boxToShow(const document::Fractal& fractal) {
+    if (auto box = document::displayedBox(fractal)) return box;
+    if (!fractal.cage || fractal.cage->current.empty()) return std::nullopt;
+    document::Box box{fractal.cage->current.front(), fractal.cage->current.front()};
+    for (const auto& corner : fractal.cage->current) {
+        box.min = box.min.cwiseMin(corner);
+        box.max = box.max.cwiseMax(corner);
+    }
+    return box;
+}
+
+bool showsNothing(const attractor::Frame& frame) {
+    return frame.note == attractor::RenderNote::NoMaps || frame.note == attractor::RenderNote::NoAttractor;
 }
 
 } // namespace
@@ -91,7 +109,7 @@ void Thumbnails::want(Key key, const FractalPointer& fractal) {
 void Thumbnails::submitNext() {
     if (m_wanted.isEmpty() || m_running.size() >= mostRunning) return;
     const Wanted wanted = m_wanted.takeLast();
-    if (const auto box = document::displayedBox(*wanted.fractal)) {
+    if (const auto box = boxToShow(*wanted.fractal)) {
         attractor::Camera camera;
         camera.width = camera.height = qRound(m_side * m_ratio);
         camera = attractor::fitted(camera, box->min, box->max, margin);
@@ -113,7 +131,9 @@ void Thumbnails::take(std::uint64_t job, const std::shared_ptr<const attractor::
     const Wanted wanted = running.value();
     m_running.erase(running);
     m_submitTimer.start();
-    if (frame) keep(wanted, {Thumbnail::State::Ready, toPixmap(*frame)});
+    if (!frame) return;
+    keep(wanted, showsNothing(*frame) ? Thumbnail{Thumbnail::State::NoAttractor, {}}
+                                      : Thumbnail{Thumbnail::State::Ready, toPixmap(*frame)});
 }
 
 void Thumbnails::keep(const Wanted& wanted, const Thumbnail& thumbnail) {

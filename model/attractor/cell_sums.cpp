@@ -42,6 +42,13 @@ void CellSums::carryOverCounts() {
     }
 }
 
+std::vector<const std::uint32_t*> CellSums::counters() const {
+    std::vector<const std::uint32_t*> result;
+    for (const auto& counts : m_counts)
+        result.push_back(counts.data());
+    return result;
+}
+
 std::uint64_t CellSums::samples(std::size_t cell) const {
     if (m_kind == CellKind::Colour) return sum(cell).samples;
     std::uint64_t result = m_carriedCounts.empty() ? 0 : m_carriedCounts[cell];

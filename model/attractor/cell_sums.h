@@ -26,6 +26,10 @@ public:
     void carryOverColours(std::size_t thread); // thread-safe for different threads
     void carryOverCounts();                    // all threads' counters
 
+    // Whether the 32-bit counters are all there is, and the pointers to them.
+    bool carried() const { return !m_carriedCounts.empty(); }
+    std::vector<const std::uint32_t*> counters() const;
+
     struct Sum {
         std::uint64_t samples = 0;
         std::uint64_t red = 0; // 12 bits a channel and sample

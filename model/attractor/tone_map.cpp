@@ -2,17 +2,17 @@
 #include "attractor/tone_map.h"
 
 #include "attractor/arithmetic.h"
+#include "attractor/kernels.h"
 #include "attractor/linear_light.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace attractor {
 
 namespace {
 
-constexpr std::size_t exactCounts = 512;
+using kernels::exactCounts;
 constexpr double fullColour = 4095; // 12 bits a channel
 
 // How many of the pixels would be occupied if only a share q of the samples had been drawn: rarefaction,
@@ -126,12 +126,6 @@ Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, in
     return exposure;
 }
 
-std::size_t ToneMap::indexOf(std::uint64_t samples) {
-    if (samples < exactCounts) return static_cast<std::size_t>(samples);
-    const int exponent = std::bit_width(samples) - 1; // ≥ 9
-    return exactCounts + static_cast<std::size_t>(exponent - 9) * 256 + ((samples >> (exponent - 8)) & 255U);
-}
-
 double ToneMap::samplesOf(std::size_t index) {
     if (index < exactCounts) return static_cast<double>(index);
     const std::size_t step = index - exactCounts;
@@ -142,14 +136,15 @@ double ToneMap::samplesOf(std::size_t index) {
 ToneMap::ToneMap(const ToneSettings& settings, std::uint64_t mostSamples)
     : m_settings(settings),
       m_ownColours(settings.appearance.colourBy == ColourBy::Map ||
-                   settings.appearance.colourBy == ColourBy::Address) {
+                   settings.appearance.colourBy == ColourBy::Address),
+      m_mostSamples(mostSamples) {
     const Rgba& ground = settings.appearance.background;
     m_background = {static_cast<double>(ground.red), static_cast<double>(ground.green),
                     static_cast<double>(ground.blue)};
     m_codes.resize(4096);
     for (std::size_t i = 0; i < m_codes.size(); ++i)
         m_codes[i] = encoded(static_cast<double>(i) / fullColour);
-    m_entries.resize(indexOf(mostSamples) + 1);
+    m_entries.resize(kernels::toneIndex(mostSamples) + 1);
     m_pixels.resize(m_entries.size());
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
         m_entries[i] = entry(samplesOf(i));
@@ -205,14 +200,14 @@ std::uint32_t ToneMap::averagedPixel(const CellSums& sums, int x, int y) const {
             if (m_ownColours) {
                 const CellSums::Sum sum = sums.sum(cell);
                 if (sum.samples == 0) continue;
-                const double weight = m_entries[indexOf(sum.samples)].light;
+                const double weight = m_entries[kernels::toneIndex(sum.samples)].light;
                 const double share = weight / (static_cast<double>(sum.samples) * fullColour);
                 light += weight;
                 red += share * static_cast<double>(sum.red);
                 green += share * static_cast<double>(sum.green);
                 blue += share * static_cast<double>(sum.blue);
             } else if (const std::uint64_t samples = sums.samples(cell); samples > 0) {
-                const Entry& e = m_entries[indexOf(samples)];
+                const Entry& e = m_entries[kernels::toneIndex(samples)];
                 light += e.light;
                 red += e.light * e.red;
                 green += e.light * e.green;
@@ -235,10 +230,17 @@ void ToneMap::apply(const CellSums& sums, int firstRow, int endRow, std::span<st
     const int width = sums.window().width / m_settings.cellsPerPixel;
     auto out = pixels.begin() + static_cast<std::ptrdiff_t>(firstRow) * width;
     if (m_settings.cellsPerPixel == 1 && !m_ownColours) {
-        std::size_t cell = static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(width);
+        const std::size_t begin = static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(width);
         const std::size_t end = static_cast<std::size_t>(endRow) * static_cast<std::size_t>(width);
-        for (; cell < end; ++cell)
-            *out++ = m_pixels[indexOf(sums.samples(cell))];
+        if (!sums.carried() && m_mostSamples < std::uint64_t{1} << 31) {
+            std::vector<const std::uint32_t*> counts = sums.counters();
+            for (const std::uint32_t*& pointer : counts)
+                pointer += begin;
+            kernels::mapTones(counts, end - begin, m_pixels.data(), &*out);
+            return;
+        }
+        for (std::size_t cell = begin; cell < end; ++cell)
+            *out++ = m_pixels[kernels::toneIndex(sums.samples(cell))];
         return;
     }
     for (int y = firstRow; y < endRow; ++y)

@@ -30,7 +30,8 @@ Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, in
 
 class ToneMap {
 public:
-    explicit ToneMap(const ToneSettings& settings, std::uint64_t mostSamples);
+    // No cell may hold more than `mostSamples`.
+    ToneMap(const ToneSettings& settings, std::uint64_t mostSamples);
 
     // Rows [firstRow, endRow) of the pixels, counted from the first row of the sums.
     void apply(const CellSums& sums, int firstRow, int endRow, std::span<std::uint32_t> pixels) const;
@@ -43,7 +44,6 @@ private:
         float green = 0;
         float blue = 0;
     };
-    static std::size_t indexOf(std::uint64_t samples);
     static double samplesOf(std::size_t index);
 
     Entry entry(double samples) const;
@@ -53,6 +53,7 @@ private:
 
     ToneSettings m_settings;
     bool m_ownColours; // the sums carry colours
+    std::uint64_t m_mostSamples;
     std::vector<Entry> m_entries;
     std::vector<std::uint32_t> m_pixels; // of a cell without colours that fills its pixel
     std::vector<std::uint8_t> m_codes;   // sRGB of 12 bit linear light
