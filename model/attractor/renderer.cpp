@@ -44,7 +44,7 @@ double unitInterval(std::uint64_t random) {
 }
 
 int wordsFor(std::uint64_t samples) {
-    return static_cast<int>(std::clamp<std::uint64_t>(samples / 2048, 512, 8192));
+    return static_cast<int>(std::clamp<std::uint64_t>(samples / 8192, 128, 4096));
 }
 
 // The affine map that serves for the cage: exactly its own with three vertices.
@@ -370,15 +370,8 @@ Frame Rendering::State::frame() {
     const int side = request.appearance.supersample;
     if (!exposure && request.algorithm == Algorithm::Deterministic)
         exposure = Exposure{1, 16, 1}; // an area covered once has density 1
-    if (!exposure) {
-        Exposure measured = measuredExposure(sums, request.appearance, side, samplesOverAttractor());
-        if (request.exposure && request.exposure->whitePoint > 0) {
-            measured.whitePoint = request.exposure->whitePoint;
-            measured.gain = request.exposure->gain;
-        }
-        if (!(measured.meanDensity > 0)) measured = {1, measured.whitePoint, measured.gain};
-        exposure = measured;
-    }
+    if (!exposure)
+        exposure = measuredExposure(sums, request.appearance, side, samplesOverAttractor(), request.exposure);
     result.exposure = *exposure;
     ToneSettings settings{request.appearance, side, 0, exposure->whitePoint, exposure->gain};
     if (request.algorithm == Algorithm::Deterministic)
