@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render_bridge.h"
 
+#include "attractor/cores.h"
 #include "document/fractal.h"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
 namespace view {
@@ -14,10 +14,6 @@ namespace {
 constexpr std::uint64_t fewest = 1'000'000;
 constexpr std::uint64_t most = 10'000'000; // in the first pass
 constexpr double fluid = 14;               // milliseconds for one frame of a gesture
-
-int allCores() {
-    return std::max(1, int(std::thread::hardware_concurrency()));
-}
 
 } // namespace
 
@@ -72,7 +68,7 @@ void RenderBridge::request() {
     if (m_camera.width <= 0 || m_camera.height <= 0) return;
     attractor::RenderRequest request = document::renderRequest(fractal, m_camera);
     request.revision = ++m_requested;
-    request.threads = allCores();
+    request.threads = attractor::coreCount();
     request.samples = m_live ? m_liveSamples : most;
     if (m_exposing == Exposing::Measured)
         m_measuredFrom = m_requested;

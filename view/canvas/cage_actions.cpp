@@ -49,7 +49,9 @@ Failure fitMinimalCanonicalSimplex(document::Document& document) {
     if (present.current == present.rest) {
         fractal.cage.reset();
     } else {
-        fractal.cage = ifs::redefine<2>(present, ifs::minimalCanonicalSimplex<2>(*support).vertices);
+        const double tolerance = 1e-10 * support->radius();
+        fractal.cage =
+            ifs::redefine<2>(present, ifs::minimalCanonicalSimplex<2>(*support, tolerance).vertices);
         if (!fractal.cage) return tooFlat();
     }
     document.edit(Actions::tr("Fit the minimal canonical simplex"), std::move(fractal));

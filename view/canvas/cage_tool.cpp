@@ -122,7 +122,7 @@ void CageTool::open(const CanvasPart& part, CageDrag::Mode mode, const QPointF& 
     m_drag.cage = *m_scene->cage();
     m_drag.vertices = verticesOf(part, mode, m_drag.cage.current.size());
     m_drag.pivot = m_scene->pivot();
-    m_drag.press = toWorld(m_scene->camera(), press);
+    m_drag.press = worldAt(m_scene->camera(), press);
     m_drag.snapVertex = nearestVertex(m_drag);
     QString text = tr("Move the cage");
     if (mode == CageDrag::Mode::Rotate)
@@ -146,7 +146,7 @@ void CageTool::dragTo(const Pointer& pointer) {
     const ifs::Vector<2> offset =
         m_camera == m_scene->camera()
             ? worldOffset(m_camera, pointer.position - m_press)
-            : ifs::Vector<2>(toWorld(m_scene->camera(), pointer.position) - m_drag.press);
+            : ifs::Vector<2>(worldAt(m_scene->camera(), pointer.position) - m_drag.press);
     if (m_part.kind == Kind::Rotate || m_part.kind == Kind::Scale) m_scene->holdKnobAt(pointer.position);
     preview(dragged(m_drag, offset, constraintOf(pointer.modifiers), m_scene->snapTargets(m_drag.vertices)));
 }

@@ -15,11 +15,11 @@ ifs::Vector<2> toVector(const QPointF& p) {
     return {p.x(), p.y()};
 }
 
-QPointF toPixel(const attractor::Camera& camera, const ifs::Vector<2>& world) {
+QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world) {
     return toPoint(attractor::toPixel(camera, world));
 }
 
-ifs::Vector<2> toWorld(const attractor::Camera& camera, const QPointF& pixel) {
+ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel) {
     return attractor::toWorld(camera, toVector(pixel));
 }
 
@@ -44,7 +44,7 @@ attractor::Camera deviceCamera(const attractor::Camera& view, double ratio) {
     device.pixelsPerUnit = view.pixelsPerUnit * ratio;
     // Rounding the size must not shift the picture by a part of a pixel.
     if (device.width != view.width * ratio || device.height != view.height * ratio)
-        device.centre = toWorld(view, QPointF(device.width / (2 * ratio), device.height / (2 * ratio)));
+        device.centre = worldAt(view, QPointF(device.width / (2 * ratio), device.height / (2 * ratio)));
     return device;
 }
 

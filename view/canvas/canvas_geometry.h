@@ -12,8 +12,8 @@ namespace view {
 QPointF toPoint(const ifs::Vector<2>& v);
 ifs::Vector<2> toVector(const QPointF& p);
 
-QPointF toPixel(const attractor::Camera& camera, const ifs::Vector<2>& world);
-ifs::Vector<2> toWorld(const attractor::Camera& camera, const QPointF& pixel);
+QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world);
+ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel);
 // What a motion by `pixels` is in the plane; exactly zero for no motion.
 ifs::Vector<2> worldOffset(const attractor::Camera& camera, const QPointF& pixels);
 

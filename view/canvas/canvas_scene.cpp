@@ -116,7 +116,7 @@ QPolygonF CanvasScene::cagePolygon() const {
     QPolygonF polygon;
     if (m_cage)
         for (const ifs::Vector<2>& vertex : m_cage->current)
-            polygon.append(toPixel(m_camera, vertex));
+            polygon.append(pixelOf(m_camera, vertex));
     return polygon;
 }
 
@@ -218,7 +218,7 @@ SnapTargets CanvasScene::snapTargets(const std::vector<int>& moving) const {
 
 void CanvasScene::showSnap(const std::optional<Snapped>& snap) {
     m_snap = snap;
-    m_snapMark->setSnap(snap, snap ? toPixel(m_camera, snap->point) : QPointF());
+    m_snapMark->setSnap(snap, snap ? pixelOf(m_camera, snap->point) : QPointF());
 }
 
 void CanvasScene::showRubber(const std::vector<ifs::Vector<2>>& clicked,
@@ -232,16 +232,16 @@ void CanvasScene::place() {
     const QPolygonF polygon = cagePolygon();
     m_cageItem->setPolygon(polygon);
     if (m_cage) {
-        m_gizmoLayout = gizmoLayout(polygon, toPixel(m_camera, pivot()), sceneRect());
+        m_gizmoLayout = gizmoLayout(polygon, pixelOf(m_camera, pivot()), sceneRect());
         if (m_heldKnob && m_pressed.kind == Kind::Rotate) m_gizmoLayout.rotate = *m_heldKnob;
         if (m_heldKnob && m_pressed.kind == Kind::Scale) m_gizmoLayout.scale = *m_heldKnob;
         m_gizmo->setLayout(m_gizmoLayout);
     }
     QPolygonF clicked;
     for (const ifs::Vector<2>& point : m_clicked)
-        clicked.append(toPixel(m_camera, point));
-    m_rubber->setPoints(clicked, m_rubberEnd ? std::optional(toPixel(m_camera, *m_rubberEnd)) : std::nullopt);
-    m_snapMark->setSnap(m_snap, m_snap ? toPixel(m_camera, m_snap->point) : QPointF());
+        clicked.append(pixelOf(m_camera, point));
+    m_rubber->setPoints(clicked, m_rubberEnd ? std::optional(pixelOf(m_camera, *m_rubberEnd)) : std::nullopt);
+    m_snapMark->setSnap(m_snap, m_snap ? pixelOf(m_camera, m_snap->point) : QPointF());
     mark();
     updateVisibility();
 }

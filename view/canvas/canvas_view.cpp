@@ -413,7 +413,7 @@ void CanvasView::wheelEvent(QWheelEvent* event) {
 }
 
 void CanvasView::report(const QPointF& position) {
-    PointerPosition pointer{toWorld(camera(), position), std::nullopt};
+    PointerPosition pointer{worldAt(camera(), position), std::nullopt};
     if (const auto& cage = m_scene->cage()) {
         const ifs::Simplex<2> triangle{cage->current[0], cage->current[1], cage->current[2]};
         if (ifs::isAffineBasis<2>(triangle))

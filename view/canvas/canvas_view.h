@@ -15,6 +15,8 @@
 #include <memory>
 #include <optional>
 
+class QTouchEvent;
+
 namespace view {
 
 class CageTool;

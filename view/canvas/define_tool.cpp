@@ -26,7 +26,7 @@ void DefineTool::stop() {
 
 void DefineTool::press(const Pointer& pointer) {
     constexpr double apart = 4; // pixels; a double click is not two vertices
-    const Snapped point = snapped(m_scene->snapTargets(), toWorld(m_scene->camera(), pointer.position));
+    const Snapped point = snapped(m_scene->snapTargets(), worldAt(m_scene->camera(), pointer.position));
     for (const ifs::Vector<2>& other : m_points)
         if ((point.point - other).norm() * m_scene->camera().pixelsPerUnit < apart) return;
     m_points.push_back(point.point);
@@ -49,7 +49,7 @@ void DefineTool::define() {
 }
 
 void DefineTool::move(const Pointer& pointer) {
-    const Snapped point = snapped(m_scene->snapTargets(), toWorld(m_scene->camera(), pointer.position));
+    const Snapped point = snapped(m_scene->snapTargets(), worldAt(m_scene->camera(), pointer.position));
     m_scene->showSnap(point);
     m_scene->showRubber(m_points, point.point);
 }

@@ -67,8 +67,8 @@ QRectF GridItem::boundingRect() const {
 void GridItem::paintGrid(QPainter& painter) const {
     const GridSpacing spacing = gridSpacing(m_camera.pixelsPerUnit);
     const double ratio = painter.device()->devicePixelRatioF();
-    const ifs::Vector<2> corner = view::toWorld(m_camera, QPointF(0, 0));
-    const ifs::Vector<2> opposite = view::toWorld(m_camera, QPointF(m_camera.width, m_camera.height));
+    const ifs::Vector<2> corner = worldAt(m_camera, QPointF(0, 0));
+    const ifs::Vector<2> opposite = worldAt(m_camera, QPointF(m_camera.width, m_camera.height));
     const auto draw = [&](int axis) {
         const Lines lines = linesBetween(corner[axis], opposite[axis], spacing.minor);
         for (double k = lines.first; k <= lines.last; ++k) {
@@ -91,7 +91,7 @@ void GridItem::paintGrid(QPainter& painter) const {
 
 void GridItem::paintAxes(QPainter& painter) const {
     const double ratio = painter.device()->devicePixelRatioF();
-    const QPointF origin = view::toPixel(m_camera, ifs::Vector<2>::Zero());
+    const QPointF origin = pixelOf(m_camera, ifs::Vector<2>::Zero());
     painter.setPen(QPen(m_style.axis, 1));
     if (origin.x() >= 0 && origin.x() <= m_camera.width)
         painter.drawLine(QPointF(crisp(origin.x(), ratio), 0),
@@ -107,16 +107,16 @@ void GridItem::paintLabels(QPainter& painter) const {
     painter.setPen(m_style.label);
     const QFontMetricsF metrics(painter.font());
     const GridSpacing spacing = gridSpacing(m_camera.pixelsPerUnit);
-    const ifs::Vector<2> corner = view::toWorld(m_camera, QPointF(0, 0));
-    const ifs::Vector<2> opposite = view::toWorld(m_camera, QPointF(m_camera.width, m_camera.height));
-    const QPointF origin = view::toPixel(m_camera, ifs::Vector<2>::Zero());
+    const ifs::Vector<2> corner = worldAt(m_camera, QPointF(0, 0));
+    const ifs::Vector<2> opposite = worldAt(m_camera, QPointF(m_camera.width, m_camera.height));
+    const QPointF origin = pixelOf(m_camera, ifs::Vector<2>::Zero());
     const Lines across = linesBetween(corner.x(), opposite.x(), spacing.major);
     const double baseline =
         std::clamp(origin.y() + metrics.ascent() + 3, metrics.ascent() + 3,
                    std::max(metrics.ascent() + 3, m_camera.height - metrics.descent() - 3));
     for (double k = across.first; k <= across.last; ++k)
         if (k != 0) {
-            const double x = view::toPixel(m_camera, {k * spacing.major, 0}).x();
+            const double x = pixelOf(m_camera, {k * spacing.major, 0}).x();
             painter.drawText(QPointF(x + 4, baseline), gridLabel(spacing.major, k));
         }
     const Lines along = linesBetween(corner.y(), opposite.y(), spacing.major);
@@ -125,7 +125,7 @@ void GridItem::paintLabels(QPainter& painter) const {
         const QString text = gridLabel(spacing.major, k);
         const double width = metrics.horizontalAdvance(text);
         const double x = std::clamp(origin.x() + 4, 4.0, std::max(4.0, m_camera.width - width - 4));
-        painter.drawText(QPointF(x, view::toPixel(m_camera, {0, k * spacing.major}).y() - 3), text);
+        painter.drawText(QPointF(x, pixelOf(m_camera, {0, k * spacing.major}).y() - 3), text);
     }
 }
 

@@ -83,7 +83,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<NamedAction>& actions, QWidget* par
     tree->setRootIsDecorated(false);
     tree->setSelectionMode(QAbstractItemView::NoSelection);
     addGestures(tree);
-    addActions(tree, actions);
+    view::addActions(tree, actions);
     tree->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
 
