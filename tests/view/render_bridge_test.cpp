@@ -71,7 +71,7 @@ private slots:
         document.edit(QStringLiteral("Move"), placed(document.fractal(), {0.3, 0.2}));
         QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
         QCOMPARE(bridge.frame()->exposure.whitePoint, first.whitePoint);
-        QCOMPARE(bridge.frame()->exposure.meanDensity, first.meanDensity);
+        QCOMPARE(bridge.frame()->exposure.gain, first.gain);
         document::Fractal other = document.fractal();
         document::system2(other)->maps[0].map.linear *= 0.3;
         document.edit(QStringLiteral("Shrink"), other);
