@@ -292,8 +292,9 @@ bool Picture::completePreattractor(const std::stop_token& stop) {
     return true;
 }
 
-Frame Picture::frame() {
+Frame Picture::frame(Frame reuse) {
     Frame result;
+    result.pixels = std::move(reuse.pixels);
     result.revision = request.revision;
     result.camera = request.camera;
     result.samples = drawn;

@@ -82,7 +82,7 @@ struct Picture {
     }
     void measureExposure();
     void tonePixels(std::span<std::uint32_t> pixels); // of the rows that are counted
-    Frame frame();
+    Frame frame(Frame reuse);
 };
 
 } // namespace attractor

@@ -37,9 +37,9 @@ bool Rendering::finished() const {
     return m_state->finished();
 }
 
-Frame Rendering::frame() const {
+Frame Rendering::frame(Frame reuse) const {
     if (m_state->interrupted()) m_state->complete({});
-    return m_state->frame();
+    return m_state->frame(std::move(reuse));
 }
 
 Frame render(const RenderRequest& request) {
