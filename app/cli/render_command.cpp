@@ -220,6 +220,9 @@ void reportNote(attractor::RenderNote note, const QString& fileName) {
         return reportWarning(fileName, tr("Whether the system has an attractor could not be decided."));
     case attractor::RenderNote::TooDeep:
         return reportWarning(fileName, tr("The view is smaller than the arithmetic can resolve."));
+    case attractor::RenderNote::FewerIterations:
+        return reportWarning(fileName,
+                             tr("So many iterations are more copies than can be drawn; fewer were made."));
     case attractor::RenderNote::Degenerate:
         return reportWarning(fileName, tr("The cage is flat, and so is the picture."));
     }

@@ -36,8 +36,9 @@ public:
         std::uint64_t green = 0;
         std::uint64_t blue = 0;
     };
-    std::uint64_t samples(std::size_t cell) const;
-    Sum sum(std::size_t cell) const;
+    // Row `row` of the window: one value per column, sums over all threads.
+    void samplesOfRow(int row, std::vector<std::uint64_t>& samples) const;
+    void sumsOfRow(int row, std::vector<Sum>& sums) const; // CellKind::Colour
 
 private:
     CellKind m_kind = CellKind::Count;

@@ -323,13 +323,13 @@ HWY_ATTR void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps
         iterateWith<Lookup::Gather>(lanes, tables, steps, x, y);
 }
 
-// Bits 15 … 30 of a number as float: exponent and 8 digits of the mantissa.
-constexpr std::int32_t toneBias = ((127 + 9) << 8) - static_cast<std::int32_t>(kernels::exactCounts);
+// Bits 17 … 30 of a number as float: exponent and 6 digits of the mantissa.
+constexpr std::int32_t toneBias = ((127 + 7) << 6) - static_cast<std::int32_t>(kernels::exactCounts);
 
 HWY_ATTR static HWY_INLINE IntVector toneIndices(IntVector samples) {
     const Int di;
     const IntVector steps =
-        hn::Sub(hn::ShiftRight<15>(hn::BitCast(di, hn::ConvertTo(Float(), samples))), hn::Set(di, toneBias));
+        hn::Sub(hn::ShiftRight<17>(hn::BitCast(di, hn::ConvertTo(Float(), samples))), hn::Set(di, toneBias));
     return hn::IfThenElse(hn::Lt(samples, hn::Set(di, static_cast<std::int32_t>(kernels::exactCounts))),
                           samples, steps);
 }
@@ -436,7 +436,7 @@ void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* 
 std::size_t toneIndex(std::uint64_t samples) {
     if (samples < exactCounts) return static_cast<std::size_t>(samples);
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(samples));
-    return (bits >> 15) + exactCounts - ((127 + 9) << 8);
+    return (bits >> 17) + exactCounts - ((127 + 7) << 6);
 }
 
 void mapTones(std::span<const std::uint32_t* const> counts, std::size_t size, const std::uint32_t* palette,

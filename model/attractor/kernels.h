@@ -74,8 +74,8 @@ struct ChaosTables {
 void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* x, float* y);
 
 // pixels[k] = palette[toneIndex(Σ counts[thread][k])]. The sums must stay below 2³¹.
-constexpr std::size_t exactCounts = 512;
-std::size_t toneIndex(std::uint64_t samples); // exact below 512, then 256 steps per power of two
+constexpr std::size_t exactCounts = 128;
+std::size_t toneIndex(std::uint64_t samples); // exact below 128, then 64 steps per power of two
 void mapTones(std::span<const std::uint32_t* const> counts, std::size_t size, const std::uint32_t* palette,
               std::uint32_t* pixels);
 

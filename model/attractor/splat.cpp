@@ -67,8 +67,9 @@ void splat(const Word& word, const SampleSet& samples, std::uint64_t count, cons
             counts[cellIndex(p.column, p.row, window)] += static_cast<std::uint32_t>(count);
             return;
         }
-        if (p.width <= kernels::patchCells && p.height <= kernels::patchCells &&
-            p.width * p.height <= kernels::patchCells) {
+        // Clearing and adding up the copies must stay small beside the counting itself.
+        const auto most = static_cast<int>(std::min<std::uint64_t>(count / 16, kernels::patchCells));
+        if (p.width <= most && p.height <= most && p.width * p.height <= most) {
             forEachRun(word, samples, count,
                        [&](const kernels::Run& run) { kernels::addToPatch(word, run, p, window, counts); });
             return;
