@@ -2,6 +2,7 @@
 #include "attractor/arithmetic.h"
 
 #include <bit>
+#include <initializer_list>
 
 namespace attractor {
 
@@ -23,9 +24,10 @@ double naturalLogarithm(double x) {
     // ln m = 2 artanh z, z = (m − 1)/(m + 1), |z| ≤ 0.172
     const double z = (mantissa - 1) / (mantissa + 1);
     const double square = z * z;
-    double sum = 0;
-    for (int odd = 21; odd >= 1; odd -= 2)
-        sum = sum * square + 1.0 / odd;
+    double sum = 1.0 / 21;
+    for (const double coefficient :
+         {1.0 / 19, 1.0 / 17, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0})
+        sum = sum * square + coefficient;
     return exponent * ln2High + (2 * z * sum + exponent * ln2Low);
 }
 
@@ -35,9 +37,11 @@ double exponential(double x) {
     const double turns = x / 0.6931471805599453;
     const int k = static_cast<int>(turns < 0 ? turns - 0.5 : turns + 0.5);
     const double rest = (x - k * ln2High) - k * ln2Low;
-    double sum = 1;
-    for (int n = 14; n >= 1; --n)
-        sum = 1 + sum * rest / n;
+    double sum = 1.0 / 87178291200; // 1/14!
+    for (const double coefficient :
+         {1.0 / 6227020800, 1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320,
+          1.0 / 5040, 1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 1.0 / 2, 1.0, 1.0})
+        sum = sum * rest + coefficient;
     return sum * std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
 

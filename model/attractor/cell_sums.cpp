@@ -42,30 +42,47 @@ void CellSums::carryOverCounts() {
     }
 }
 
-std::uint64_t CellSums::samples(std::size_t cell) const {
-    if (m_kind == CellKind::Colour) return sum(cell).samples;
-    std::uint64_t result = m_carriedCounts.empty() ? 0 : m_carriedCounts[cell];
+std::vector<const std::uint32_t*> CellSums::counters() const {
+    std::vector<const std::uint32_t*> result;
     for (const auto& counts : m_counts)
-        result += counts[cell];
+        result.push_back(counts.data());
     return result;
 }
 
-CellSums::Sum CellSums::sum(std::size_t cell) const {
-    Sum result;
-    for (const auto& colours : m_colours) {
-        result.samples += colours[cell].samples;
-        result.red += colours[cell].red;
-        result.green += colours[cell].green;
-        result.blue += colours[cell].blue;
-    }
-    for (const auto& carried : m_carriedColours) {
-        if (carried.empty()) continue;
-        result.samples += carried[cell].samples;
-        result.red += carried[cell].red;
-        result.green += carried[cell].green;
-        result.blue += carried[cell].blue;
-    }
-    return result;
+void CellSums::samplesOfRow(int row, std::vector<std::uint64_t>& samples) const {
+    const auto width = static_cast<std::size_t>(m_window.width);
+    const std::size_t first = static_cast<std::size_t>(row) * width;
+    samples.assign(width, 0);
+    for (const auto& counts : m_counts)
+        for (std::size_t x = 0; x < width; ++x)
+            samples[x] += counts[first + x];
+    if (!m_carriedCounts.empty())
+        for (std::size_t x = 0; x < width; ++x)
+            samples[x] += m_carriedCounts[first + x];
+    for (const auto& colours : m_colours)
+        for (std::size_t x = 0; x < width; ++x)
+            samples[x] += colours[first + x].samples;
+    for (const auto& carried : m_carriedColours)
+        for (std::size_t x = 0; x < width && !carried.empty(); ++x)
+            samples[x] += carried[first + x].samples;
+}
+
+void CellSums::sumsOfRow(int row, std::vector<Sum>& sums) const {
+    const auto width = static_cast<std::size_t>(m_window.width);
+    const std::size_t first = static_cast<std::size_t>(row) * width;
+    sums.assign(width, {});
+    const auto add = [&](const auto& cells) {
+        for (std::size_t x = 0; x < width; ++x) {
+            sums[x].samples += cells[first + x].samples;
+            sums[x].red += cells[first + x].red;
+            sums[x].green += cells[first + x].green;
+            sums[x].blue += cells[first + x].blue;
+        }
+    };
+    for (const auto& colours : m_colours)
+        add(colours);
+    for (const auto& carried : m_carriedColours)
+        if (!carried.empty()) add(carried);
 }
 
 } // namespace attractor

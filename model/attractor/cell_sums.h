@@ -26,14 +26,19 @@ public:
     void carryOverColours(std::size_t thread); // thread-safe for different threads
     void carryOverCounts();                    // all threads' counters
 
+    // Whether the 32-bit counters are all there is, and the pointers to them.
+    bool carried() const { return !m_carriedCounts.empty(); }
+    std::vector<const std::uint32_t*> counters() const;
+
     struct Sum {
         std::uint64_t samples = 0;
         std::uint64_t red = 0; // 12 bits a channel and sample
         std::uint64_t green = 0;
         std::uint64_t blue = 0;
     };
-    std::uint64_t samples(std::size_t cell) const;
-    Sum sum(std::size_t cell) const;
+    // Row `row` of the window: one value per column, sums over all threads.
+    void samplesOfRow(int row, std::vector<std::uint64_t>& samples) const;
+    void sumsOfRow(int row, std::vector<Sum>& sums) const; // CellKind::Colour
 
 private:
     CellKind m_kind = CellKind::Count;

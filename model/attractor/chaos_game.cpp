@@ -2,6 +2,7 @@
 #include "attractor/chaos_game.h"
 
 #include "attractor/arithmetic.h"
+#include "attractor/kernels.h"
 
 #include <algorithm>
 #include <array>
@@ -11,63 +12,51 @@ namespace attractor {
 
 namespace {
 
-constexpr std::size_t lanes = SampleSet::lanes;
 constexpr float escapeRadius = 1e6F; // in half boxes
 
-// The maps in box coordinates, one array per coefficient.
-struct Coefficients {
-    std::vector<float> a, b, c, d, e, f;
-};
-
-Coefficients boxCoefficients(const DrawableSystem& system) {
-    Coefficients result;
+// The maps in box coordinates, one array per coefficient (a b c d e f), as long as the alias table.
+std::array<std::vector<float>, 6> boxCoefficients(const DrawableSystem& system, std::size_t slots) {
+    std::array<std::vector<float>, 6> result;
+    for (auto& coefficient : result)
+        coefficient.assign(slots, 0);
     const double hx = system.halfExtent.x();
     const double hy = system.halfExtent.y();
-    for (const ifs::AffineMap<2>& map : system.maps) {
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const ifs::AffineMap<2>& map = system.maps[i];
         const ifs::Vector<2> shift = map(system.centre) - system.centre;
-        result.a.push_back(static_cast<float>(map.linear(0, 0)));
-        result.b.push_back(static_cast<float>(map.linear(0, 1) * hy / hx));
-        result.c.push_back(static_cast<float>(map.linear(1, 0) * hx / hy));
-        result.d.push_back(static_cast<float>(map.linear(1, 1)));
-        result.e.push_back(static_cast<float>(shift.x() / hx));
-        result.f.push_back(static_cast<float>(shift.y() / hy));
+        const std::array<double, 6> row{map.linear(0, 0),
+                                        map.linear(0, 1) * hy / hx,
+                                        map.linear(1, 0) * hx / hy,
+                                        map.linear(1, 1),
+                                        shift.x() / hx,
+                                        shift.y() / hy};
+        for (std::size_t k = 0; k < row.size(); ++k)
+            result[k][i] = static_cast<float>(row[k]);
     }
     return result;
 }
 
 // Steps after which an orbit has forgotten its start, from the mean logarithm of the contraction.
-int burnIn(const DrawableSystem& system) {
-    double logarithm = 0;
-    for (std::size_t i = 0; i < system.maps.size(); ++i)
-        logarithm += system.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(system.maps[i].linear));
-    return logarithm < 0 ? static_cast<int>(std::clamp(16 / -logarithm, 32.0, 2048.0)) : 256;
+std::size_t burnIn(const DrawableSystem& system) {
+    return system.meanLogarithm < 0
+               ? static_cast<std::size_t>(std::clamp(16 / -system.meanLogarithm, 32.0, 2048.0))
+               : 256;
 }
 
-// xoshiro128++ in every lane.
-struct Streams {
-    std::array<std::array<std::uint32_t, lanes>, 4> state;
+kernels::Lanes freshLanes(std::uint64_t seed, std::uint64_t pass) {
+    static_assert(kernels::Lanes::count == SampleSet::lanes);
+    kernels::Lanes lanes;
+    const std::uint64_t stream = mixed(mixed(seed) + pass);
+    for (std::size_t lane = 0; lane < SampleSet::lanes; ++lane)
+        for (std::size_t word = 0; word < 4; ++word)
+            lanes.random[word][lane] = static_cast<std::uint32_t>(mixed(stream + 4 * lane + word) >> 32) | 1U;
+    return lanes;
+}
 
-    Streams(std::uint64_t seed, std::uint64_t pass) {
-        const std::uint64_t stream = mixed(mixed(seed) + pass);
-        for (std::size_t lane = 0; lane < lanes; ++lane)
-            for (std::size_t word = 0; word < 4; ++word)
-                state[word][lane] = static_cast<std::uint32_t>(mixed(stream + 4 * lane + word) >> 32) | 1U;
-    }
-
-    std::uint32_t next(std::size_t lane) {
-        auto& [s0, s1, s2, s3] = state;
-        const std::uint32_t sum = s0[lane] + s3[lane];
-        const std::uint32_t result = ((sum << 7) | (sum >> 25)) + s0[lane];
-        const std::uint32_t shifted = s1[lane] << 9;
-        s2[lane] ^= s0[lane];
-        s3[lane] ^= s1[lane];
-        s1[lane] ^= s2[lane];
-        s0[lane] ^= s3[lane];
-        s2[lane] ^= shifted;
-        s3[lane] = (s3[lane] << 11) | (s3[lane] >> 21);
-        return result;
-    }
-};
+void repeatBeginning(std::vector<float>& values) {
+    std::copy_n(values.begin(), SampleSet::size, values.begin() + SampleSet::size);
+    std::copy_n(values.begin(), kernels::chunk, values.end() - kernels::chunk);
+}
 
 } // namespace
 
@@ -76,7 +65,7 @@ AliasTable::AliasTable(const std::vector<double>& probabilities) {
     while ((std::size_t{1} << m_bits) < count)
         ++m_bits;
     const std::size_t slots = std::size_t{1} << m_bits;
-    m_threshold.assign(slots, 0xffffffffU);
+    m_threshold.assign(slots, 0x7fffffffU);
     m_own.resize(slots);
     m_alias.resize(slots);
     // Vose's construction over slots, in which maps beyond the last have probability 0.
@@ -92,7 +81,7 @@ AliasTable::AliasTable(const std::vector<double>& probabilities) {
         const std::size_t poor = small.back();
         const std::size_t rich = large.back();
         small.pop_back();
-        m_threshold[poor] = static_cast<std::uint32_t>(std::min(share[poor] * 0x1p32, 4294967295.0));
+        m_threshold[poor] = static_cast<std::uint32_t>(std::clamp(share[poor] * 0x1p31, 0.0, 2147483647.0));
         m_alias[poor] = static_cast<std::uint32_t>(rich);
         share[rich] -= 1 - share[poor];
         if (share[rich] < 1) {
@@ -109,32 +98,30 @@ AliasTable::AliasTable(const std::vector<double>& probabilities) {
 }
 
 void drawSamples(const DrawableSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples) {
-    samples.x.resize(2 * SampleSet::size);
-    samples.y.resize(2 * SampleSet::size);
-    const Coefficients map = boxCoefficients(system);
+    samples.x.resize(2 * SampleSet::size + kernels::chunk);
+    samples.y.resize(2 * SampleSet::size + kernels::chunk);
     const AliasTable table(system.probabilities);
-    Streams streams(seed, pass);
-    std::array<float, lanes> x{};
-    std::array<float, lanes> y{};
-    const int skip = burnIn(system);
-    const int steps = skip + static_cast<int>(SampleSet::size / lanes);
-    for (int step = 0; step < steps; ++step) {
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const std::uint32_t i = table.draw(streams.next(lane));
-            const float nextX = map.a[i] * x[lane] + map.b[i] * y[lane] + map.e[i];
-            const float nextY = map.c[i] * x[lane] + map.d[i] * y[lane] + map.f[i];
-            const bool inside = std::abs(nextX) < escapeRadius && std::abs(nextY) < escapeRadius;
-            x[lane] = inside ? nextX : 0;
-            y[lane] = inside ? nextY : 0;
-        }
-        if (step >= skip) {
-            const auto at = static_cast<std::ptrdiff_t>(step - skip) * static_cast<std::ptrdiff_t>(lanes);
-            std::copy(x.begin(), x.end(), samples.x.begin() + at);
-            std::copy(y.begin(), y.end(), samples.y.begin() + at);
-        }
-    }
-    std::copy_n(samples.x.begin(), SampleSet::size, samples.x.begin() + SampleSet::size);
-    std::copy_n(samples.y.begin(), SampleSet::size, samples.y.begin() + SampleSet::size);
+    const auto coefficients = boxCoefficients(system, table.own().size());
+    kernels::ChaosTables tables;
+    tables.bits = table.bits();
+    tables.maps = system.maps.size();
+    tables.threshold = table.thresholds().data();
+    tables.own = table.own().data();
+    tables.alias = table.aliases().data();
+    for (std::size_t k = 0; k < coefficients.size(); ++k)
+        tables.coefficients[k] = coefficients[k].data();
+    tables.escapeRadius = escapeRadius;
+    kernels::Lanes lanes = freshLanes(seed, pass);
+    kernels::iterate(lanes, tables, burnIn(system), nullptr, nullptr);
+    kernels::iterate(lanes, tables, SampleSet::size / SampleSet::lanes, samples.x.data(), samples.y.data());
+    repeatBeginning(samples.x);
+    repeatBeginning(samples.y);
+    const auto [lowX, highX] = std::minmax_element(samples.x.begin(), samples.x.end());
+    const auto [lowY, highY] = std::minmax_element(samples.y.begin(), samples.y.end());
+    samples.lowX = *lowX;
+    samples.highX = *highX;
+    samples.lowY = *lowY;
+    samples.highY = *highY;
 }
 
 Orbit::Orbit(const DrawableSystem& system, std::uint64_t seed)

@@ -18,8 +18,9 @@ public:
     int bits() const { return m_bits; }
     std::uint32_t draw(std::uint32_t random) const {
         const std::uint32_t slot = random >> (32 - m_bits);
-        return (random << m_bits) < m_threshold[slot] ? m_own[slot] : m_alias[slot];
+        return ((random << m_bits) >> 1) < m_threshold[slot] ? m_own[slot] : m_alias[slot];
     }
+    // One entry per slot; thresholds have 31 bits.
     const std::vector<std::uint32_t>& thresholds() const { return m_threshold; }
     const std::vector<std::uint32_t>& own() const { return m_own; }
     const std::vector<std::uint32_t>& aliases() const { return m_alias; }
@@ -38,6 +39,7 @@ struct SampleSet {
     static constexpr std::size_t size = 16384;
     std::vector<float> x;
     std::vector<float> y;
+    float lowX = 0, highX = 0, lowY = 0, highY = 0; // extremes
 };
 
 // 64 orbits that have forgotten their start, with streams of their own for every (seed, pass). The same bits

@@ -2,6 +2,7 @@
 #include "attractor/drawable_system.h"
 
 #include "attractor/arithmetic.h"
+#include "ifs/attractor_existence.h"
 
 #include <algorithm>
 #include <array>
@@ -91,7 +92,7 @@ double grow(Enclosure::Values& h, const std::vector<SupportStep>& steps, int rou
             h[j] = best;
             size = std::max(size, best);
         }
-        if (!(growth > 1e-5 * size)) return 0;
+        if (!(growth > 1e-4 * size)) return 0;
         growth /= size;
     }
     return growth;
@@ -122,10 +123,13 @@ Enclosure::Values pilotExtent(const std::vector<ifs::AffineMap<2>>& centred,
     for (const ifs::AffineMap<2>& map : centred)
         reach = std::max(reach, map.translation.cwiseAbs().maxCoeff());
     const double farAway = 1e3 * reach;
+    std::array<Vector<2>, Enclosure::count> directions;
+    for (std::size_t j = 0; j < directions.size(); ++j)
+        directions[j] = Enclosure::direction(static_cast<int>(j));
     Enclosure::Values h{};
     Vector<2> x = Vector<2>::Zero();
     std::uint64_t state = 1;
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < 1500; ++n) {
         double u = static_cast<double>(mixed(++state) >> 11) * 0x1p-53;
         std::size_t i = 0;
         while (i + 1 < probabilities.size() && u >= probabilities[i])
@@ -134,7 +138,7 @@ Enclosure::Values pilotExtent(const std::vector<ifs::AffineMap<2>>& centred,
         if (!(x.cwiseAbs().maxCoeff() <= farAway)) x = Vector<2>::Zero();
         if (n < 100) continue;
         for (std::size_t j = 0; j < h.size(); ++j)
-            h[j] = std::max(h[j], Enclosure::direction(static_cast<int>(j)).dot(x));
+            h[j] = std::max(h[j], directions[j].dot(x));
     }
     return h;
 }
@@ -165,9 +169,16 @@ void placeBox(DrawableSystem& system) {
 }
 
 RenderNote existenceNote(const std::vector<ifs::AffineMap<2>>& maps) {
-    for (const ifs::AffineMap<2>& map : maps)
-        if (!(ifs::spectralNorm<2>(map.linear) < 1)) return RenderNote::Undecided;
-    return RenderNote::None;
+    switch (ifs::classify<2>(maps, 2000).verdict) {
+    case ifs::Verdict::None:
+        return RenderNote::NoAttractor;
+    case ifs::Verdict::Undecided:
+        return RenderNote::Undecided;
+    case ifs::Verdict::Empty:
+        return RenderNote::NoMaps;
+    default:
+        return RenderNote::None;
+    }
 }
 
 } // namespace
@@ -189,6 +200,9 @@ DrawableSystem drawable(const ifs::IteratedFunctionSystem<2>& system) {
     }
     for (double& p : result.probabilities)
         p /= total;
+    for (std::size_t i = 0; i < result.maps.size(); ++i)
+        result.meanLogarithm +=
+            result.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(result.maps[i].linear));
     result.note = existenceNote(result.maps);
     placeBox(result);
     return result;

@@ -2,21 +2,36 @@
 #include "attractor/tone_map.h"
 
 #include "attractor/arithmetic.h"
+#include "attractor/kernels.h"
 #include "attractor/linear_light.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <functional>
 
 namespace attractor {
 
 namespace {
 
-constexpr std::size_t exactCounts = 512;
-constexpr double fullColour = 4095; // 12 bits a channel
+constexpr double fullColour = 4095;       // 12 bits a channel
+constexpr double smallestWhitePoint = 4;  // an even measure is shown below the brightest tone
+constexpr double sampledPixels = 200'000; // enough for a mean
+constexpr std::size_t rampSize = 512;
 
-// How many of the pixels would be occupied if only a share q of the samples had been drawn: rarefaction,
-// which makes occupancy independent of the number of samples.
+// Middle of the counts that share a place in a tone table.
+double samplesOf(std::size_t index) {
+    if (index < kernels::exactCounts) return static_cast<double>(index);
+    const std::size_t step = index - kernels::exactCounts;
+    const auto octave = static_cast<double>(std::uint64_t{1} << std::min<std::size_t>(step / 64 + 1, 63));
+    return (64.5 + static_cast<double>(step % 64)) * octave;
+}
+
+std::size_t tableSize(std::uint64_t mostSamples) {
+    return kernels::toneIndex(mostSamples) + 1;
+}
+
+// How many pixels would be occupied if only a share q of the samples had been drawn: rarefaction, which makes
+// occupancy independent of the number of samples.
 class Rarefied {
 public:
     explicit Rarefied(double q) {
@@ -31,63 +46,136 @@ public:
     }
 
 private:
-    std::array<double, 4096> m_seen{};
+    std::array<double, 2048> m_seen{};
 };
 
-// Samples per block of `side` × `side` cells, rows of blocks from the top.
-struct Blocks {
-    std::vector<std::uint64_t> samples;
+// Calls work(samples per block) for rows of blocks of side × side cells; only those rows that `wanted` picks.
+template <class Wanted, class Work>
+void forBlockRows(const CellSums& sums, int side, Wanted wanted, Work work) {
+    const int height = sums.window().endRow - sums.window().firstRow;
+    const auto width = static_cast<std::size_t>(sums.window().width);
+    const auto step = static_cast<std::size_t>(side);
+    std::vector<std::uint64_t> cells;
+    std::vector<std::uint64_t> blocks((width + step - 1) / step);
+    for (int row = 0; row * side < height; ++row) {
+        if (!wanted(row)) continue;
+        std::fill(blocks.begin(), blocks.end(), 0U);
+        for (int y = row * side; y < std::min(height, (row + 1) * side); ++y) {
+            sums.samplesOfRow(y, cells);
+            for (std::size_t block = 0, x = 0; block < blocks.size(); ++block)
+                for (const std::size_t end = std::min(width, x + step); x < end; ++x)
+                    blocks[block] += cells[x];
+        }
+        work(blocks);
+    }
+}
+
+struct Occupancy {
+    double samples = 0;
+    double blocks = 0; // occupied, at the reference number of samples
 };
 
-Blocks blocks(const CellSums& sums, int side) {
-    const CellWindow& window = sums.window();
-    const int columns = (window.width + side - 1) / side;
-    const int rows = (window.endRow - window.firstRow + side - 1) / side;
-    Blocks result;
-    result.samples.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
-    std::size_t cell = 0;
-    for (int y = 0; y < window.endRow - window.firstRow; ++y) {
-        std::uint64_t* row =
-            result.samples.data() + static_cast<std::size_t>(y / side) * static_cast<std::size_t>(columns);
-        for (int x = 0; x < window.width; ++x)
-            row[x / side] += sums.samples(cell++);
+Occupancy occupancy(const std::vector<std::uint64_t>& blocks, double referenceShare) {
+    Occupancy result;
+    const Rarefied seen(std::min(1.0, referenceShare));
+    for (const std::uint64_t samples : blocks) {
+        result.samples += static_cast<double>(samples);
+        result.blocks += seen(samples);
     }
     return result;
 }
 
-struct Occupancy {
-    double total = 0;  // samples in the picture
-    double blocks = 0; // occupied, at the reference number of samples
-};
+double total(const std::vector<std::uint64_t>& values) {
+    double sum = 0;
+    for (const std::uint64_t value : values)
+        sum += static_cast<double>(value);
+    return sum;
+}
 
-Occupancy occupancy(const Blocks& blocks, double referenceSamples) {
-    Occupancy result;
-    for (const std::uint64_t samples : blocks.samples)
-        result.total += static_cast<double>(samples);
-    if (!(result.total > 0)) return result;
-    const Rarefied seen(std::min(1.0, referenceSamples / result.total));
-    for (const std::uint64_t samples : blocks.samples)
-        if (samples > 0) result.blocks += seen(samples);
+// Pixels of about one row in `stride`; which ones is fixed, but without a rhythm that a fractal could share.
+std::vector<std::uint64_t> pixelSamples(const CellSums& sums, int cellsPerPixel, std::uint64_t stride) {
+    std::vector<std::uint64_t> result;
+    forBlockRows(
+        sums, cellsPerPixel,
+        [stride](int row) { return mixed(static_cast<std::uint64_t>(row)) % stride == 0; },
+        [&](const std::vector<std::uint64_t>& pixels) {
+            result.insert(result.end(), pixels.begin(), pixels.end());
+        });
     return result;
 }
 
 // The 99.5 percentile relative to the mean, over blocks large enough that the noise of few samples is no part
 // of it.
-double whitePointOf(const CellSums& sums, int cellsPerPixel, double pixels, const Occupancy& perPixel,
-                    double referenceSamples) {
+double whitePointOf(const CellSums& sums, int cellsPerPixel, double referencePerPixel,
+                    double referenceShare) {
     int side = 1;
-    while (side < 16 && referenceSamples * side * side / perPixel.blocks < 64)
+    while (side < 16 && referencePerPixel * side * side < 64)
         side *= 2;
-    Blocks large = blocks(sums, side * cellsPerPixel);
-    const Occupancy occupied = occupancy(large, std::min(referenceSamples, pixels));
-    const auto rank = static_cast<std::size_t>(0.005 * occupied.blocks);
-    const auto nth =
-        large.samples.begin() + static_cast<std::ptrdiff_t>(std::min(rank, large.samples.size() - 1));
-    std::nth_element(large.samples.begin(), nth, large.samples.end(), std::greater<>());
-    return static_cast<double>(*nth) * occupied.blocks / occupied.total;
+    std::vector<std::uint64_t> blocks;
+    forBlockRows(
+        sums, side * cellsPerPixel, [](int) { return true; },
+        [&](const std::vector<std::uint64_t>& row) { blocks.insert(blocks.end(), row.begin(), row.end()); });
+    const Occupancy occupied = occupancy(blocks, referenceShare);
+    const auto rank = std::min(static_cast<std::size_t>(0.005 * occupied.blocks), blocks.size() - 1);
+    const auto nth = blocks.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(blocks.begin(), nth, blocks.end(), std::greater<>());
+    return std::max(smallestWhitePoint, static_cast<double>(*nth) * occupied.blocks / occupied.samples);
 }
 
-constexpr double smallestWhitePoint = 4; // an even measure is shown below the brightest tone
+std::vector<double> lightTable(const Appearance& look, double whitePoint, double densityPerSample,
+                               std::uint64_t mostSamples) {
+    std::vector<double> table(tableSize(mostSamples));
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = i == 0 ? 0
+                          : linearFromEncoded(tone(samplesOf(i) * densityPerSample, look.brightness,
+                                                   whitePoint, look.gamma));
+    return table;
+}
+
+// Averaging light over the cells of a pixel dims what is thinner than a pixel; the gain restores the mean.
+double gainOf(const CellSums& sums, const Appearance& look, int cellsPerPixel, double whitePoint,
+              double densityPerSample, const std::vector<std::uint64_t>& pixels, std::uint64_t stride) {
+    const std::uint64_t most = *std::max_element(pixels.begin(), pixels.end());
+    const double area = cellsPerPixel * cellsPerPixel;
+    const auto whole = lightTable(look, whitePoint, densityPerSample, most);
+    const auto split = lightTable(look, whitePoint, densityPerSample * area, most);
+    double wanted = 0;
+    for (const std::uint64_t samples : pixels)
+        wanted += whole[kernels::toneIndex(samples)];
+    double found = 0;
+    std::vector<std::uint64_t> cells;
+    for (int row = 0; row < sums.window().endRow - sums.window().firstRow; ++row) {
+        if (mixed(static_cast<std::uint64_t>(row / cellsPerPixel)) % stride != 0) continue;
+        sums.samplesOfRow(row, cells);
+        for (const std::uint64_t samples : cells)
+            found += split[kernels::toneIndex(samples)];
+    }
+    return found > 0 ? std::clamp(wanted * area / found, 1.0, static_cast<double>(cellsPerPixel)) : 1;
+}
+
+const std::vector<std::uint8_t>& codes() { // sRGB of 12 bit linear light
+    static const std::vector<std::uint8_t> table = [] {
+        std::vector<std::uint8_t> values(4096);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = encoded(static_cast<double>(i) / fullColour);
+        return values;
+    }();
+    return table;
+}
+
+const std::vector<float>& alphas() { // the same as a fraction
+    static const std::vector<float> table = [] {
+        std::vector<float> values(4096);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = static_cast<float>(encodedFromLinear(static_cast<double>(i) / fullColour));
+        return values;
+    }();
+    return table;
+}
+
+std::size_t twelveBits(double light) {
+    return static_cast<std::size_t>(std::clamp(light, 0.0, 1.0) * fullColour + 0.5);
+}
 
 } // namespace
 
@@ -98,62 +186,51 @@ double tone(double density, double brightness, double whitePoint, double gamma) 
 }
 
 Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, int cellsPerPixel,
-                          double samples) {
-    const Blocks perPixel = blocks(sums, cellsPerPixel);
-    const auto pixels = static_cast<double>(perPixel.samples.size());
-    const double referenceSamples = pixels / 2;
-    const Occupancy occupied = occupancy(perPixel, referenceSamples);
-    Exposure exposure;
-    if (!(occupied.total > 0) || !(samples > 0)) return {0, smallestWhitePoint, 1};
-    exposure.meanDensity = occupied.total / occupied.blocks / samples;
-    exposure.whitePoint =
-        std::max(smallestWhitePoint, whitePointOf(sums, cellsPerPixel, pixels, occupied, referenceSamples));
-    if (cellsPerPixel == 1) return exposure;
-    // Averaging light over cells dims what is thinner than a pixel; the gain restores the mean.
-    const auto light = [&](double density) {
-        return linearFromEncoded(tone(density, appearance.brightness, exposure.whitePoint, appearance.gamma));
-    };
-    const double perSample = 1 / (samples * exposure.meanDensity);
-    const double area = cellsPerPixel * cellsPerPixel;
-    double whole = 0;
-    for (const std::uint64_t count : perPixel.samples)
-        whole += count > 0 ? light(static_cast<double>(count) * perSample) : 0;
-    double split = 0;
-    for (std::size_t cell = 0; cell < sums.window().cells(); ++cell)
-        if (const std::uint64_t count = sums.samples(cell); count > 0)
-            split += light(static_cast<double>(count) * perSample * area) / area;
-    exposure.gain = split > 0 ? std::clamp(whole / split, 1.0, static_cast<double>(cellsPerPixel)) : 1;
+                          double samples, const std::optional<Exposure>& kept) {
+    const CellWindow& window = sums.window();
+    const double pixelCount = static_cast<double>(window.cells()) / (cellsPerPixel * cellsPerPixel);
+    auto stride = static_cast<std::uint64_t>(std::max(1.0, pixelCount / sampledPixels));
+    std::vector<std::uint64_t> pixels = pixelSamples(sums, cellsPerPixel, stride);
+    double found = total(pixels);
+    if (!(found > 0) && stride > 1) {
+        stride = 1;
+        pixels = pixelSamples(sums, cellsPerPixel, stride);
+        found = total(pixels);
+    }
+    Exposure exposure = kept && kept->whitePoint > 0 ? *kept : Exposure{0, 0, 1};
+    if (!(found > 0) || !(samples > 0))
+        return {1, std::max(smallestWhitePoint, exposure.whitePoint), exposure.gain};
+    const double referenceShare = 0.5 * static_cast<double>(pixels.size()) / found;
+    const Occupancy occupied = occupancy(pixels, referenceShare);
+    exposure.meanDensity = found / occupied.blocks / samples;
+    if (exposure.whitePoint > 0) return exposure;
+    const double referencePerPixel = std::min(1.0, referenceShare) * found / occupied.blocks;
+    exposure.whitePoint = whitePointOf(sums, cellsPerPixel, referencePerPixel, referenceShare);
+    if (cellsPerPixel > 1)
+        exposure.gain = gainOf(sums, appearance, cellsPerPixel, exposure.whitePoint, occupied.blocks / found,
+                               pixels, stride);
     return exposure;
-}
-
-std::size_t ToneMap::indexOf(std::uint64_t samples) {
-    if (samples < exactCounts) return static_cast<std::size_t>(samples);
-    const int exponent = std::bit_width(samples) - 1; // ≥ 9
-    return exactCounts + static_cast<std::size_t>(exponent - 9) * 256 + ((samples >> (exponent - 8)) & 255U);
-}
-
-double ToneMap::samplesOf(std::size_t index) {
-    if (index < exactCounts) return static_cast<double>(index);
-    const std::size_t step = index - exactCounts;
-    const auto exponent = static_cast<int>(step / 256) + 9;
-    return std::ldexp(256.5 + static_cast<double>(step % 256), exponent - 8);
 }
 
 ToneMap::ToneMap(const ToneSettings& settings, std::uint64_t mostSamples)
     : m_settings(settings),
       m_ownColours(settings.appearance.colourBy == ColourBy::Map ||
-                   settings.appearance.colourBy == ColourBy::Address) {
-    const Rgba& ground = settings.appearance.background;
-    m_background = {static_cast<double>(ground.red), static_cast<double>(ground.green),
-                    static_cast<double>(ground.blue)};
-    m_codes.resize(4096);
-    for (std::size_t i = 0; i < m_codes.size(); ++i)
-        m_codes[i] = encoded(static_cast<double>(i) / fullColour);
-    m_entries.resize(indexOf(mostSamples) + 1);
+                   settings.appearance.colourBy == ColourBy::Address),
+      m_mostSamples(mostSamples) {
+    const Appearance& look = m_settings.appearance;
+    if (look.colourBy == ColourBy::Plain)
+        m_ramp.push_back(look.plain);
+    else if (look.colourBy == ColourBy::Density)
+        for (std::size_t i = 0; i < rampSize; ++i)
+            m_ramp.push_back(colourAt(look.palette, static_cast<double>(i) / (rampSize - 1)));
+    else
+        m_ramp.push_back({});
+    m_entries.resize(tableSize(mostSamples));
     m_pixels.resize(m_entries.size());
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
-        m_entries[i] = entry(samplesOf(i));
-        m_pixels[i] = plainPixel(m_entries[i]);
+        const Entry& e = m_entries[i] = entry(samplesOf(i));
+        m_pixels[i] = pixel(e.alpha, codes()[twelveBits(e.red)], codes()[twelveBits(e.green)],
+                            codes()[twelveBits(e.blue)]);
     }
 }
 
@@ -163,7 +240,7 @@ ToneMap::Entry ToneMap::entry(double samples) const {
     if (!(samples > 0)) return result;
     const double v =
         tone(samples * m_settings.densityPerSample, look.brightness, m_settings.whitePoint, look.gamma);
-    const Rgba colour = look.colourBy == ColourBy::Plain ? look.plain : colourAt(look.palette, v);
+    const Rgba& colour = m_ramp[static_cast<std::size_t>(v * static_cast<double>(m_ramp.size() - 1) + 0.5)];
     result.alpha = static_cast<float>(v * (colour.alpha / 255.0));
     result.light = static_cast<float>(linearFromEncoded(result.alpha));
     result.red = static_cast<float>(linearLight(colour.red));
@@ -172,78 +249,89 @@ ToneMap::Entry ToneMap::entry(double samples) const {
     return result;
 }
 
-std::uint32_t ToneMap::plainPixel(const Entry& e) const {
-    return pixel(e.alpha, encoded(e.red), encoded(e.green), encoded(e.blue));
-}
-
 // Composited as every viewer composites: in code values, so that a transparent picture laid over the
 // background gives the same pixels as one drawn on it.
 std::uint32_t ToneMap::pixel(double alpha, double red, double green, double blue) const {
-    const double behind = (1 - alpha) * (m_settings.appearance.background.alpha / 255.0);
+    const Rgba& ground = m_settings.appearance.background;
+    const double behind = (1 - alpha) * (ground.alpha / 255.0);
     const auto channel = [](double value) {
         return static_cast<std::uint32_t>(std::clamp(value + 0.5, 0.0, 255.0));
     };
     const std::uint32_t a = channel(255 * (alpha + behind));
-    const auto composed = [&](double front, double ground) {
-        return std::min(a, channel(alpha * front + behind * ground));
+    const auto composed = [&](double front, double back) {
+        return std::min(a, channel(alpha * front + behind * back));
     };
-    return a << 24 | composed(red, m_background[0]) << 16 | composed(green, m_background[1]) << 8 |
-           composed(blue, m_background[2]);
+    return a << 24 | composed(red, ground.red) << 16 | composed(green, ground.green) << 8 |
+           composed(blue, ground.blue);
 }
 
-std::uint32_t ToneMap::averagedPixel(const CellSums& sums, int x, int y) const {
+std::uint32_t ToneMap::pixel(const Light& light) const {
+    if (!(light.weight > 0)) return m_pixels[0];
     const int side = m_settings.cellsPerPixel;
-    double light = 0;
-    double red = 0;
-    double green = 0;
-    double blue = 0;
-    for (int j = 0; j < side; ++j) {
-        std::size_t cell =
-            static_cast<std::size_t>(y * side + j) * static_cast<std::size_t>(sums.window().width) +
-            static_cast<std::size_t>(x * side);
-        for (int i = 0; i < side; ++i, ++cell) {
-            if (m_ownColours) {
-                const CellSums::Sum sum = sums.sum(cell);
-                if (sum.samples == 0) continue;
-                const double weight = m_entries[indexOf(sum.samples)].light;
-                const double share = weight / (static_cast<double>(sum.samples) * fullColour);
-                light += weight;
-                red += share * static_cast<double>(sum.red);
-                green += share * static_cast<double>(sum.green);
-                blue += share * static_cast<double>(sum.blue);
-            } else if (const std::uint64_t samples = sums.samples(cell); samples > 0) {
-                const Entry& e = m_entries[indexOf(samples)];
-                light += e.light;
-                red += e.light * e.red;
-                green += e.light * e.green;
-                blue += e.light * e.blue;
-            }
-        }
-    }
-    if (!(light > 0)) return m_pixels[0];
+    const double alpha = side == 1 ? static_cast<double>(light.alpha)
+                                   : alphas()[twelveBits(m_settings.gain * light.weight / (side * side))];
     const auto code = [&](double sum) {
-        return static_cast<double>(
-            m_codes[static_cast<std::size_t>(std::min(1.0, sum / light) * fullColour + 0.5)]);
+        return static_cast<double>(codes()[twelveBits(sum / light.weight)]);
     };
-    const double alpha = side == 1
-                             ? encodedFromLinear(light)
-                             : encodedFromLinear(std::min(1.0, m_settings.gain * light / (side * side)));
-    return pixel(std::min(alpha, 1.0), code(red), code(green), code(blue));
+    return pixel(alpha, code(light.red), code(light.green), code(light.blue));
+}
+
+void ToneMap::addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const {
+    const auto side = static_cast<std::size_t>(m_settings.cellsPerPixel);
+    std::vector<std::uint64_t> cells;
+    sums.samplesOfRow(row, cells);
+    for (std::size_t x = 0; x < lights.size() * side; ++x) {
+        if (cells[x] == 0) continue;
+        const Entry& e = m_entries[kernels::toneIndex(cells[x])];
+        Light& light = lights[x / side];
+        light.weight += e.light;
+        light.red += e.light * e.red;
+        light.green += e.light * e.green;
+        light.blue += e.light * e.blue;
+        light.alpha = e.alpha;
+    }
+}
+
+void ToneMap::addColours(const CellSums& sums, int row, std::vector<Light>& lights) const {
+    const auto side = static_cast<std::size_t>(m_settings.cellsPerPixel);
+    std::vector<CellSums::Sum> cells;
+    sums.sumsOfRow(row, cells);
+    for (std::size_t x = 0; x < lights.size() * side; ++x) {
+        const CellSums::Sum& sum = cells[x];
+        if (sum.samples == 0) continue;
+        const Entry& e = m_entries[kernels::toneIndex(sum.samples)];
+        const double share = e.light / (static_cast<double>(sum.samples) * fullColour);
+        Light& light = lights[x / side];
+        light.weight += e.light;
+        light.red += share * static_cast<double>(sum.red);
+        light.green += share * static_cast<double>(sum.green);
+        light.blue += share * static_cast<double>(sum.blue);
+        light.alpha = e.alpha;
+    }
 }
 
 void ToneMap::apply(const CellSums& sums, int firstRow, int endRow, std::span<std::uint32_t> pixels) const {
-    const int width = sums.window().width / m_settings.cellsPerPixel;
-    auto out = pixels.begin() + static_cast<std::ptrdiff_t>(firstRow) * width;
-    if (m_settings.cellsPerPixel == 1 && !m_ownColours) {
-        std::size_t cell = static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(width);
-        const std::size_t end = static_cast<std::size_t>(endRow) * static_cast<std::size_t>(width);
-        for (; cell < end; ++cell)
-            *out++ = m_pixels[indexOf(sums.samples(cell))];
+    const int side = m_settings.cellsPerPixel;
+    const auto width = static_cast<std::size_t>(sums.window().width / side);
+    const std::size_t begin = static_cast<std::size_t>(firstRow) * width;
+    const std::size_t end = static_cast<std::size_t>(endRow) * width;
+    const bool small = m_mostSamples < std::uint64_t{1} << 31;
+    if (side == 1 && !m_ownColours && !sums.carried() && small && begin < end) {
+        std::vector<const std::uint32_t*> counts = sums.counters();
+        for (const std::uint32_t*& pointer : counts)
+            pointer += begin;
+        kernels::mapTones(counts, end - begin, m_pixels.data(), pixels.data() + begin);
         return;
     }
-    for (int y = firstRow; y < endRow; ++y)
-        for (int x = 0; x < width; ++x)
-            *out++ = averagedPixel(sums, x, y);
+    std::vector<Light> lights;
+    auto out = pixels.begin() + static_cast<std::ptrdiff_t>(begin);
+    for (int y = firstRow; y < endRow; ++y) {
+        lights.assign(width, {});
+        for (int row = y * side; row < (y + 1) * side; ++row)
+            m_ownColours ? addColours(sums, row, lights) : addCounts(sums, row, lights);
+        for (const Light& light : lights)
+            *out++ = pixel(light);
+    }
 }
 
 } // namespace attractor

@@ -45,7 +45,7 @@ bool isSame(const std::shared_ptr<const Fractal>& a, const std::shared_ptr<const
 
 // Whether anything but the entry `except` differs.
 bool entriesDiffer(const FractalFile& a, const FractalFile& b, EntryId except) {
-    return a.tail != b.tail || a.lineEnd != b.lineEnd ||
+    return a.head != b.head || a.tail != b.tail || a.lineEnd != b.lineEnd ||
            !std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
                        [&](const Entry& x, const Entry& y) {
                            return x.id == y.id && x.source == y.source &&

@@ -43,7 +43,8 @@ bool operator==(const Entry& a, const Entry& b) {
 }
 
 bool operator==(const FractalFile& a, const FractalFile& b) {
-    return a.entries == b.entries && a.tail == b.tail && a.lineEnd == b.lineEnd && a.problems == b.problems;
+    return a.entries == b.entries && a.head == b.head && a.tail == b.tail && a.lineEnd == b.lineEnd &&
+           a.problems == b.problems;
 }
 
 EntryId freshId(const FractalFile& file) {

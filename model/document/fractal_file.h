@@ -21,7 +21,8 @@ struct EntrySource {
     QByteArray
         text; // from the name to the closing brace and the rest of that line where it belongs to the entry
     Fractal fractal;
-    int line = 1; // of the name, 1-based
+    int line = 1;              // of the name, 1-based
+    QByteArray lineEnd = "\n"; // that its new lines get
 };
 
 struct Entry {
@@ -35,6 +36,8 @@ struct Entry {
 
 // An ordered file of entries: a plain value, cheap to copy.
 struct FractalFile {
+    QByteArray
+        head; // before the first entry's own comments: byte order mark, title; stays first whatever is moved
     QList<Entry> entries;
     QByteArray tail; // after the last entry: comments, ^Z
     QByteArray lineEnd = "\n";

@@ -18,19 +18,21 @@ enum class Verdict {
 
 struct Existence {
     Verdict verdict = Verdict::Undecided;
-    // Hyperbolic: s = max ‖A_i‖. EventuallyContractive: γ = (max ‖A_σ‖ over |σ| = wordLength)^(1/wordLength).
-    // Undecided: the smallest such γ found (≥ 1). None: ρ(A_σ)^(1/|σ|) ≥ 1 of the witness.
+    // Hyperbolic: s = max ‖A_i‖. EventuallyContractive: γ = (max ‖A_σ‖ over |σ| = wordLength)^(1/wordLength),
+    // at least 1e-3; or, with wordLength 1, max ‖A_i‖ in an ellipsoidal norm. Undecided: the smallest γ found
+    // (≥ 1). None: ρ(A_σ)^(1/|σ|) ≥ 1 of the witness, to 1e-12.
     double contractivity = 0;
     int wordLength = 1;
     // None: a word (indices into the maps, outermost first) whose spectral radius is at least 1.
     // Hyperbolic and EventuallyContractive: a word of wordLength with the largest norm.
-    std::vector<int> witness;
+    std::vector<int> witness{};
     // C with |x| ≤ ‖x‖_* ≤ C|x|, where every map contracts by `contractivity` in ‖·‖_*; 1 when Hyperbolic.
     double normEquivalence = 1;
 };
 
-// Whether the maps have an attractor, with the certificate of it. At most `maxProducts` matrix products are
-// formed. docs/mathematics.md, "When does a system have an attractor?"
+// Whether the maps have an attractor, with the certificate of it. At most `maxProducts` words are multiplied
+// out. Maps with a coefficient that is no finite number are Undecided. docs/mathematics.md, "When does a
+// system have an attractor?"
 template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int maxProducts = 20'000);
 
 } // namespace ifs

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 // Certified extents of an attractor, from h_A(u) = max over x in A of ⟨u,x⟩ by branch and bound over
@@ -37,15 +38,24 @@ public:
     double radius() const { return m_radius; }
     const std::vector<AffineMap<Dim>>& maps() const { return m_maps; }
 
+    // max ‖A_i‖_* < 1 and C with |x| ≤ ‖x‖_* ≤ C|x|, as classify() found them.
+    double contractivity() const { return m_contractivity; }
+    double normEquivalence() const { return m_normEquivalence; }
+
+    // What rounding may have cost a support value at |u| = 1, over addresses of that many symbols.
+    double roundingError(int depth) const;
+
 private:
     SupportFunction() = default;
+    Vector<Dim> follow(const std::vector<int>& address) const;
 
     std::vector<AffineMap<Dim>> m_maps;
     Vector<Dim> m_centre = Vector<Dim>::Zero();
     double m_radius = 0;
-    Vector<Dim> m_anchor = Vector<Dim>::Zero(); // a fixed point, so a point of the attractor
-    struct Table;
-    std::shared_ptr<const Table> m_table;
+    double m_contractivity = 0;
+    double m_normEquivalence = 1;
+    struct Container;
+    std::shared_ptr<const Container> m_container;
 };
 
 template <int Dim> struct BoundingBox {
@@ -67,7 +77,8 @@ template <int Dim> struct CanonicalSimplex {
 };
 template <int Dim>
 CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
-                                       const Orientation<Dim>& orientation, double tolerance = 0);
+                                       const std::type_identity_t<Orientation<Dim>>& orientation,
+                                       double tolerance = 0);
 // The smallest leg over the 2^Dim orientations; ties (relative 1e-12) go to (+,+),(−,+),(+,−),(−,−) in this
 // order.
 template <int Dim>

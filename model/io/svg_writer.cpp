@@ -244,7 +244,7 @@ private:
         startElement("g");
         attribute("id", QStringLiteral("control-triangle"));
         attribute("fill", QStringLiteral("none"));
-        attribute("stroke", QStringLiteral("#f5a623"));
+        attribute("stroke", cageColour().name());
         attribute("stroke-width", QStringLiteral("1.5"));
         attribute("stroke-linejoin", QStringLiteral("round"));
         if (cage.rest != cage.current) writePolygon("rest", cage.rest, QStringLiteral("4 4"));

@@ -3,6 +3,7 @@
 
 #include "attractor/camera.h"
 #include "document/fractal.h"
+#include "io/cage_overlay.h"
 #include "io/save_file.h"
 
 #include <QByteArray>
@@ -11,8 +12,6 @@
 #include <optional>
 
 namespace io {
-
-enum class CageVisibility { Hidden, Shown };
 
 struct SvgFormat {
     std::optional<int> depth; // levels of copies; nullopt: as many as half a pixel needs

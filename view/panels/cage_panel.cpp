@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/cage_panel.h"
 
+#include "icon.h"
 #include "panels/number_field.h"
 
 #include <QAction>
@@ -65,12 +66,12 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
 }
 
 QLayout* CagePanel::makeButtons() {
-    m_define = new QAction(tr("Define…"), this);
+    m_define = new QAction(icon(QStringLiteral("define")), tr("Define…"), this);
     m_define->setToolTip(tr("Define the triangle by three clicks on the canvas; the picture stays"));
     connect(m_define, &QAction::triggered, this, &CagePanel::defineRequested);
-    m_reset = new QAction(tr("Reset"), this);
+    m_reset = new QAction(icon(QStringLiteral("reset")), tr("Reset"), this);
     connect(m_reset, &QAction::triggered, this, &CagePanel::reset);
-    m_bake = new QAction(tr("Bake"), this);
+    m_bake = new QAction(icon(QStringLiteral("bake")), tr("Bake"), this);
     connect(m_bake, &QAction::triggered, this, &CagePanel::bake);
 
     auto* menu = new QMenu(this);
@@ -90,6 +91,7 @@ QLayout* CagePanel::makeButtons() {
     const auto button = [&](QAction* action) {
         auto* made = new QToolButton(this);
         made->setDefaultAction(action);
+        made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         made->setAutoRaise(true);
         made->setAccessibleName(action->text());
         row->addWidget(made);
@@ -98,6 +100,8 @@ QLayout* CagePanel::makeButtons() {
     button(m_define);
     m_fit = new QToolButton(this);
     m_fit->setText(tr("Fit"));
+    m_fit->setIcon(icon(QStringLiteral("fit-simplex")));
+    m_fit->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_fit->setAccessibleName(tr("Fit the cage"));
     m_fit->setMenu(menu);
     m_fit->setPopupMode(QToolButton::InstantPopup);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps_panel.h"
 
+#include "icon.h"
 #include "io/table_reader.h"
 #include "panels/cage_edits.h"
 #include "panels/map_shape_editor.h"
@@ -73,9 +74,9 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     follow({document::Change::Everything, false});
 }
 
-QAction* MapsPanel::action(const QString& text, const QString&, const QString& shortcut, const QString& tip,
-                           void (MapsPanel::*slot)()) {
-    auto* made = new QAction(text, this);
+QAction* MapsPanel::action(const QString& text, const QString& iconName, const QString& shortcut,
+                           const QString& tip, void (MapsPanel::*slot)()) {
+    auto* made = new QAction(icon(iconName), text, this);
     made->setStatusTip(tip);
     made->setToolTip(shortcut.isEmpty() ? tip : tr("%1 (%2)").arg(tip, shortcut));
     if (!shortcut.isEmpty()) made->setShortcut(QKeySequence(shortcut));
@@ -96,7 +97,7 @@ void MapsPanel::makeActions() {
                   tr("Move the selected maps up"), &MapsPanel::moveMapsUp);
     m_down = action(tr("Move Down"), QStringLiteral("down"), QStringLiteral("Alt+Down"),
                     tr("Move the selected maps down"), &MapsPanel::moveMapsDown);
-    m_copy = new QAction(tr("Copy Rows"), this);
+    m_copy = new QAction(icon(QStringLiteral("copy")), tr("Copy Rows"), this);
     m_copy->setShortcut(QKeySequence::Copy);
     m_copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     m_copy->setStatusTip(tr("Copy the selected maps as rows a b c d e f p, separated by tabs"));
@@ -122,21 +123,22 @@ QToolButton* MapsPanel::button(QAction* action) {
 
 QToolButton* MapsPanel::weightsButton() {
     auto* menu = new QMenu(this);
-    const auto add = [&](const QString& text, const QString& tip, WeightRule rule) {
-        QAction* rules = menu->addAction(text, this, [this, rule] { applyWeights(rule); });
+    const auto add = [&](const char* iconName, const QString& text, const QString& tip, WeightRule rule) {
+        QAction* rules = menu->addAction(icon(QString::fromLatin1(iconName)), text, this,
+                                         [this, rule] { applyWeights(rule); });
         rules->setStatusTip(tip);
         rules->setToolTip(tip);
         m_weightActions.append(rules);
     };
     menu->setToolTipsVisible(true);
-    add(tr("By |Determinant|"),
+    add("weight-det", tr("By |Determinant|"),
         tr("Weights in proportion to the areas of the images, so that the picture is even"),
         WeightRule::Determinant);
-    add(tr("Equal"), tr("The same weight for every map"), WeightRule::Equal);
-    add(tr("By Dimension"), tr("Weights for an even cover of the attractor at its own dimension"),
-        WeightRule::Dimension);
+    add("weight-equal", tr("Equal"), tr("The same weight for every map"), WeightRule::Equal);
+    add("weight-dimension", tr("By Dimension"),
+        tr("Weights for an even cover of the attractor at its own dimension"), WeightRule::Dimension);
     menu->addSeparator();
-    add(tr("Normalise"), tr("The same proportions, with the sum 1"), WeightRule::Normalise);
+    add("normalise", tr("Normalise"), tr("The same proportions, with the sum 1"), WeightRule::Normalise);
     auto* made = new QToolButton(this);
     made->setText(tr("Weights"));
     made->setMenu(menu);
@@ -187,7 +189,9 @@ QWidget* MapsPanel::makeColumnBar() {
                                    tr("Show the maps as they act on the picture under the current cage"),
                                    Columns::Effective, false));
     layout->addStretch();
-    layout->addWidget(button(m_bake));
+    QToolButton* bakeButton = button(m_bake);
+    bakeButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    layout->addWidget(bakeButton);
     return bar;
 }
 

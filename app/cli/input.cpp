@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "input.h"
+
+#include "messages.h"
+
+#include "io/save_file.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+io::Loaded readStandardInput() {
+    QFile file;
+    if (!file.open(stdin, QIODevice::ReadOnly)) return {{}, file.errorString()};
+    return {file.readAll(), {}};
+}
+
+const document::Entry* find(const Input& input, const QString& name) {
+    const auto& entries = input.collection.file.entries;
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](const document::Entry& entry) {
+        return entry.fractal->name.compare(name, Qt::CaseInsensitive) == 0;
+    });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+void reportMissing(const Input& input, const QString& name) {
+    reportError(input.name, tr("There is no entry “%1”.").arg(name));
+}
+
+} // namespace
+
+std::optional<Input> readInput(const std::string& file) {
+    const QString name = QString::fromStdString(file);
+    const io::Loaded loaded = file == "-" ? readStandardInput() : io::loadFile(name);
+    if (loaded.failure) {
+        reportError(name, *loaded.failure);
+        return std::nullopt;
+    }
+    return Input{name, loaded.bytes, io::readCollection(loaded.bytes)};
+}
+
+bool isLoaded(const document::Entry& entry) {
+    return document::dimension(*entry.fractal) != 0;
+}
+
+Selection select(const Input& input, const std::vector<std::string>& names) {
+    Selection selection;
+    selection.problems = input.collection.file.problems;
+    if (names.empty()) selection.entries = input.collection.file.entries;
+    for (const std::string& name : names) {
+        if (const document::Entry* entry = find(input, QString::fromStdString(name))) {
+            selection.entries << *entry;
+            continue;
+        }
+        reportMissing(input, QString::fromStdString(name));
+        selection.complete = false;
+    }
+    for (const auto& entry : std::as_const(selection.entries))
+        selection.problems += entry.problems;
+    return selection;
+}
+
+const document::Entry* entryToDraw(const Input& input, const std::string& name) {
+    const document::Entry* entry = nullptr;
+    const auto& entries = input.collection.file.entries;
+    if (!name.empty()) {
+        entry = find(input, QString::fromStdString(name));
+        if (!entry) reportMissing(input, QString::fromStdString(name));
+    } else if (const auto first = std::find_if(entries.begin(), entries.end(), isLoaded);
+               first != entries.end()) {
+        entry = &*first;
+    }
+    for (const auto& problem : input.collection.file.problems)
+        report(problem, input.name);
+    for (const auto& other : entries)
+        if (&other == entry || (!entry && name.empty()))
+            for (const auto& problem : other.problems)
+                report(problem, input.name);
+    if (entry && isLoaded(*entry)) return entry;
+    if (!entry && name.empty()) reportError(input.name, tr("The file holds no entry that can be drawn."));
+    return nullptr;
+}
+
+} // namespace cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "exit_status.h"
+
+#include "io/collection_reader.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct Input {
+    QString name; // as given, "-" for standard input
+    QByteArray bytes;
+    io::Collection collection;
+};
+
+// Reads FILE; nullopt when it cannot be read, which has then been reported.
+std::optional<Input> readInput(const std::string& file);
+
+// The entries named, compared without case, the first of each name; all when no name is given. A name that is
+// not there is reported and makes `complete` false.
+struct Selection {
+    QList<document::Entry> entries;
+    document::Problems problems; // of the file and of these entries
+    bool complete = true;
+};
+Selection select(const Input& input, const std::vector<std::string>& names);
+
+// The entry to draw: the one named, else the first that could be read. nullptr when there is none, which has
+// then been reported.
+const document::Entry* entryToDraw(const Input& input, const std::string& name);
+
+bool isLoaded(const document::Entry& entry);
+
+} // namespace cli

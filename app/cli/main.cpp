@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+#include "messages.h"
+#include "usage_error.h"
+
+#include <QCoreApplication>
+
+#include <iostream>
+#include <new>
+
+namespace {
+
+using cli::ExitStatus;
+
+// Help and version are answered on standard output; anything else that CLI11 throws is wrong usage.
+ExitStatus parse(CLI::App& program, int argc, char** argv) {
+    try {
+        program.parse(argc, argv);
+        return ExitStatus::Done;
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == int(CLI::ExitCodes::Success)) {
+            program.exit(error, std::cout, std::cerr);
+            return ExitStatus::Done;
+        }
+        const auto called = program.get_subcommands();
+        cli::reportUsage(called.empty() ? QString() : QString::fromStdString(called.front()->get_name()),
+                         QString::fromUtf8(error.what()));
+        return ExitStatus::WrongUsage;
+    }
+}
+
+ExitStatus runCommand(const CLI::App& program, const cli::Run& run) {
+    try {
+        return run();
+    } catch (const cli::UsageError& error) {
+        cli::reportUsage(QString::fromStdString(program.get_subcommands().front()->get_name()),
+                         error.sentence);
+        return ExitStatus::WrongUsage;
+    } catch (const std::bad_alloc&) {
+        cli::reportError(QStringLiteral("barycage-cli"),
+                         QCoreApplication::translate("cli", "There is not enough memory for this."));
+        return ExitStatus::CannotReadOrWrite;
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QCoreApplication application(argc, argv);
+    CLI::App program("Iterated function systems from the command line", "barycage-cli");
+    program.set_version_flag("--version", "barycage-cli " BARYCAGE_VERSION);
+    program.require_subcommand(1);
+    cli::Run run;
+    cli::addInfoCommand(program, run);
+    cli::addRenderCommand(program, run);
+    cli::addConvertCommand(program, run);
+    const ExitStatus parsed = parse(program, argc, argv);
+    return int(run && parsed == ExitStatus::Done ? runCommand(program, run) : parsed);
+}

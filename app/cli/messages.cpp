@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "messages.h"
+
+#include <QCoreApplication>
+
+#include <cstdio>
+
+namespace cli {
+
+namespace {
+
+void line(const QString& text) {
+    const QByteArray bytes = text.toUtf8() + '\n';
+    std::fwrite(bytes.constData(), 1, std::size_t(bytes.size()), stderr);
+}
+
+document::Problem problem(document::Problem::Severity severity, const QString& sentence) {
+    document::Problem result;
+    result.severity = severity;
+    result.message = sentence;
+    return result;
+}
+
+} // namespace
+
+void report(const document::Problem& found, const QString& fileName) {
+    line(document::toText(found, fileName));
+}
+
+void reportError(const QString& fileName, const QString& sentence) {
+    report(problem(document::Problem::Severity::Error, sentence), fileName);
+}
+
+void reportWarning(const QString& fileName, const QString& sentence) {
+    report(problem(document::Problem::Severity::Warning, sentence), fileName);
+}
+
+void reportUsage(const QString& subcommand, const QString& sentence) {
+    const QString program = QStringLiteral("barycage-cli");
+    const QString command = subcommand.isEmpty() ? program : program + u' ' + subcommand;
+    line(QStringLiteral("%1: error: %2").arg(command, sentence));
+    line(QCoreApplication::translate("cli", "Try “%1 --help”.").arg(command));
+}
+
+void print(const QByteArray& text) {
+    std::fwrite(text.constData(), 1, std::size_t(text.size()), stdout);
+    std::fflush(stdout);
+}
+
+} // namespace cli

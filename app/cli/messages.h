@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/problem.h"
+
+#include <QString>
+
+// Everything that goes to standard error: "file:line:column: error: sentence", one per line.
+namespace cli {
+
+void report(const document::Problem& problem, const QString& fileName);
+void reportError(const QString& fileName, const QString& sentence);
+void reportWarning(const QString& fileName, const QString& sentence);
+// Wrong usage, with a hint where to find the right one.
+void reportUsage(const QString& subcommand, const QString& sentence);
+
+void print(const QByteArray& text); // to standard output
+
+} // namespace cli

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.h"
+#include "commands.h"
+#include "input.h"
+#include "interrupt.h"
+#include "messages.h"
+#include "progress_bar.h"
+#include "render_view.h"
+#include "usage_error.h"
+
+#include "io/export_job.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <memory>
+#include <thread>
+
+namespace cli {
+
+namespace {
+
+using Text = std::optional<std::string>;
+
+struct Arguments {
+    std::string file;
+    std::string output;
+    std::string entry;
+    std::string size = "1200x900";
+    std::optional<std::uint64_t> points;
+    std::uint64_t seed = 1;
+    Text margin, cage, restCage, view, palette, colour, gamma, brightness, background, dpi, simd, svg;
+    std::string algorithm = "density";
+    std::optional<int> iterations, supersample, threads, depth, bits;
+    bool yDown = false;
+    std::string progress = "auto";
+};
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+enum class Format { Png, Svg };
+
+Format formatOf(const Arguments& arguments) {
+    const QString suffix = QFileInfo(QString::fromStdString(arguments.output)).suffix().toLower();
+    if (suffix == u"png") return Format::Png;
+    if (suffix == u"svg") return Format::Svg;
+    throw UsageError{tr("The picture is written as .png or .svg, and “%1” is neither.")
+                         .arg(QString::fromStdString(arguments.output))};
+}
+
+void refuseIf(bool given, const char* option, const QString& reason) {
+    if (given) throw UsageError{tr("%1 is not possible here: %2").arg(QLatin1String(option), reason)};
+}
+
+// What this version cannot do, and what makes no sense for the format. Nothing is ignored silently.
+void refuseUnsupported(const Arguments& arguments, Format format) {
+    refuseIf(arguments.simd.has_value(), "--simd",
+             tr("this version always takes the best instructions there are."));
+    refuseIf(arguments.bits && *arguments.bits != 8, "--bits", tr("this version writes 8 bits a channel."));
+    if (format == Format::Svg) {
+        const QString reason = tr("a scalable picture is made of copies, not of points.");
+        refuseIf(arguments.points.has_value(), "--points", reason);
+        refuseIf(arguments.algorithm != "density", "--algorithm", reason);
+        refuseIf(arguments.iterations.has_value(), "--iterations", tr("a scalable picture takes --depth."));
+        refuseIf(arguments.gamma.has_value(), "--gamma", reason);
+        refuseIf(arguments.brightness.has_value(), "--brightness", reason);
+        refuseIf(arguments.supersample.has_value(), "--supersample", reason);
+        refuseIf(arguments.bits.has_value(), "--bits", reason);
+        refuseIf(arguments.dpi.has_value(), "--dpi", tr("a scalable picture has no resolution."));
+        refuseIf(arguments.svg && *arguments.svg != "structured", "--svg",
+                 tr("this version writes structured pictures only."));
+    } else {
+        const QString reason = tr("it belongs to scalable pictures (.svg).");
+        refuseIf(arguments.svg.has_value(), "--svg", reason);
+        refuseIf(arguments.depth.has_value(), "--depth", reason);
+    }
+    const bool deterministic = arguments.algorithm == "deterministic";
+    refuseIf(arguments.iterations && !deterministic, "--iterations",
+             tr("it belongs to --algorithm deterministic."));
+    refuseIf(arguments.points && deterministic, "--points", tr("--algorithm deterministic has no points."));
+}
+
+attractor::ColourBy colourBy(const std::string& text) {
+    if (text == "density") return attractor::ColourBy::Density;
+    if (text == "map") return attractor::ColourBy::Map;
+    if (text == "address") return attractor::ColourBy::Address;
+    if (text == "none") return attractor::ColourBy::Plain;
+    throw UsageError{
+        tr("--colour takes density, map, address or none, and not “%1”.").arg(QString::fromStdString(text))};
+}
+
+attractor::Algorithm algorithmOf(const std::string& text) {
+    if (text == "density") return attractor::Algorithm::Density;
+    if (text == "chaos-game") return attractor::Algorithm::ChaosGame;
+    if (text == "deterministic") return attractor::Algorithm::Deterministic;
+    throw UsageError{tr("--algorithm takes density, chaos-game or deterministic, and not “%1”.")
+                         .arg(QString::fromStdString(text))};
+}
+
+void applyAppearance(attractor::Appearance& appearance, const Arguments& arguments) {
+    if (arguments.colour) appearance.colourBy = colourBy(*arguments.colour);
+    if (arguments.palette) appearance.palette = paletteArgument("--palette", *arguments.palette);
+    if (arguments.gamma) appearance.gamma = positiveArgument("--gamma", *arguments.gamma);
+    if (arguments.brightness) appearance.brightness = positiveArgument("--brightness", *arguments.brightness);
+    if (arguments.background) appearance.background = colourArgument("--background", *arguments.background);
+    if (arguments.supersample) appearance.supersample = *arguments.supersample;
+}
+
+// The rest vertices that --rest-cage and the entry ask for.
+std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const Arguments& arguments) {
+    if (!arguments.restCage) return document::effectiveCage(fractal).rest;
+    const std::string& text = *arguments.restCage;
+    if (text == "canonical") {
+        document::Fractal bare = fractal;
+        bare.cage.reset();
+        return document::effectiveCage(bare).rest;
+    }
+    if (text == "box" || text.rfind("hull", 0) == 0)
+        throw UsageError{
+            tr("--rest-cage %1 is not possible here: a cage of more than three corners bends the "
+               "picture, which this version cannot draw.")
+                .arg(QString::fromStdString(text))};
+    return pointsArgument("--rest-cage", text);
+}
+
+void applyCage(document::Fractal& fractal, const Arguments& arguments) {
+    if (!arguments.cage && !arguments.restCage) return;
+    ifs::ControlCage<2> cage;
+    cage.rest = restVertices(fractal, arguments);
+    cage.current = arguments.cage ? pointsArgument("--cage", *arguments.cage) : cage.rest;
+    if (cage.current.size() != cage.rest.size())
+        throw UsageError{tr("The cage has %1 corners and the rest cage %2: they must have the same number.")
+                             .arg(cage.current.size())
+                             .arg(cage.rest.size())};
+    if (cage.rest.size() != 3)
+        throw UsageError{
+            tr("A cage of %1 corners bends the picture, which this version cannot draw: give three.")
+                .arg(cage.rest.size())};
+    if (!ifs::isValid(cage))
+        throw UsageError{tr("The corners of the rest cage lie on one line, so they hold no coordinates.")};
+    fractal.cage = cage;
+}
+
+attractor::Camera cameraOf(const document::Fractal& fractal, const Arguments& arguments,
+                           const QString& fileName) {
+    attractor::Camera camera;
+    const QSize size = sizeArgument("--size", arguments.size);
+    camera.width = size.width();
+    camera.height = size.height();
+    camera.yAxis = arguments.yDown ? attractor::YAxis::Down : attractor::YAxis::Up;
+    if (arguments.view) {
+        refuseIf(arguments.margin.has_value(), "--margin", tr("--view already says what is seen."));
+        const View view = viewArgument("--view", *arguments.view);
+        camera.centre = view.centre;
+        camera.pixelsPerUnit = camera.height / view.height;
+        return camera;
+    }
+    const double margin = arguments.margin ? marginArgument("--margin", *arguments.margin) : 0.05;
+    const bool deterministic = arguments.algorithm == "deterministic";
+    const ViewBox box =
+        deterministic ? boxOfIterate(fractal, *arguments.iterations) : boxOfAttractor(fractal);
+    if (!box.certified)
+        reportWarning(fileName,
+                      tr("No box around the picture could be certified; it is framed by where points go. "
+                         "Give the frame with --view."));
+    return fitted(camera, box.min, box.max, margin);
+}
+
+attractor::RenderRequest requestOf(const document::Fractal& fractal, const attractor::Camera& camera,
+                                   const Arguments& arguments) {
+    attractor::RenderRequest request = document::renderRequest(fractal, camera);
+    const auto pixels = std::uint64_t(camera.width) * std::uint64_t(camera.height);
+    request.algorithm = algorithmOf(arguments.algorithm);
+    request.seed = arguments.seed;
+    request.threads = arguments.threads.value_or(int(std::max(1u, std::thread::hardware_concurrency())));
+    const std::uint64_t perPixel = request.algorithm == attractor::Algorithm::ChaosGame ? 2 : 100;
+    request.samples = arguments.points.value_or(std::max<std::uint64_t>(perPixel * pixels, 1'000'000));
+    if (request.algorithm == attractor::Algorithm::Deterministic) {
+        request.iterations = *arguments.iterations;
+        request.samples = 1;
+        if (!request.cage) request.cage = document::effectiveCage(fractal);
+    }
+    return request;
+}
+
+void checkDepth(const document::Fractal& fractal, const attractor::Camera& camera,
+                const Arguments& arguments) {
+    if (!arguments.depth) return;
+    const io::SvgPlan plan = io::svgPlan(fractal, camera, {*arguments.depth, io::CageVisibility::Hidden});
+    if (!plan.failure && plan.depth != *arguments.depth)
+        throw UsageError{
+            tr("--depth %1 would need 400,000 references or more; the deepest possible here is %2.")
+                .arg(*arguments.depth)
+                .arg(plan.deepest)};
+}
+
+io::Export exportOf(const document::Fractal& fractal, const attractor::Camera& camera, Format format,
+                    const Arguments& arguments) {
+    if (format == Format::Svg) {
+        checkDepth(fractal, camera, arguments);
+        return io::SvgExport{fractal, camera, {arguments.depth, io::CageVisibility::Hidden}};
+    }
+    io::PngExport picture{fractal, requestOf(fractal, camera, arguments), {}, io::CageVisibility::Hidden};
+    if (arguments.dpi) picture.dotsPerInch = positiveArgument("--dpi", *arguments.dpi);
+    return picture;
+}
+
+void reportNote(attractor::RenderNote note, const QString& fileName) {
+    switch (note) {
+    case attractor::RenderNote::None:
+    case attractor::RenderNote::NoMaps:
+        break;
+    case attractor::RenderNote::NoAttractor:
+        return reportWarning(fileName,
+                             tr("The system has no attractor: some word of maps does not contract. What is "
+                                "drawn is where points go before they escape."));
+    case attractor::RenderNote::Undecided:
+        return reportWarning(fileName, tr("Whether the system has an attractor could not be decided."));
+    case attractor::RenderNote::TooDeep:
+        return reportWarning(fileName, tr("The view is smaller than the arithmetic can resolve."));
+    case attractor::RenderNote::FewerIterations:
+        return reportWarning(fileName,
+                             tr("So many iterations are more copies than can be drawn; fewer were made."));
+    case attractor::RenderNote::Degenerate:
+        return reportWarning(fileName, tr("The cage is flat, and so is the picture."));
+    }
+}
+
+ExitStatus finish(const io::ExportOutcome& outcome, const QString& fileName, const QString& output) {
+    if (outcome.stopped) {
+        reportError(fileName, tr("Interrupted; nothing was written."));
+        return ExitStatus::Interrupted;
+    }
+    if (outcome.failure) {
+        reportError(output, *outcome.failure);
+        return ExitStatus::CannotReadOrWrite;
+    }
+    reportNote(outcome.note, fileName);
+    return ExitStatus::Done;
+}
+
+// nullopt when the entry cannot be drawn, which has then been reported.
+std::optional<document::Fractal> fractalOf(const Input& input, const Arguments& arguments) {
+    const document::Entry* entry = entryToDraw(input, arguments.entry);
+    if (!entry) return std::nullopt;
+    const document::System2* system = document::system2(*entry->fractal);
+    if (!system) {
+        reportError(
+            input.name,
+            tr("“%1” lies in space, and this version draws in the plane only.").arg(entry->fractal->name));
+        return std::nullopt;
+    }
+    if (ifs::activeMaps(*system).maps.empty()) {
+        reportError(
+            input.name,
+            tr("“%1” has no map that takes part, so there is nothing to draw.").arg(entry->fractal->name));
+        return std::nullopt;
+    }
+    return *entry->fractal;
+}
+
+ExitStatus render(const Arguments& arguments) {
+    const Format format = formatOf(arguments);
+    refuseUnsupported(arguments, format);
+    const ProgressMode progress = progressMode(arguments.progress);
+    if (algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic && !arguments.iterations)
+        throw UsageError{tr("--algorithm deterministic needs --iterations.")};
+    const Interrupt interrupt;
+    const auto input = readInput(arguments.file);
+    if (!input) return ExitStatus::CannotReadOrWrite;
+    auto fractal = fractalOf(*input, arguments);
+    if (!fractal) return ExitStatus::InputProblems;
+    applyAppearance(fractal->appearance, arguments);
+    applyCage(*fractal, arguments);
+    const attractor::Camera camera = cameraOf(*fractal, arguments, input->name);
+    const io::Export what = exportOf(*fractal, camera, format, arguments);
+    if (const auto* svg = std::get_if<io::SvgExport>(&what))
+        if (const auto failure = io::svgPlan(svg->fractal, svg->camera, svg->format).failure) {
+            reportError(input->name, *failure);
+            return ExitStatus::InputProblems;
+        }
+    const QString output = QString::fromStdString(arguments.output);
+    ProgressBar bar(progress);
+    const auto outcome = io::exportTo(
+        what, output, [&](double fraction) { bar.show(fraction); }, interrupt.token());
+    bar.clear();
+    return finish(outcome, input->name, output);
+}
+
+void addPictureOptions(CLI::App& command, Arguments& arguments) {
+    command.add_option("--palette", arguments.palette, "Palette by name");
+    command.add_option("--colour", arguments.colour, "Colour by density, map, address or none");
+    command.add_option("--gamma", arguments.gamma, "Gamma of the tone curve (2.2)");
+    command.add_option("--brightness", arguments.brightness, "Brightness of the tone curve (20)");
+    command.add_option("--background", arguments.background, "Colour like #0d1017 or white, or transparent");
+    command.add_option("--supersample", arguments.supersample, "Cells along the side of a pixel (1 to 4)")
+        ->check(CLI::Range(1, 4));
+    command.add_option("--bits", arguments.bits, "Bits a channel, PNG (8)")->check(CLI::IsMember({8, 16}));
+    command.add_option("--dpi", arguments.dpi, "Resolution noted in the PNG, dots per inch");
+    command.add_option("--svg", arguments.svg, "Kind of SVG (structured)")
+        ->check(CLI::IsMember({"structured", "outline", "points"}));
+    command.add_option("--depth", arguments.depth, "Levels of copies in the SVG (what half a pixel needs)")
+        ->check(CLI::NonNegativeNumber);
+}
+
+void addAlgorithmOptions(CLI::App& command, Arguments& arguments) {
+    command.add_option("--algorithm", arguments.algorithm, "density, chaos-game or deterministic")
+        ->check(CLI::IsMember({"density", "chaos-game", "deterministic"}));
+    command.add_option("--points", arguments.points, "Samples (density), or points plotted (chaos-game)")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--iterations", arguments.iterations, "n of Wⁿ, for deterministic")
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--seed", arguments.seed, "Seed of the random numbers (1)");
+    command.add_option("--threads", arguments.threads, "Threads; never changes the picture")
+        ->check(CLI::Range(1, 1024));
+    command.add_option("--simd", arguments.simd, "Instruction set")
+        ->check(CLI::IsMember({"scalar", "sse4", "avx2", "avx3", "neon"}));
+}
+
+void addFramingOptions(CLI::App& command, Arguments& arguments) {
+    command.add_option("--size", arguments.size, "Width and height in pixels (1200x900)");
+    command.add_option("--margin", arguments.margin, "Margin around the picture in per cent (5)");
+    command.add_option("--view", arguments.view, "What is seen: \"cx,cy,height\"");
+    command.add_flag("--y-down", arguments.yDown, "The y axis points down");
+    command.add_option("--cage", arguments.cage, "Where the corners are: \"x,y x,y x,y\"");
+    command.add_option("--rest-cage", arguments.restCage, "Where they were: \"x,y x,y x,y\", or canonical");
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& program, Run& run) {
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App* command = program.add_subcommand("render", "Draw an entry as PNG or SVG");
+    command
+        ->add_option("FILE", arguments->file,
+                     "Collection, or picture with a system inside; - for standard input")
+        ->required();
+    command->add_option("-o,--output", arguments->output, "Picture to write: .png or .svg")->required();
+    command->add_option("--entry", arguments->entry, "Entry to draw (the first that can be read)");
+    addFramingOptions(*command, *arguments);
+    addAlgorithmOptions(*command, *arguments);
+    addPictureOptions(*command, *arguments);
+    command->add_option("--progress", arguments->progress, "always, never or auto");
+    command->callback([arguments, &run] { run = [arguments] { return render(*arguments); }; });
+}
+
+} // namespace cli

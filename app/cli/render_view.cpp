@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "render_view.h"
+
+#include "usage_error.h"
+
+#include "attractor/drawable_system.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <vector>
+
+namespace cli {
+
+namespace {
+
+constexpr double mostCopies = 1e7;
+
+class Extent {
+public:
+    void add(const ifs::Vector<2>& point) {
+        m_min = m_min.cwiseMin(point);
+        m_max = m_max.cwiseMax(point);
+    }
+    ViewBox box(bool certified) const { return {m_min, m_max, certified}; }
+
+private:
+    ifs::Vector<2> m_min = ifs::Vector<2>::Constant(HUGE_VAL);
+    ifs::Vector<2> m_max = ifs::Vector<2>::Constant(-HUGE_VAL);
+};
+
+ifs::AffineMap<2> display(const document::Fractal& fractal) {
+    return fractal.cage ? ifs::displayMap(*fractal.cage) : ifs::AffineMap<2>();
+}
+
+} // namespace
+
+ViewBox boxOfAttractor(const document::Fractal& fractal) {
+    if (const auto box = document::displayedBox(fractal)) return {box->min, box->max, true};
+    const attractor::DrawableSystem system = attractor::drawable(*document::system2(fractal));
+    const ifs::AffineMap<2> toDisplay = display(fractal);
+    Extent extent;
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0})
+            extent.add(toDisplay(system.centre + ifs::Vector<2>(x, y).cwiseProduct(system.halfExtent)));
+    return extent.box(false);
+}
+
+ViewBox boxOfIterate(const document::Fractal& fractal, int n) {
+    const auto maps = ifs::activeMaps(*document::system2(fractal)).maps;
+    if (std::pow(double(maps.size()), n) > mostCopies)
+        throw UsageError{
+            QCoreApplication::translate(
+                "cli", "--iterations %1 would draw %2 copies of the cage; at most 10 million are drawn.")
+                .arg(n)
+                .arg(std::pow(double(maps.size()), n), 0, 'g', 3)};
+    struct Copy {
+        ifs::AffineMap<2> map;
+        int left;
+    };
+    const auto rest = document::effectiveCage(fractal).rest;
+    Extent extent;
+    std::vector<Copy> open{{display(fractal), n}};
+    while (!open.empty()) {
+        const Copy copy = open.back();
+        open.pop_back();
+        for (std::size_t i = 0; copy.left == 0 && i < rest.size(); ++i)
+            extent.add(copy.map(rest[i]));
+        for (std::size_t i = 0; copy.left > 0 && i < maps.size(); ++i)
+            open.push_back({copy.map * maps[i], copy.left - 1});
+    }
+    return extent.box(true);
+}
+
+} // namespace cli

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/kernels.h"
+
+#include <bit>
+#include <cstdlib>
+#include <cstring>
+
+// SSSE3 alone would only make the program larger.
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "attractor/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace attractor::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using kernels::ChaosTables;
+using kernels::chunk;
+using kernels::Lanes;
+using kernels::Patch;
+using kernels::Run;
+
+// At most 16 lanes, so that 128 points are whole vectors for every instruction set.
+using Float = hn::CappedTag<float, 16>;
+using Int = hn::RebindToSigned<Float>;
+using Unsigned = hn::RebindToUnsigned<Float>;
+using FloatVector = hn::Vec<Float>;
+using IntVector = hn::Vec<Int>;
+using UnsignedVector = hn::Vec<Unsigned>;
+
+HWY_ATTR static HWY_INLINE FloatVector affine(FloatVector a, FloatVector b, FloatVector c, FloatVector x,
+                                              FloatVector y) {
+    return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), c); // never fused: see the test of equal counts
+}
+
+// The cells of 128 points, trash cells for those outside the window.
+HWY_ATTR static HWY_INLINE void cellsOf(const Word& word, const float* x, const float* y,
+                                        const CellWindow& window, std::uint32_t* HWY_RESTRICT cells) {
+    const Float d;
+    const Int di;
+    const FloatVector xx = hn::Set(d, word.xx);
+    const FloatVector xy = hn::Set(d, word.xy);
+    const FloatVector x0 = hn::Set(d, word.x);
+    const FloatVector yx = hn::Set(d, word.yx);
+    const FloatVector yy = hn::Set(d, word.yy);
+    const FloatVector y0 = hn::Set(d, word.y);
+    const FloatVector zero = hn::Zero(d);
+    const FloatVector width = hn::Set(d, static_cast<float>(window.width));
+    const FloatVector first = hn::Set(d, static_cast<float>(window.firstRow));
+    const FloatVector end = hn::Set(d, static_cast<float>(window.endRow));
+    const IntVector firstRow = hn::Set(di, window.firstRow);
+    const IntVector stride = hn::Set(di, window.width);
+    const IntVector lane = hn::Iota(di, 0);
+    const auto trash = static_cast<std::int32_t>(window.cells());
+    for (std::size_t k = 0; k < chunk; k += hn::Lanes(d)) {
+        const FloatVector px = hn::LoadU(d, x + k);
+        const FloatVector py = hn::LoadU(d, y + k);
+        const FloatVector column = affine(xx, xy, x0, px, py);
+        const FloatVector row = affine(yx, yy, y0, px, py);
+        const auto inside = hn::And(hn::And(hn::Ge(column, zero), hn::Lt(column, width)),
+                                    hn::And(hn::Ge(row, first), hn::Lt(row, end)));
+        const IntVector c = hn::ConvertTo(di, hn::IfThenElseZero(inside, column));
+        const IntVector r = hn::ConvertTo(di, hn::IfThenElse(inside, row, first));
+        const IntVector cell = hn::Add(hn::Mul(hn::Sub(r, firstRow), stride), c);
+        const IntVector outside =
+            hn::Add(hn::Set(di, trash + static_cast<std::int32_t>(k % trashCells)), lane);
+        const IntVector at = hn::IfThenElse(hn::RebindMask(di, inside), cell, outside);
+        hn::StoreU(at, di, reinterpret_cast<std::int32_t*>(cells) + k);
+    }
+}
+
+HWY_ATTR void addToCounts(const Word& word, const Run& run, const CellWindow& window,
+                          std::uint32_t* HWY_RESTRICT counts) {
+    alignas(64) std::uint32_t cells[chunk];
+    for (std::size_t done = 0; done < run.count; done += chunk) {
+        cellsOf(word, run.x + done, run.y + done, window, cells);
+        if (run.count - done >= chunk) {
+            for (std::size_t k = 0; k < chunk; k += 4) {
+                ++counts[cells[k]];
+                ++counts[cells[k + 1]];
+                ++counts[cells[k + 2]];
+                ++counts[cells[k + 3]];
+            }
+        } else {
+            for (std::size_t k = 0; k < run.count - done; ++k)
+                ++counts[cells[k]];
+        }
+    }
+}
+
+HWY_ATTR void addToPatch(const Word& word, const Run& run, const Patch& patch, const CellWindow& window,
+                         std::uint32_t* HWY_RESTRICT counts) {
+    constexpr std::size_t copies = 8;
+    alignas(64) std::uint32_t cells[chunk];
+    alignas(64) std::uint32_t small[copies][kernels::patchCells];
+    const auto size = static_cast<std::size_t>(patch.width * patch.height);
+    for (auto& copy : small)
+        std::memset(copy, 0, size * sizeof(std::uint32_t));
+    const Float d;
+    const Int di;
+    const FloatVector xx = hn::Set(d, word.xx);
+    const FloatVector xy = hn::Set(d, word.xy);
+    const FloatVector x0 = hn::Set(d, word.x);
+    const FloatVector yx = hn::Set(d, word.yx);
+    const FloatVector yy = hn::Set(d, word.yy);
+    const FloatVector y0 = hn::Set(d, word.y);
+    const IntVector stride = hn::Set(di, patch.width);
+    const IntVector origin = hn::Set(di, patch.row * patch.width + patch.column);
+    for (std::size_t done = 0; done < run.count; done += chunk) {
+        for (std::size_t k = 0; k < chunk; k += hn::Lanes(d)) {
+            const FloatVector px = hn::LoadU(d, run.x + done + k);
+            const FloatVector py = hn::LoadU(d, run.y + done + k);
+            const IntVector c = hn::ConvertTo(di, affine(xx, xy, x0, px, py));
+            const IntVector r = hn::ConvertTo(di, affine(yx, yy, y0, px, py));
+            const IntVector at = hn::Sub(hn::Add(hn::Mul(r, stride), c), origin);
+            hn::StoreU(at, di, reinterpret_cast<std::int32_t*>(cells) + k);
+        }
+        const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
+        std::size_t k = 0;
+        for (; k + copies <= count; k += copies)
+            for (std::size_t copy = 0; copy < copies; ++copy)
+                ++small[copy][cells[k + copy]];
+        for (; k < count; ++k)
+            ++small[k % copies][cells[k]];
+    }
+    for (int row = 0; row < patch.height; ++row) {
+        std::uint32_t* out = counts +
+                             static_cast<std::size_t>(patch.row + row - window.firstRow) *
+                                 static_cast<std::size_t>(window.width) +
+                             static_cast<std::size_t>(patch.column);
+        const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(patch.width);
+        for (std::size_t column = 0; column < static_cast<std::size_t>(patch.width); ++column)
+            for (const auto& copy : small)
+                out[column] += copy[at + column];
+    }
+}
+
+// One cell holds four sums, which are added together where there are vectors.
+#if HWY_TARGET == HWY_SCALAR
+struct ColourSum {
+    ColourCell weight;
+    std::uint32_t seen = 0;
+
+    explicit ColourSum(const ColourCell& colour) : weight(colour) {}
+    void addTo(ColourCell& cell) {
+        cell.samples += weight.samples;
+        cell.red += weight.red;
+        cell.green += weight.green;
+        cell.blue += weight.blue;
+        seen |= cell.samples | cell.red | cell.green | cell.blue;
+    }
+    std::uint32_t bits() const { return seen; }
+};
+#else
+struct ColourSum {
+    using Four = hn::Full128<std::uint32_t>;
+    hn::Vec<Four> weight;
+    hn::Vec<Four> seen;
+
+    HWY_ATTR explicit ColourSum(const ColourCell& colour)
+        : weight(hn::Load(Four(), &colour.samples)), seen(hn::Zero(Four())) {}
+    HWY_ATTR HWY_INLINE void addTo(ColourCell& cell) {
+        const auto sum = hn::Add(hn::Load(Four(), &cell.samples), weight);
+        hn::Store(sum, Four(), &cell.samples);
+        seen = hn::Or(seen, sum);
+    }
+    HWY_ATTR std::uint32_t bits() const {
+        alignas(16) std::uint32_t parts[4];
+        hn::Store(seen, Four(), parts);
+        return parts[0] | parts[1] | parts[2] | parts[3];
+    }
+};
+#endif
+
+HWY_ATTR std::uint32_t addToColours(const Word& word, const Run& run, const CellWindow& window,
+                                    const ColourCell& colour, ColourCell* HWY_RESTRICT sums) {
+    alignas(64) std::uint32_t cells[chunk];
+    ColourSum sum(colour);
+    for (std::size_t done = 0; done < run.count; done += chunk) {
+        cellsOf(word, run.x + done, run.y + done, window, cells);
+        const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
+        for (std::size_t k = 0; k < count; ++k)
+            sum.addTo(sums[cells[k]]);
+    }
+    return sum.bits();
+}
+
+// Table lookups: in registers where the vectors are long enough, else by gathering.
+enum class Lookup { Registers16, Registers32, Gather };
+
+template <Lookup how, class D> struct Table {
+    using T = hn::TFromD<D>;
+    const T* values;
+
+    HWY_ATTR explicit Table(const T* v) : values(v) {}
+    HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
+        return hn::GatherIndex(D(), values, index);
+    }
+};
+
+#if HWY_TARGET <= HWY_AVX3 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+template <class D> struct Table<Lookup::Registers16, D> {
+    using T = hn::TFromD<D>;
+    hn::Vec<D> all;
+
+    HWY_ATTR explicit Table(const T* v) : all(hn::LoadU(D(), v)) {}
+    HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
+        return hn::TableLookupLanes(all, hn::IndicesFromVec(D(), index));
+    }
+};
+template <class D> struct Table<Lookup::Registers32, D> {
+    using T = hn::TFromD<D>;
+    hn::Vec<D> low;
+    hn::Vec<D> high;
+
+    HWY_ATTR explicit Table(const T* v) : low(hn::LoadU(D(), v)), high(hn::LoadU(D(), v + 16)) {}
+    HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
+        const Int di;
+        const auto within = hn::IndicesFromVec(D(), hn::And(index, hn::Set(di, 15)));
+        return hn::IfThenElse(hn::RebindMask(D(), hn::Gt(index, hn::Set(di, 15))),
+                              hn::TableLookupLanes(high, within), hn::TableLookupLanes(low, within));
+    }
+};
+#elif HWY_TARGET == HWY_AVX2
+template <class D> struct Table<Lookup::Registers16, D> {
+    using T = hn::TFromD<D>;
+    hn::Vec<D> low;
+    hn::Vec<D> high;
+
+    HWY_ATTR explicit Table(const T* v) : low(hn::LoadU(D(), v)), high(hn::LoadU(D(), v + 8)) {}
+    HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
+        const Int di;
+        const auto within = hn::IndicesFromVec(D(), hn::And(index, hn::Set(di, 7)));
+        return hn::IfThenElse(hn::RebindMask(D(), hn::Gt(index, hn::Set(di, 7))),
+                              hn::TableLookupLanes(high, within), hn::TableLookupLanes(low, within));
+    }
+};
+#endif
+
+HWY_ATTR static HWY_INLINE UnsignedVector nextRandom(UnsignedVector& s0, UnsignedVector& s1,
+                                                     UnsignedVector& s2, UnsignedVector& s3) {
+    const UnsignedVector result = hn::Add(hn::RotateRight<25>(hn::Add(s0, s3)), s0);
+    const UnsignedVector shifted = hn::ShiftLeft<9>(s1);
+    s2 = hn::Xor(s2, s0);
+    s3 = hn::Xor(s3, s1);
+    s1 = hn::Xor(s1, s2);
+    s0 = hn::Xor(s0, s3);
+    s2 = hn::Xor(s2, shifted);
+    s3 = hn::RotateRight<21>(s3);
+    return result;
+}
+
+template <Lookup how>
+HWY_ATTR static void iterateWith(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* outX,
+                                 float* outY) {
+    const Float d;
+    const Int di;
+    const Unsigned du;
+    const Table<how, Int> threshold(reinterpret_cast<const std::int32_t*>(tables.threshold));
+    const Table<how, Int> own(reinterpret_cast<const std::int32_t*>(tables.own));
+    const Table<how, Int> alias(reinterpret_cast<const std::int32_t*>(tables.alias));
+    const Table<how, Float> a(tables.coefficients[0]);
+    const Table<how, Float> b(tables.coefficients[1]);
+    const Table<how, Float> c(tables.coefficients[2]);
+    const Table<how, Float> e(tables.coefficients[4]);
+    const Table<how, Float> dd(tables.coefficients[3]);
+    const Table<how, Float> f(tables.coefficients[5]);
+    const FloatVector radius = hn::Set(d, tables.escapeRadius);
+    const int slotShift = 32 - tables.bits;
+    constexpr std::size_t together = 4; // independent orbits hide each other's latency
+    const std::size_t n = hn::Lanes(d);
+    for (std::size_t first = 0; first < Lanes::count; first += together * n) {
+        UnsignedVector s0[together], s1[together], s2[together], s3[together];
+        FloatVector x[together], y[together];
+        for (std::size_t g = 0; g < together; ++g) {
+            const std::size_t at = first + g * n;
+            s0[g] = hn::Load(du, lanes.random[0].data() + at);
+            s1[g] = hn::Load(du, lanes.random[1].data() + at);
+            s2[g] = hn::Load(du, lanes.random[2].data() + at);
+            s3[g] = hn::Load(du, lanes.random[3].data() + at);
+            x[g] = hn::Load(d, lanes.x.data() + at);
+            y[g] = hn::Load(d, lanes.y.data() + at);
+        }
+        for (std::size_t step = 0; step < steps; ++step) {
+            for (std::size_t g = 0; g < together; ++g) {
+                const UnsignedVector random = nextRandom(s0[g], s1[g], s2[g], s3[g]);
+                const IntVector slot = hn::BitCast(di, hn::ShiftRightSame(random, slotShift));
+                const IntVector rest =
+                    hn::BitCast(di, hn::ShiftRight<1>(hn::ShiftLeftSame(random, tables.bits)));
+                const IntVector map = hn::IfThenElse(hn::Lt(rest, threshold(slot)), own(slot), alias(slot));
+                const FloatVector nextX = affine(a(map), b(map), e(map), x[g], y[g]);
+                const FloatVector nextY = affine(c(map), dd(map), f(map), x[g], y[g]);
+                const auto inside = hn::And(hn::Lt(hn::Abs(nextX), radius), hn::Lt(hn::Abs(nextY), radius));
+                x[g] = hn::IfThenElseZero(inside, nextX);
+                y[g] = hn::IfThenElseZero(inside, nextY);
+                if (outX != nullptr) {
+                    hn::StoreU(x[g], d, outX + step * Lanes::count + first + g * n);
+                    hn::StoreU(y[g], d, outY + step * Lanes::count + first + g * n);
+                }
+            }
+        }
+        for (std::size_t g = 0; g < together; ++g) {
+            const std::size_t at = first + g * n;
+            hn::Store(s0[g], du, lanes.random[0].data() + at);
+            hn::Store(s1[g], du, lanes.random[1].data() + at);
+            hn::Store(s2[g], du, lanes.random[2].data() + at);
+            hn::Store(s3[g], du, lanes.random[3].data() + at);
+            hn::Store(x[g], d, lanes.x.data() + at);
+            hn::Store(y[g], d, lanes.y.data() + at);
+        }
+    }
+}
+
+HWY_ATTR void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* x, float* y) {
+    if (tables.bits == 4)
+        iterateWith<Lookup::Registers16>(lanes, tables, steps, x, y);
+    else if (tables.bits == 5)
+        iterateWith<Lookup::Registers32>(lanes, tables, steps, x, y);
+    else
+        iterateWith<Lookup::Gather>(lanes, tables, steps, x, y);
+}
+
+// Bits 17 … 30 of a number as float: exponent and 6 digits of the mantissa.
+constexpr std::int32_t toneBias = ((127 + 7) << 6) - static_cast<std::int32_t>(kernels::exactCounts);
+
+HWY_ATTR static HWY_INLINE IntVector toneIndices(IntVector samples) {
+    const Int di;
+    const IntVector steps =
+        hn::Sub(hn::ShiftRight<17>(hn::BitCast(di, hn::ConvertTo(Float(), samples))), hn::Set(di, toneBias));
+    return hn::IfThenElse(hn::Lt(samples, hn::Set(di, static_cast<std::int32_t>(kernels::exactCounts))),
+                          samples, steps);
+}
+
+HWY_ATTR void mapTones(const std::uint32_t* const* counts, std::size_t threads, std::size_t size,
+                       const std::uint32_t* palette, std::uint32_t* pixels) {
+    const Int di;
+    const std::size_t n = hn::Lanes(di);
+    const IntVector ground = hn::Set(di, static_cast<std::int32_t>(palette[0]));
+    const auto* entries = reinterpret_cast<const std::int32_t*>(palette);
+    std::size_t k = 0;
+    for (; k + n <= size; k += n) {
+        IntVector sum = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(counts[0]) + k);
+        for (std::size_t thread = 1; thread < threads; ++thread)
+            sum = hn::Add(sum, hn::LoadU(di, reinterpret_cast<const std::int32_t*>(counts[thread]) + k));
+        IntVector pixel = ground;
+        if (!hn::AllTrue(di, hn::Eq(sum, hn::Zero(di))))
+            pixel = hn::GatherIndex(di, entries, toneIndices(sum));
+        hn::StoreU(pixel, di, reinterpret_cast<std::int32_t*>(pixels) + k);
+    }
+    for (; k < size; ++k) {
+        std::uint32_t sum = 0;
+        for (std::size_t thread = 0; thread < threads; ++thread)
+            sum += counts[thread][k];
+        pixels[k] = palette[kernels::toneIndex(sum)];
+    }
+}
+
+} // namespace attractor::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace attractor {
+
+HWY_EXPORT(addToCounts);
+HWY_EXPORT(addToPatch);
+HWY_EXPORT(addToColours);
+HWY_EXPORT(iterate);
+HWY_EXPORT(mapTones);
+
+namespace {
+
+struct SimdSet {
+    std::string_view name;
+    std::int64_t target;
+};
+constexpr SimdSet simdSets[] = {
+    {"avx512", HWY_AVX3}, {"avx2", HWY_AVX2}, {"sse4", HWY_SSE4}, {"scalar", HWY_STATIC_TARGET}};
+
+// The environment decides once, before the first kernel runs.
+void heedEnvironment() {
+    [[maybe_unused]] static const bool done = [] {
+        const char* name = std::getenv("BARYCAGE_SIMD");
+        return name != nullptr && selectSimd(name);
+    }();
+}
+
+} // namespace
+
+bool selectSimd(std::string_view name) {
+    for (const SimdSet& set : simdSets) {
+        if (set.name != name) continue;
+        hwy::SetSupportedTargetsForTest(0); // what the machine has
+        if ((hwy::SupportedTargets() & set.target) == 0) return false;
+        hwy::SetSupportedTargetsForTest(set.target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        return true;
+    }
+    return false;
+}
+
+std::string simdName() {
+    heedEnvironment();
+    const std::int64_t target = hwy::SupportedTargets();
+    for (const SimdSet& set : simdSets)
+        if ((target & set.target) != 0) return std::string(set.name);
+    return "scalar";
+}
+
+namespace kernels {
+
+void addToCounts(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts) {
+    heedEnvironment();
+    HWY_DYNAMIC_DISPATCH(addToCounts)(word, run, window, counts);
+}
+
+void addToPatch(const Word& word, const Run& run, const Patch& patch, const CellWindow& window,
+                std::uint32_t* counts) {
+    heedEnvironment();
+    HWY_DYNAMIC_DISPATCH(addToPatch)(word, run, patch, window, counts);
+}
+
+std::uint32_t addToColours(const Word& word, const Run& run, const CellWindow& window,
+                           const ColourCell& colour, ColourCell* cells) {
+    heedEnvironment();
+    return HWY_DYNAMIC_DISPATCH(addToColours)(word, run, window, colour, cells);
+}
+
+void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* x, float* y) {
+    heedEnvironment();
+    HWY_DYNAMIC_DISPATCH(iterate)(lanes, tables, steps, x, y);
+}
+
+std::size_t toneIndex(std::uint64_t samples) {
+    if (samples < exactCounts) return static_cast<std::size_t>(samples);
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(samples));
+    return (bits >> 17) + exactCounts - ((127 + 7) << 6);
+}
+
+void mapTones(std::span<const std::uint32_t* const> counts, std::size_t size, const std::uint32_t* palette,
+              std::uint32_t* pixels) {
+    heedEnvironment();
+    HWY_DYNAMIC_DISPATCH(mapTones)(counts.data(), counts.size(), size, palette, pixels);
+}
+
+} // namespace kernels
+} // namespace attractor
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/splat.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+// The loops that take the time, compiled for several instruction sets; the best one of the machine runs. All
+// give the same bits.
+namespace attractor {
+
+// The name of the set in use: scalar, sse4, avx2 or avx512. The environment variable BARYCAGE_SIMD forces
+// one.
+std::string simdName();
+// Forces a set; false, and nothing changes, when the machine lacks it or the name is unknown. Not while
+// rendering.
+bool selectSimd(std::string_view name);
+
+namespace kernels {
+
+constexpr std::size_t chunk = 128; // points; runs are read up to a multiple of it
+
+struct Run {
+    const float* x = nullptr;
+    const float* y = nullptr;
+    std::size_t count = 0;
+};
+
+// Part of a grid: cells of `width` columns from row `firstRow` to before `endRow`.
+void addToCounts(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts);
+
+// For a run that falls into at most `patchCells` cells, all inside the window, whose first is (column, row):
+// counted in several small copies, because increments of one counter have to wait for each other.
+struct Patch {
+    int column = 0;
+    int row = 0;
+    int width = 0;
+    int height = 0;
+};
+constexpr int patchCells = 256;
+void addToPatch(const Word& word, const Run& run, const Patch& patch, const CellWindow& window,
+                std::uint32_t* counts);
+
+// Returns the bits seen in all sums.
+std::uint32_t addToColours(const Word& word, const Run& run, const CellWindow& window,
+                           const ColourCell& colour, ColourCell* cells);
+
+// 64 orbits side by side.
+struct Lanes {
+    static constexpr std::size_t count = 64;
+    alignas(64) std::array<std::array<std::uint32_t, count>, 4> random{}; // xoshiro128++
+    alignas(64) std::array<float, count> x{};
+    alignas(64) std::array<float, count> y{};
+};
+
+// Alias table and maps as arrays, each of a length that is a power of two ≥ 16.
+struct ChaosTables {
+    int bits = 4; // of the slot number
+    std::size_t maps = 0;
+    const std::uint32_t* threshold = nullptr; // 31 bits
+    const std::uint32_t* own = nullptr;
+    const std::uint32_t* alias = nullptr;
+    std::array<const float*, 6> coefficients{}; // a b c d e f in box coordinates
+    float escapeRadius = 0;
+};
+
+// `steps` steps of every orbit. Where x and y are given, the point of orbit `lane` after step `k` goes to
+// x[64 k + lane], y[64 k + lane].
+void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* x, float* y);
+
+// pixels[k] = palette[toneIndex(Σ counts[thread][k])]. The sums must stay below 2³¹.
+constexpr std::size_t exactCounts = 128;
+std::size_t toneIndex(std::uint64_t samples); // exact below 128, then 64 steps per power of two
+void mapTones(std::span<const std::uint32_t* const> counts, std::size_t size, const std::uint32_t* palette,
+              std::uint32_t* pixels);
+
+} // namespace kernels
+} // namespace attractor

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/attractor_existence.h"
+
+#include "ifs/symmetric_square.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace ifs {
+
+namespace {
+
+constexpr double ContractionLimit = 1 - 1e-12; // rounding must not turn a rotation into a contraction
+constexpr double SmallestContractivity = 1e-3; // keeps γ^(−k) finite where products vanish
+
+template <int Dim> using Matrices = std::vector<Matrix<Dim>, Eigen::aligned_allocator<Matrix<Dim>>>;
+
+// The products A_σ of all words of one length; the digits of an index, base N, spell its word.
+template <int Dim> struct WordLevel {
+    Matrices<Dim> products;
+    int length = 1;
+};
+
+struct Largest {
+    double value = -1;
+    std::size_t index = 0;
+};
+
+template <int Dim> Largest largestNorm(const Matrices<Dim>& products) {
+    Largest largest;
+    for (std::size_t i = 0; i < products.size(); ++i) {
+        if (products[i].norm() <= largest.value) // the Frobenius norm bounds the spectral norm
+            continue;
+        const double norm = spectralNorm<Dim>(products[i]);
+        if (norm > largest.value) largest = {norm, i};
+    }
+    return largest;
+}
+
+// The first word that does not shrink everything in the long run, if any.
+template <int Dim> Largest firstExpanding(const Matrices<Dim>& products) {
+    for (std::size_t i = 0; i < products.size(); ++i)
+        if (products[i].norm() >= ContractionLimit) {
+            const double radius = spectralRadius<Dim>(products[i]);
+            if (radius >= ContractionLimit) return {radius, i};
+        }
+    return {};
+}
+
+template <int Dim> bool allFinite(const Matrices<Dim>& products) {
+    return std::ranges::all_of(products, [](const Matrix<Dim>& m) { return m.allFinite(); });
+}
+
+std::vector<int> spell(std::size_t index, int length, std::size_t alphabet) {
+    std::vector<int> word(static_cast<std::size_t>(length));
+    for (auto symbol = word.rbegin(); symbol != word.rend(); ++symbol, index /= alphabet)
+        *symbol = int(index % alphabet);
+    return word;
+}
+
+template <int Dim> void extend(WordLevel<Dim>& level, const Matrices<Dim>& generators) {
+    Matrices<Dim> longer;
+    longer.reserve(level.products.size() * generators.size());
+    for (const auto& product : level.products)
+        for (const auto& generator : generators)
+            longer.push_back(product * generator);
+    level.products = std::move(longer);
+    ++level.length;
+}
+
+// C = max over k < n of γ^(−k)·g_k, with g_0 = 1 and `norms` = g_1 … g_{n−1}.
+double normEquivalence(const std::vector<double>& norms, double contractivity) {
+    double constant = 1, power = 1;
+    for (const double norm : norms) {
+        power *= contractivity;
+        constant = std::max(constant, norm / power);
+    }
+    return constant;
+}
+
+// The ellipsoidal norm √(xᵀPx), P the leading eigenmatrix of P ↦ Σ ρ_i^emphasis A_iᵀPA_i. It changes with the
+// coordinates as the maps do, so a system that was hyperbolic before an affine change of coordinates often
+// shows it here. The more emphasis, the better the norm fits the slowest map.
+template <int Dim>
+std::optional<Existence> contractsEllipsoid(const Matrices<Dim>& generators, double emphasis) {
+    SymmetricOperator<Dim> transfer = SymmetricOperator<Dim>::Zero();
+    for (const auto& linear : generators)
+        transfer +=
+            std::pow(spectralRadius<Dim>(linear), emphasis) * symmetricSquare<Dim>(linear.transpose());
+    SymmetricVector<Dim> shape = upperTriangle<Dim>(Matrix<Dim>::Identity());
+    constexpr int Iterations = 64;
+    for (int n = 0; n < Iterations; ++n) {
+        shape = transfer * shape;
+        shape /= shape.cwiseAbs().maxCoeff();
+        if (!shape.allFinite()) return std::nullopt;
+    }
+    const Matrix<Dim> form = symmetricMatrix<Dim>(shape);
+    const Vector<Dim> eigenvalues =
+        Eigen::SelfAdjointEigenSolver<Matrix<Dim>>(form, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::LLT<Matrix<Dim>> cholesky(form);
+    if (!(eigenvalues[0] > 1e-12 * eigenvalues[Dim - 1]) || cholesky.info() != Eigen::Success)
+        return std::nullopt;
+    const Matrix<Dim> root = cholesky.matrixU();
+    Matrices<Dim> conjugated;
+    for (const auto& linear : generators)
+        conjugated.push_back(root * linear * root.inverse());
+    const Largest norm = largestNorm<Dim>(conjugated);
+    // κ times the rounding unit is what the change of coordinates may have cost.
+    const double condition = std::sqrt(eigenvalues[Dim - 1] / eigenvalues[0]);
+    if (!(norm.value < 1 - 1e-12 * condition)) return std::nullopt;
+    return Existence{.verdict = Verdict::EventuallyContractive,
+                     .contractivity = std::max(norm.value, SmallestContractivity),
+                     .wordLength = 1,
+                     .witness = {int(norm.index)},
+                     .normEquivalence = condition * (1 + 1e-12)};
+}
+
+} // namespace
+
+template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int maxProducts) {
+    if (maps.empty()) return {.verdict = Verdict::Empty};
+    Existence undecided{.contractivity = std::numeric_limits<double>::infinity()};
+    if (!std::ranges::all_of(maps, isFinite<Dim>)) return undecided;
+
+    Matrices<Dim> generators;
+    for (const auto& map : maps)
+        generators.push_back(map.linear);
+    WordLevel<Dim> level{generators};
+    std::vector<double> norms;
+    const std::size_t allowed = std::size_t(std::max(maxProducts, 0));
+    std::size_t products = 0;
+    for (;;) {
+        const Largest norm = largestNorm<Dim>(level.products);
+        const double root = std::pow(norm.value, 1.0 / level.length);
+        const auto word = [&](std::size_t index) { return spell(index, level.length, maps.size()); };
+        if (norm.value < ContractionLimit) {
+            const bool immediately = level.length == 1;
+            const double contractivity = immediately ? norm.value : std::max(root, SmallestContractivity);
+            return {.verdict = immediately ? Verdict::Hyperbolic : Verdict::EventuallyContractive,
+                    .contractivity = contractivity,
+                    .wordLength = level.length,
+                    .witness = word(norm.index),
+                    .normEquivalence = normEquivalence(norms, contractivity)};
+        }
+        const Largest expanding = firstExpanding<Dim>(level.products);
+        if (expanding.value >= ContractionLimit)
+            return {.verdict = Verdict::None,
+                    .contractivity = std::pow(expanding.value, 1.0 / level.length),
+                    .wordLength = level.length,
+                    .witness = word(expanding.index)};
+        if (root < undecided.contractivity) {
+            undecided.contractivity = root;
+            undecided.wordLength = level.length;
+        }
+        norms.push_back(norm.value);
+        products += level.products.size() * maps.size();
+        if (products > std::size_t(std::max(maxProducts, 0))) break;
+        extend(level, generators);
+        if (!allFinite<Dim>(level.products)) return undecided;
+    }
+    if (generators.size() > allowed) return undecided;
+    for (const double emphasis : {0.0, 8.0, 64.0})
+        if (const auto existence = contractsEllipsoid<Dim>(generators, emphasis)) return *existence;
+    return undecided;
+}
+
+template Existence classify<2>(std::span<const AffineMap<2>>, int);
+template Existence classify<3>(std::span<const AffineMap<3>>, int);
+
+} // namespace ifs

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "io/export_job.h"
+
+#include <QCoreApplication>
+
+#include <new>
+
+namespace io {
+
+namespace {
+
+ExportOutcome exportSvg(const SvgExport& what, const QString& path, const Progress& progress,
+                        const std::stop_token& stop) {
+    ExportOutcome outcome;
+    const SvgPicture picture = svgPicture(what.fractal, what.camera, what.format);
+    outcome.stopped = stop.stop_requested();
+    outcome.failure = picture.plan.failure;
+    if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, picture.bytes);
+    if (progress) progress(1);
+    return outcome;
+}
+
+} // namespace
+
+ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress,
+                       std::stop_token stop) {
+    try {
+        if (const auto* png = std::get_if<PngExport>(&what)) return exportPng(*png, path, progress, stop);
+        return exportSvg(std::get<SvgExport>(what), path, progress, stop);
+    } catch (const std::bad_alloc&) {
+        ExportOutcome outcome;
+        outcome.failure = QCoreApplication::translate(
+            "ExportJob",
+            "There is not enough memory for this picture. Make it smaller, or supersample less.");
+        return outcome;
+    }
+}
+
+ExportJob::ExportJob(Export what, const QString& path, Progress progress,
+                     std::function<void(const ExportOutcome&)> finished)
+    : m_thread([what = std::move(what), path, progress = std::move(progress), finished = std::move(finished)](
+                   const std::stop_token& stop) { finished(exportTo(what, path, progress, stop)); }) {}
+
+} // namespace io

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/png_export.h"
+#include "io/svg_writer.h"
+
+#include <functional>
+#include <thread>
+#include <variant>
+
+namespace io {
+
+struct SvgExport {
+    document::Fractal fractal;
+    attractor::Camera camera;
+    SvgFormat format;
+};
+using Export = std::variant<PngExport, SvgExport>;
+
+// Writes the picture in the calling thread; `path` appears whole or not at all.
+ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress = {},
+                       std::stop_token stop = {});
+
+// An export that goes on in a thread of its own. Destroying it stops and waits: milliseconds.
+class ExportJob {
+public:
+    // `progress` and `finished` are called in that thread; `finished` exactly once, also when stopped.
+    ExportJob(Export what, const QString& path, Progress progress,
+              std::function<void(const ExportOutcome&)> finished);
+
+    void stop() { m_thread.request_stop(); }
+
+private:
+    std::jthread m_thread;
+};
+
+} // namespace io

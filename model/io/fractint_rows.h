@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <QByteArray>
+#include <QByteArrayList>
+
+#include <optional>
+#include <vector>
+
+// A system as rows of numbers, whatever its dimension, and texts that an entry can hold.
+namespace io::fractint {
+
+struct Row {
+    ifs::MapId id = ifs::MapId::None;
+    std::vector<double> coefficients; // 6, or 12: the matrix row by row, then the vector
+    // What the row's weight is to be: 0 for a map that is off; nullopt for a map without weight.
+    std::optional<double> weight;
+    double probability = 0; // stands in for a weight that is not given
+};
+
+std::vector<Row> rowsOf(const document::Fractal& fractal); // none for an entry without a system
+
+QByteArray numberText(double value); // finite, and within what readers accept
+
+// Rows as lines without line ends, columns aligned to the right.
+QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows);
+
+QString storedName(const QString& name);       // one word that hides no brace, comment or prefix
+QString storedComment(const QString& comment); // one line that is not taken for one of ours
+
+} // namespace io::fractint

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "io/fractint_rows.h"
+#include "io/fractint_writer.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+
+namespace {
+
+using document::Entry;
+using document::FractalFile;
+using document::Problem;
+using fractint::Row;
+
+constexpr qsizetype longestLine = 199;
+constexpr std::size_t mostMaps = 63;
+constexpr std::size_t mostMapsBefore18 = 31;
+constexpr qsizetype mostEntries = 2000;
+
+QString tr(const char* sentence) {
+    return QCoreApplication::translate("io", sentence);
+}
+
+// Letters lose their accents; what has no plain form becomes a question mark, or `replacement` in a name.
+QByteArray ascii(const QString& text, char replacement) {
+    QByteArray result;
+    for (const QChar c : text.normalized(QString::NormalizationForm_KD)) {
+        if (c.unicode() >= 0x20 && c.unicode() < 0x7f)
+            result += static_cast<char>(c.unicode());
+        else if (!c.isMark() && !c.isLowSurrogate())
+            result += replacement;
+    }
+    return result;
+}
+
+class StrictWriter {
+public:
+    StrictText write(const FractalFile& file, const QList<document::EntryId>& only) && {
+        for (const Entry& entry : file.entries)
+            if (only.isEmpty() || only.contains(entry.id)) append(*entry.fractal);
+        if (m_file.entries.size() > mostEntries)
+            warn({}, tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
+                         .arg(m_file.entries.size()));
+        return std::move(m_text);
+    }
+
+private:
+    void append(const document::Fractal& fractal) {
+        const std::vector<Row> rows = activeRows(fractal);
+        if (rows.empty())
+            return warn(fractal.name, tr("The entry has no map that takes part and is left out."));
+        const QByteArray name = strictName(fractal.name);
+        if (!m_text.bytes.isEmpty()) m_text.bytes += '\n';
+        for (const QString& comment : fractal.comments) // before the entry: Fractint 16–18 accept none inside
+            m_text.bytes += "; " + ascii(fractint::storedComment(comment), '?').left(longestLine - 2) + '\n';
+        m_text.bytes += name + (document::dimension(fractal) == 3 ? " (3D) {" : " {");
+        if (const QByteArray comment = ascii(fractint::storedComment(fractal.headerComment), '?');
+            !comment.isEmpty())
+            m_text.bytes += " ; " + comment.left(100);
+        m_text.bytes += '\n' + rowText(rows).join('\n') + "\n}\n";
+        checkLimits(fractal, rows.size());
+    }
+
+    std::vector<Row> activeRows(const document::Fractal& fractal) {
+        std::vector<Row> rows = fractint::rowsOf(fractal);
+        const std::size_t all = rows.size();
+        std::erase_if(rows, [](const Row& row) { return !(row.probability > 0); });
+        if (rows.size() < all && !rows.empty())
+            warn(fractal.name, tr("%1 maps that take no part are left out.").arg(all - rows.size()));
+        return rows;
+    }
+
+    QByteArray strictName(const QString& name) {
+        QString legal = QString::fromLatin1(ascii(fractint::storedName(name), '_'));
+        legal = document::uniqueName(m_file, legal);
+        if (legal != name)
+            warn(name, tr("The entry is written under the name “%1”: other programs take 18 plain "
+                          "characters, and each "
+                          "name once.")
+                           .arg(legal));
+        Entry entry;
+        entry.id = document::freshId(m_file);
+        entry.fractal = std::make_shared<const document::Fractal>([&] {
+            document::Fractal named;
+            named.name = legal;
+            return named;
+        }());
+        m_file.entries.append(entry);
+        return legal.toLatin1();
+    }
+
+    // Weights sum to 1, the last one taking what rounding leaves.
+    static QByteArrayList rowText(const std::vector<Row>& rows) {
+        double rest = 1;
+        std::vector<std::vector<QByteArray>> cells;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const bool isLast = i + 1 == rows.size();
+            const double weight = isLast && rest > 0 ? rest : rows[i].probability;
+            rest -= weight;
+            cells.push_back(texts(rows[i], weight));
+        }
+        return fractint::alignedRows(cells);
+    }
+
+    static std::vector<QByteArray> texts(const Row& row, double weight) {
+        for (const int digits : {0, 9, 6}) { // as many digits as a line has room for
+            std::vector<QByteArray> cells;
+            qsizetype length = 2;
+            for (std::size_t i = 0; i <= row.coefficients.size(); ++i) {
+                const double number = i < row.coefficients.size() ? row.coefficients[i] : weight;
+                cells.push_back(digits == 0 ? fractint::numberText(number)
+                                            : QByteArray::number(number, 'g', digits));
+                length += cells.back().size() + 1;
+            }
+            if (length <= longestLine || digits == 6) return cells;
+        }
+        return {};
+    }
+
+    void checkLimits(const document::Fractal& fractal, std::size_t maps) {
+        if (maps > mostMaps)
+            warn(fractal.name,
+                 tr("The entry has %1 maps; Fractint and Iterated Dynamics read at most 63.").arg(maps));
+        else if (maps > mostMapsBefore18)
+            warn(fractal.name, tr("The entry has %1 maps; Fractint up to 17.2 reads at most 31.").arg(maps));
+    }
+
+    void warn(const QString& entry, const QString& message) {
+        m_text.problems.append({Problem::Severity::Warning, entry, 0, 0, message});
+    }
+
+    FractalFile m_file; // the names given so far
+    StrictText m_text;
+};
+
+} // namespace
+
+StrictText writeStrict(const FractalFile& file, const QList<document::EntryId>& only) {
+    return StrictWriter().write(file, only);
+}
+
+} // namespace io

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "io/info_facts.h"
+#include "io/info_report.h"
+
+#include <QCoreApplication>
+
+namespace io {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("InfoReport", text);
+}
+
+QString digits(double number) {
+    return QString::number(number == 0 ? 0.0 : number, 'g', 6);
+}
+
+QString digits(const std::optional<double>& number) {
+    return number ? digits(*number) : tr("not known");
+}
+
+template <typename Vector> QString tuple(const Vector& v) {
+    QStringList parts;
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+        parts << digits(double(v[i]));
+    return QStringLiteral("(%1)").arg(parts.join(QStringLiteral(", ")));
+}
+
+template <typename Matrix> QString rows(const Matrix& m) {
+    QStringList parts;
+    for (Eigen::Index i = 0; i < m.rows(); ++i)
+        parts << tuple(m.row(i));
+    return parts.join(QStringLiteral(" "));
+}
+
+template <typename Points> QString list(const Points& points) {
+    QStringList parts;
+    for (const auto& point : points)
+        parts << tuple(point);
+    return parts.join(QStringLiteral(" "));
+}
+
+QString verdictSentence(const ifs::Existence& existence) {
+    switch (existence.verdict) {
+    case ifs::Verdict::Hyperbolic:
+        return tr("hyperbolic, s = %1").arg(digits(existence.contractivity));
+    case ifs::Verdict::EventuallyContractive:
+        return tr("eventually contractive, γ = %1 from words of length %2")
+            .arg(digits(existence.contractivity))
+            .arg(existence.wordLength);
+    case ifs::Verdict::None:
+        return tr("none: a word of length %1 does not contract").arg(existence.witness.size());
+    case ifs::Verdict::Undecided:
+        return tr("undecided");
+    case ifs::Verdict::Empty:
+        break;
+    }
+    return tr("none: no map takes part");
+}
+
+class Lines {
+public:
+    void add(const QString& name, const QString& value) {
+        m_text += QStringLiteral("  %1  %2\n").arg(name, -22).arg(value);
+    }
+    void title(const QString& text) { m_text += text + u'\n'; }
+    const QString& text() const { return m_text; }
+
+private:
+    QString m_text;
+};
+
+template <int Dim> QString mapLine(const ifs::WeightedMap<Dim>& map, double probability) {
+    QStringList row;
+    for (int i = 0; i < Dim; ++i)
+        for (int j = 0; j < Dim; ++j)
+            row << digits(map.map.linear(i, j)).rightJustified(11);
+    for (int i = 0; i < Dim; ++i)
+        row << digits(map.map.translation[i]).rightJustified(11);
+    row << digits(probability).rightJustified(11);
+    return row.join(u' ') + tr("   norm %1, determinant %2")
+                                .arg(digits(ifs::spectralNorm<Dim>(map.map.linear)),
+                                     digits(ifs::determinant<Dim>(map.map.linear)));
+}
+
+template <int Dim>
+void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, const InfoSubject& subject) {
+    const Facts<Dim> facts = factsOf(system, subject.hullTolerance);
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        lines.add(tr("map %1").arg(i + 1), mapLine(system.maps[i], facts.probabilities[i]));
+    lines.add(tr("attractor"), verdictSentence(facts.existence));
+    if (facts.moments) {
+        lines.add(tr("mean"), tuple(facts.moments->mean));
+        lines.add(tr("covariance"), rows(facts.moments->covariance));
+    }
+    if (facts.box)
+        lines.add(tr("bounding box"), tuple(facts.box->min) + QStringLiteral(" ") + tuple(facts.box->max));
+    if (facts.simplex) lines.add(tr("canonical simplex"), list(facts.simplex->vertices));
+    if (facts.hull)
+        lines.add(tr("convex hull"),
+                  tr("%1 vertices, area %2").arg(facts.hull->vertices.size()).arg(digits(facts.hull->area)));
+    lines.add(tr("similarity dimension"), digits(facts.similarityDimension));
+    lines.add(tr("affinity dimension"), digits(facts.affinityDimension));
+}
+
+void addEntry(Lines& lines, const document::Fractal& fractal, const InfoSubject& subject) {
+    if (const auto* plane = std::get_if<document::System2>(&fractal.system)) {
+        lines.title(tr("%1 — in the plane, %2 maps").arg(fractal.name).arg(plane->maps.size()));
+        addSystem(lines, *plane, subject);
+    } else if (const auto* space = std::get_if<document::System3>(&fractal.system)) {
+        lines.title(tr("%1 — in space, %2 maps").arg(fractal.name).arg(space->maps.size()));
+        addSystem(lines, *space, subject);
+    } else {
+        lines.title(tr("%1 — could not be read").arg(fractal.name));
+    }
+    if (fractal.cage) {
+        lines.add(tr("cage at rest"), list(fractal.cage->rest));
+        lines.add(tr("cage now"), list(fractal.cage->current));
+    }
+}
+
+} // namespace
+
+QString infoText(const InfoSubject& subject) {
+    Lines lines;
+    for (const auto& entry : subject.entries) {
+        if (!lines.text().isEmpty()) lines.title({});
+        addEntry(lines, *entry.fractal, subject);
+    }
+    return lines.text();
+}
+
+} // namespace io

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include "io/own_comments.h"
+
+#include "io/number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace io {
+
+namespace {
+
+constexpr const char* prefix = "barycage:";
+constexpr qsizetype longestLine = 69;
+constexpr int maxVertices = 4096; // a hostile file must not make a cage of a million corners
+constexpr int maxStops = 4096;
+
+struct ColourByName {
+    attractor::ColourBy colourBy;
+    const char* name;
+};
+constexpr std::array colourByNames{
+    ColourByName{attractor::ColourBy::Density, "density"}, ColourByName{attractor::ColourBy::Map, "map"},
+    ColourByName{attractor::ColourBy::Address, "address"}, ColourByName{attractor::ColourBy::Plain, "plain"}};
+
+QByteArray line(const char* key, const QByteArray& values) {
+    return QByteArray("; ") + prefix + ' ' + key + ' ' + values;
+}
+
+QByteArray point(const ifs::Vector<2>& p) {
+    return formatNumber(p.x()) + ' ' + formatNumber(p.y());
+}
+
+QByteArray colourText(const attractor::Rgba& colour) {
+    const std::array<char, 4> channels{static_cast<char>(colour.red), static_cast<char>(colour.green),
+                                       static_cast<char>(colour.blue), static_cast<char>(colour.alpha)};
+    return '#' + QByteArray(channels.data(), 4).toHex();
+}
+
+std::optional<attractor::Rgba> parseColour(const QByteArray& text) {
+    if (text.size() != 9 || text.front() != '#') return std::nullopt;
+    const QByteArray hex = text.sliced(1).toLower();
+    const QByteArray channels = QByteArray::fromHex(hex);
+    if (channels.toHex() != hex) return std::nullopt;
+    const auto channel = [&](qsizetype i) { return static_cast<std::uint8_t>(channels[i]); };
+    return attractor::Rgba{channel(0), channel(1), channel(2), channel(3)};
+}
+
+std::optional<double> number(const QByteArray& text) {
+    return parseNumber(QString::fromLatin1(text));
+}
+
+template <int Dim>
+QByteArrayList mapLines(const ifs::IteratedFunctionSystem<Dim>& system,
+                        const attractor::Appearance& appearance) {
+    QByteArrayList lines;
+    const bool noWeights = std::none_of(system.maps.begin(), system.maps.end(),
+                                        [](const auto& map) { return map.weight.has_value(); });
+    if (noWeights && !system.maps.empty()) lines << line("unweighted", "all");
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const auto& map = system.maps[i];
+        const QByteArray place = QByteArray::number(static_cast<qulonglong>(i + 1));
+        if (!map.enabled)
+            lines << line("off", map.weight ? place + ' ' + formatNumber(*map.weight) : place);
+        else if (!map.weight && !noWeights)
+            lines << line("unweighted", place);
+        if (const auto colour = appearance.mapColours.find(map.id); colour != appearance.mapColours.end())
+            lines << line("map-colour", place + ' ' + colourText(colour->second));
+    }
+    return lines;
+}
+
+QByteArrayList paletteLines(const attractor::Palette& palette) {
+    QByteArrayList lines{line("palette", QByteArray::fromStdString(palette.name))};
+    const attractor::Palette* builtIn = attractor::findPalette(palette.name);
+    if (builtIn != nullptr && *builtIn == palette) return lines;
+    for (const auto& stop : palette.stops)
+        lines << line("stop", formatNumber(stop.position) + ' ' + colourText(stop.colour));
+    return lines;
+}
+
+QByteArrayList appearanceLines(const attractor::Appearance& appearance) {
+    const attractor::Appearance standard;
+    QByteArrayList lines;
+    if (appearance.colourBy != standard.colourBy)
+        for (const auto& [colourBy, name] : colourByNames)
+            if (colourBy == appearance.colourBy) lines << line("colour-by", name);
+    if (!(appearance.palette == standard.palette)) lines << paletteLines(appearance.palette);
+    if (!(appearance.plain == standard.plain)) lines << line("plain", colourText(appearance.plain));
+    if (!(appearance.background == standard.background))
+        lines << line("background", colourText(appearance.background));
+    if (appearance.brightness != standard.brightness)
+        lines << line("brightness", formatNumber(appearance.brightness));
+    if (appearance.gamma != standard.gamma) lines << line("gamma", formatNumber(appearance.gamma));
+    if (appearance.supersample != standard.supersample)
+        lines << line("supersample", QByteArray::number(appearance.supersample));
+    return lines;
+}
+
+// A text that is written after a key: one line, no blanks at its ends, short enough.
+std::string storablePaletteName(const std::string& name) {
+    QString text = QString::fromStdString(name).simplified();
+    const auto room = longestLine - line("palette", {}).size();
+    while (text.toUtf8().size() > room)
+        text.chop(1);
+    return text.trimmed().toStdString();
+}
+
+template <int Dim>
+void renumber(ifs::IteratedFunctionSystem<Dim>& system, std::map<ifs::MapId, attractor::Rgba>& colours) {
+    std::map<ifs::MapId, attractor::Rgba> kept;
+    std::uint32_t number = 0;
+    for (auto& map : system.maps) {
+        const auto id = static_cast<ifs::MapId>(++number);
+        if (const auto colour = colours.find(map.id); colour != colours.end()) kept[id] = colour->second;
+        map.id = id;
+    }
+    colours = std::move(kept);
+}
+
+} // namespace
+
+QByteArrayList ownComments(const document::Fractal& fractal) {
+    QByteArrayList lines;
+    if (fractal.cage) {
+        for (const auto& vertex : fractal.cage->rest)
+            lines << line("rest", point(vertex));
+        for (const auto& vertex : fractal.cage->current)
+            lines << line("current", point(vertex));
+    }
+    lines << appearanceLines(fractal.appearance);
+    if (const auto* plane = std::get_if<document::System2>(&fractal.system))
+        lines << mapLines(*plane, fractal.appearance);
+    else if (const auto* space = std::get_if<document::System3>(&fractal.system))
+        lines << mapLines(*space, fractal.appearance);
+    if (!lines.isEmpty()) lines.prepend(line("version", "1"));
+    return lines;
+}
+
+document::Fractal asStored(document::Fractal fractal) {
+    if (auto* plane = std::get_if<document::System2>(&fractal.system))
+        renumber(*plane, fractal.appearance.mapColours);
+    else if (auto* space = std::get_if<document::System3>(&fractal.system))
+        renumber(*space, fractal.appearance.mapColours);
+    const attractor::Palette* builtIn = attractor::findPalette(fractal.appearance.palette.name);
+    if (builtIn == nullptr || !(*builtIn == fractal.appearance.palette))
+        fractal.appearance.palette.name = storablePaletteName(fractal.appearance.palette.name);
+    return fractal;
+}
+
+bool isOwnComment(QByteArrayView comment) {
+    return comment.trimmed().startsWith(prefix);
+}
+
+bool OwnComments::read(QByteArrayView comment) {
+    if (!isOwnComment(comment)) return false;
+    const QByteArray text =
+        comment.trimmed().sliced(qsizetype(std::strlen(prefix))).toByteArray().simplified();
+    QByteArrayList values = text.split(' ');
+    const QByteArray key = values.takeFirst();
+    return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
+           readPalette(key, values);
+}
+
+bool OwnComments::readSetting(const QByteArray& key, const QByteArrayList& values) {
+    if (key == "rest" || key == "current") {
+        auto& vertices = key == "rest" ? m_cage.rest : m_cage.current;
+        const auto x = values.size() == 2 ? number(values[0]) : std::nullopt;
+        const auto y = values.size() == 2 ? number(values[1]) : std::nullopt;
+        if (!x || !y || vertices.size() >= maxVertices) return false;
+        vertices.emplace_back(*x, *y);
+        return true;
+    }
+    if (values.size() != 1) return false;
+    if (key == "colour-by") {
+        const auto found = std::find_if(colourByNames.begin(), colourByNames.end(),
+                                        [&](const ColourByName& entry) { return values[0] == entry.name; });
+        if (found == colourByNames.end()) return false;
+        m_appearance.colourBy = found->colourBy;
+        return true;
+    }
+    if (key == "plain" || key == "background") {
+        const auto colour = parseColour(values[0]);
+        if (colour) (key == "plain" ? m_appearance.plain : m_appearance.background) = *colour;
+        return colour.has_value();
+    }
+    const auto value = number(values[0]);
+    if (!value || !(*value > 0)) return false;
+    if (key == "brightness")
+        m_appearance.brightness = *value;
+    else if (key == "gamma")
+        m_appearance.gamma = *value;
+    else if (key == "supersample" && *value <= 4 && *value == static_cast<int>(*value))
+        m_appearance.supersample = static_cast<int>(*value);
+    else
+        return false;
+    return true;
+}
+
+bool OwnComments::readMapSetting(const QByteArray& key, const QByteArrayList& values) {
+    if (values.isEmpty() || values.size() > 2) return false;
+    MapSetting setting;
+    if (key == "unweighted" && values.size() == 1 && values[0] == "all") {
+        m_unweighted.push_back(setting); // place 0: all of them
+        return true;
+    }
+    setting.place = values[0].toInt();
+    if (setting.place < 1) return false;
+    if (key == "unweighted" && values.size() == 1) {
+        m_unweighted.push_back(setting);
+        return true;
+    }
+    if (key == "off") {
+        setting.weight = values.size() == 2 ? number(values[1]) : std::nullopt;
+        if (values.size() == 2 && !setting.weight) return false;
+        m_off.push_back(setting);
+        return true;
+    }
+    const auto colour = values.size() == 2 ? parseColour(values[1]) : std::nullopt;
+    if (key != "map-colour" || !colour) return false;
+    setting.colour = *colour;
+    m_colours.push_back(setting);
+    return true;
+}
+
+bool OwnComments::readPalette(const QByteArray& key, const QByteArrayList& values) {
+    if (key == "palette") {
+        m_paletteName = values.join(' ').toStdString();
+        return true;
+    }
+    if (key != "stop" || values.size() != 2 || m_stops.size() >= maxStops) return false;
+    const auto position = number(values[0]);
+    const auto colour = parseColour(values[1]);
+    if (!position || !colour || *position < 0 || *position > 1) return false;
+    m_stops.push_back({*position, *colour});
+    return true;
+}
+
+void OwnComments::applyCage(document::Fractal& fractal, QStringList& sentences) const {
+    if (m_cage.rest.empty() && m_cage.current.empty()) return;
+    if (ifs::isValid(m_cage))
+        fractal.cage = m_cage;
+    else
+        sentences << QCoreApplication::translate(
+            "io",
+            "The stored cage is not usable (its lists of vertices do not match, or its rest vertices lie on "
+            "one line) and is not applied.");
+}
+
+void OwnComments::applyPalette(document::Fractal& fractal, QStringList& sentences) const {
+    if (!m_paletteName && m_stops.empty()) return;
+    const std::string name = m_paletteName.value_or(std::string());
+    const attractor::Palette* builtIn = attractor::findPalette(name);
+    const bool isSorted = std::is_sorted(
+        m_stops.begin(), m_stops.end(), [](const auto& a, const auto& b) { return a.position < b.position; });
+    const bool isGradient =
+        m_stops.size() >= 2 && isSorted && m_stops.front().position == 0 && m_stops.back().position == 1;
+    if (isGradient)
+        fractal.appearance.palette = {name, m_stops};
+    else if (m_stops.empty() && builtIn != nullptr)
+        fractal.appearance.palette = *builtIn;
+    else
+        sentences << QCoreApplication::translate("io",
+                                                 "The stored palette “%1” is unknown and is not applied.")
+                         .arg(QString::fromStdString(name));
+}
+
+QStringList OwnComments::applyTo(document::Fractal& fractal) const {
+    QStringList sentences;
+    fractal.appearance = m_appearance;
+    applyPalette(fractal, sentences);
+    applyCage(fractal, sentences);
+    const auto applyToMaps = [&](auto& maps) {
+        const auto mapAt = [&](int place) {
+            return static_cast<std::size_t>(place) <= maps.size() ? &maps[static_cast<std::size_t>(place - 1)]
+                                                                  : nullptr;
+        };
+        for (const MapSetting& setting : m_unweighted) {
+            if (setting.place == 0)
+                for (auto& map : maps)
+                    map.weight.reset();
+            else if (auto* map = mapAt(setting.place))
+                map->weight.reset();
+        }
+        for (const MapSetting& setting : m_colours)
+            if (const auto* map = mapAt(setting.place))
+                fractal.appearance.mapColours[map->id] = setting.colour;
+        for (const MapSetting& setting : m_off) {
+            auto* map = mapAt(setting.place);
+            if (map == nullptr || (map->weight && *map->weight != 0)) {
+                sentences << QCoreApplication::translate(
+                                 "io",
+                                 "Map %1 was switched off here, but another program has given it a weight.")
+                                 .arg(setting.place);
+                continue;
+            }
+            map->enabled = false;
+            map->weight = setting.weight;
+        }
+    };
+    if (auto* plane = std::get_if<document::System2>(&fractal.system))
+        applyToMaps(plane->maps);
+    else if (auto* space = std::get_if<document::System3>(&fractal.system))
+        applyToMaps(space->maps);
+    return sentences;
+}
+
+} // namespace io

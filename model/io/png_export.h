@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/renderer.h"
+#include "document/fractal.h"
+#include "io/cage_overlay.h"
+#include "io/save_file.h"
+
+#include <QImage>
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+
+namespace io {
+
+using Progress = std::function<void(double fraction)>; // 0 … 1, called in the thread that works
+
+struct PngExport {
+    document::Fractal fractal;        // embedded in the picture as text
+    attractor::RenderRequest request; // what is drawn; its samples are those of the whole picture
+    std::optional<double> dotsPerInch;
+    CageVisibility cage = CageVisibility::Hidden;
+};
+
+struct ExportOutcome {
+    Failure failure;
+    bool stopped = false; // on request; nothing was written
+    attractor::RenderNote note = attractor::RenderNote::None;
+};
+
+// Renders and writes the picture; `path` appears whole or not at all.
+ExportOutcome exportPng(const PngExport& picture, const QString& path, const Progress& progress = {},
+                        std::stop_token stop = {});
+
+// The same picture in memory; null when stopped.
+struct Picture {
+    QImage image;
+    attractor::RenderNote note = attractor::RenderNote::None;
+};
+Picture drawPicture(const PngExport& picture, const Progress& progress = {}, std::stop_token stop = {});
+
+// Memory that drawing this picture takes, in bytes, about.
+std::uint64_t memoryFor(const attractor::RenderRequest& request);
+
+} // namespace io

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "io/save_file.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <algorithm>
+
+#ifdef Q_OS_UNIX
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+namespace io {
+
+namespace {
+
+constexpr qint64 largestFile = 256LL * 1024 * 1024;
+
+QString tr(const char* sentence) {
+    return QCoreApplication::translate("io", sentence);
+}
+
+QString shown(const QString& path) {
+    return QDir::toNativeSeparators(path);
+}
+
+// The file that `path` leads to through symbolic links; a dangling link leads to the file it names.
+QString target(QString path) {
+    constexpr int mostLinks = 40; // as many as the kernel follows
+    for (int i = 0; i < mostLinks; ++i) {
+        const QFileInfo info(path);
+        if (!info.isSymLink()) break;
+        path = info.symLinkTarget();
+    }
+    return path;
+}
+
+Failure obstacle(const QString& path) {
+    const QFileInfo info(path);
+    const QFileInfo folder(info.absolutePath());
+    if (info.isDir()) return tr("“%1” is a folder. Choose a file name.").arg(shown(path));
+    if (info.exists() && !info.isFile())
+        return tr("“%1” is not an ordinary file and is not replaced. Choose another name.").arg(shown(path));
+    if (!folder.isDir())
+        return tr("The folder “%1” does not exist. Create it, or save somewhere else.")
+            .arg(shown(folder.filePath()));
+    if (info.exists() && !info.isWritable())
+        return tr("“%1” is read-only. Save under another name, or change its permissions.").arg(shown(path));
+    return std::nullopt;
+}
+
+#ifdef Q_OS_UNIX
+
+QString reason(int error, const QString& path) {
+    const QString folder = shown(QFileInfo(path).absolutePath());
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+        return tr("“%1” was not saved: the disk is full. Free some space and save again; the file on the "
+                  "disk is as "
+                  "it was.")
+            .arg(shown(path));
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return tr("“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.")
+            .arg(shown(path), folder);
+    case ENAMETOOLONG:
+        return tr("“%1” was not saved: the name is too long.").arg(shown(path));
+    default:
+        return tr("“%1” was not saved: %2. The file on the disk is as it was.")
+            .arg(shown(path), QString::fromLocal8Bit(std::strerror(error)));
+    }
+}
+
+// An open file descriptor; closed at the end.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor() {
+        if (m_number >= 0) ::close(m_number);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    bool isOpen() const { return m_number >= 0; }
+    int number() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+bool writeAll(int file, const QByteArray& bytes) {
+    for (qsizetype done = 0; done < bytes.size();) {
+        const ssize_t count =
+            ::write(file, bytes.constData() + done, static_cast<std::size_t>(bytes.size() - done));
+        if (count < 0 && errno != EINTR) return false;
+        done += std::max<ssize_t>(count, 0);
+    }
+    return true;
+}
+
+// Permissions, and owner and group as far as we may, of the file that is about to be replaced.
+void keepAttributes(int file, const QByteArray& path) {
+    struct stat old {};
+    if (::stat(path.constData(), &old) == 0) {
+        if (::fchown(file, old.st_uid, old.st_gid) != 0 &&
+            ::fchown(file, static_cast<uid_t>(-1), old.st_gid) != 0)
+            old.st_mode &= static_cast<mode_t>(~(S_ISUID | S_ISGID));
+        ::fchmod(file, old.st_mode & 07777);
+        return;
+    }
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(file, 0666 & ~mask);
+}
+
+Failure replace(const QString& path, const QByteArray& bytes) {
+    const QByteArray name = QFile::encodeName(path);
+    const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
+    QByteArray temporary = folder + "/.barycage-XXXXXX";
+    const Descriptor file(::mkstemp(temporary.data()));
+    if (!file.isOpen()) return reason(errno, path);
+    keepAttributes(file.number(), name);
+    if (!writeAll(file.number(), bytes) || ::fsync(file.number()) != 0 ||
+        ::rename(temporary.constData(), name.constData()) != 0) {
+        const int error = errno;
+        ::unlink(temporary.constData());
+        return reason(error, path);
+    }
+    // The name must survive a power cut as well; some file systems refuse to sync a folder, which is no
+    // failure.
+    const Descriptor directory(::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (directory.isOpen()) ::fsync(directory.number());
+    return std::nullopt;
+}
+
+#else
+
+Failure replace(const QString& path, const QByteArray& bytes) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return tr("“%1” was not saved: %2. The file on the disk is as it was.")
+            .arg(shown(path), file.errorString());
+    return std::nullopt;
+}
+
+#endif
+
+} // namespace
+
+Failure saveFile(const QString& path, const QByteArray& bytes) {
+    if (path.isEmpty()) return tr("The file has no name. Choose one.");
+    const QString file = target(path);
+    if (Failure failure = obstacle(file)) return failure;
+    return replace(file, bytes);
+}
+
+Loaded loadFile(const QString& path) {
+    QFile file(path);
+    const QFileInfo info(path);
+    if (!info.exists()) return {{}, tr("“%1” does not exist.").arg(shown(path))};
+    if (info.isDir()) return {{}, tr("“%1” is a folder, not a file.").arg(shown(path))};
+    const QString tooLarge =
+        tr("“%1” is larger than 256 MB, which is the limit for a file.").arg(shown(path));
+    if (info.size() > largestFile) return {{}, tooLarge};
+    if (!file.open(QIODevice::ReadOnly))
+        return {{}, tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
+    Loaded loaded{file.read(largestFile + 1), std::nullopt}; // a pipe does not know its size beforehand
+    if (file.error() != QFileDevice::NoError)
+        return {{}, tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
+    if (loaded.bytes.size() > largestFile) return {{}, tooLarge};
+    return loaded;
+}
+
+} // namespace io

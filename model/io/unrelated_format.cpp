@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "io/unrelated_format.h"
+
+#include "io/number.h"
+
+#include <QByteArrayList>
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace io {
+
+namespace {
+
+constexpr qsizetype sampleSize = 4096;
+
+QString tr(const char* sentence) {
+    return QCoreApplication::translate("io", sentence);
+}
+
+bool isBinary(QByteArrayView bytes) {
+    const QByteArrayView head = bytes.first(std::min<qsizetype>(bytes.size(), 512));
+    const auto odd = std::count_if(head.begin(), head.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < 0x20 && !(byte >= '\t' && byte <= '\r') && byte != 0x1a) || byte == 0x7f;
+    });
+    return odd > 2 && odd * 20 > head.size();
+}
+
+std::optional<QString> byMagic(QByteArrayView bytes) {
+    struct Magic {
+        QByteArrayView bytes;
+        const char* name;
+    };
+    static const std::array magics{
+        Magic{"\x89PNG", "PNG"},    Magic{"\xff\xd8\xff", "JPEG"}, Magic{"GIF8", "GIF"},
+        Magic{"PK\x03\x04", "ZIP"}, Magic{"\x1f\x8b", "gzip"},     Magic{"%PDF", "PDF"},
+        Magic{"BM", nullptr},
+    };
+    for (const auto& [magic, name] : magics)
+        if (name != nullptr && bytes.startsWith(magic))
+            return tr("This is a %1 file, not a text with iterated function systems.")
+                .arg(QLatin1String(name));
+    if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
+        return tr("This is a text in UTF-16. Save it as UTF-8 or ASCII and open it again.");
+    return std::nullopt;
+}
+
+std::optional<QString> byBeginning(QByteArrayView text) {
+    if (text.startsWith("(("))
+        return tr("This is a list written by a Racket program (wgmitchener's IFS editor), not a Fractint "
+                  "collection.");
+    if (text.startsWith('<')) {
+        if (text.contains("<flame")) return tr("This is a flame file (XML), not a Fractint collection.");
+        if (text.contains("<svg")) return tr("This is an SVG picture, not a Fractint collection.");
+        return text.contains("<Transform") || text.contains("<ifs")
+                   ? tr("This is an XML file of an IFS program such as IFS Explorer, not a Fractint "
+                        "collection.")
+                   : tr("This is an XML or HTML file, not a Fractint collection.");
+    }
+    if (text.startsWith('@') || text.contains("$dim"))
+        return tr("This is an IFStile file (.aifs), not a Fractint collection.");
+    if (text.startsWith("(initstate)") || text.contains("(formula '"))
+        return tr("This is a XaoS position file, not a Fractint collection.");
+    return std::nullopt;
+}
+
+QByteArrayList linesOf(QByteArrayView text) {
+    QByteArrayList lines;
+    for (const QByteArray& line : QByteArray(text.data(), text.size()).replace('\r', '\n').split('\n'))
+        if (const QByteArray simple = line.simplified(); !simple.isEmpty() && !simple.startsWith(';'))
+            lines << simple;
+    return lines;
+}
+
+// Numbers in a line, −1 when anything else stands there.
+qsizetype numbersIn(const QByteArray& line) {
+    const QByteArrayList words = line.split(' ');
+    const bool all = std::all_of(words.begin(), words.end(), [](const QByteArray& word) {
+        return parseNumber(QString::fromLatin1(word)).has_value();
+    });
+    return all ? words.size() : -1;
+}
+
+std::optional<QString> byLines(const QByteArrayList& lines) {
+    if (lines.size() < 2)
+        return lines.size() == 1 && lines[0].contains("*x")
+                   ? std::optional(
+                         tr("The lines are expressions in x and y, as pyfractal writes them, not a Fractint "
+                            "collection."))
+                   : std::nullopt;
+    const qsizetype first = numbersIn(lines[0]);
+    const qsizetype second = numbersIn(lines[1]);
+    if (first == 1 && second == 7)
+        return tr("This is a table of the program Fraktale: a count, maps with cumulative percentages and a "
+                  "window. It "
+                  "is not a Fractint collection.");
+    if (first == 3 && second == 5)
+        return tr("This table has 5 numbers per map (scales, shifts and a rotation in pixels). It is not a "
+                  "Fractint "
+                  "collection.");
+    const auto isExpression = [](const QByteArray& line) {
+        const qsizetype semicolon = line.indexOf(';');
+        return semicolon > 0 && line.first(semicolon).contains(',') &&
+               (line.contains('x') || line.contains('y')) && (line.contains('*') || line.contains('/'));
+    };
+    if (isExpression(lines[0]) || isExpression(lines[1]))
+        return tr(
+            "The lines are expressions in x and y, as pyfractal writes them, not a Fractint collection.");
+    const auto isScript = [](const QByteArray& line) {
+        return line.startsWith("//") || line.startsWith("xform") || line.startsWith("translate") ||
+               line.startsWith("rotate") || line.startsWith("scale");
+    };
+    if (std::count_if(lines.begin(), lines.end(), isScript) * 2 > lines.size())
+        return tr("This is a StyrofoamIFS script, not a Fractint collection.");
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<QString> unrelatedFormat(QByteArrayView bytes) {
+    if (bytes.startsWith("\xef\xbb\xbf")) bytes = bytes.sliced(3);
+    if (const auto magic = byMagic(bytes)) return magic;
+    if (isBinary(bytes))
+        return tr(
+            "This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with "
+            "iterated function systems.");
+    const QByteArrayView text = bytes.first(std::min(bytes.size(), sampleSize)).trimmed();
+    if (const auto beginning = byBeginning(text)) return beginning;
+    return byLines(linesOf(text));
+}
+
+} // namespace io

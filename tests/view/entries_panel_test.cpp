@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+#include "clipboard.h"
+#include "panels/entries_list.h"
+#include "panels/entries_model.h"
+#include "panels/entries_panel.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDropEvent>
+#include <QGuiApplication>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolTip>
+
+using namespace Qt::StringLiterals;
+using document::Document;
+using document::Entry;
+using document::EntryId;
+using document::FractalFile;
+using view::EntriesList;
+using view::EntriesPanel;
+
+namespace {
+
+FractalFile fileOfNames(const QStringList& names) {
+    FractalFile file;
+    for (const QString& name : names) {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        fractal.name = name;
+        file.entries.append(
+            {document::freshId(file), std::make_shared<const document::Fractal>(fractal), nullptr, {}});
+    }
+    return file;
+}
+
+} // namespace
+
+class EntriesPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+
+    void add();
+    void removeSeveral();
+    void removeAll();
+    void duplicate();
+    void renameByKeyboard();
+    void badNameKeepsTheEditorOpen();
+    void moveByKeyboard();
+    void moveSeveralWithGap();
+    void dropMoves();
+    void dropFromElsewhere();
+    void copyAndPasteBetweenDocuments();
+    void pasteNonsense();
+    void comment();
+    void filterHidesAndKeepsCurrent();
+    void currentFollowsBothWays();
+    void selectionSurvivesUndo();
+    void emptyFile();
+    void everythingIsNamed();
+
+private:
+    QStringList names() const;
+    QString currentName() const { return m_document->fractal().name; }
+    QModelIndex row(const QString& name) const;
+    void select(const QStringList& names);
+    void key(Qt::Key code, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+    void drop(const QMimeData& mimeData, const QPoint& position); // as if from another window
+    void checkOneStep();                                          // exactly one, undone and redone exactly
+
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<EntriesPanel> m_panel;
+    EntriesList* m_list = nullptr;
+    FractalFile m_before;
+};
+
+void EntriesPanelTest::init() {
+    m_document = std::make_unique<Document>();
+    m_document->setFile(fileOfNames({u"maple"_s, u"flower"_s, u"fern"_s, u"tree"_s, u"dragon"_s}));
+    m_before = m_document->file();
+    m_panel = std::make_unique<EntriesPanel>(m_document.get());
+    m_list = m_panel->findChild<EntriesList*>();
+    m_panel->resize(240, 500);
+    m_panel->show();
+    m_panel->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    m_list->setFocus();
+}
+
+void EntriesPanelTest::cleanup() {
+    m_panel.reset();
+    m_document.reset();
+}
+
+QStringList EntriesPanelTest::names() const {
+    QStringList result;
+    for (const Entry& entry : m_document->file().entries)
+        result.append(entry.fractal->name);
+    return result;
+}
+
+QModelIndex EntriesPanelTest::row(const QString& name) const {
+    for (int i = 0; i < m_list->model()->rowCount(); ++i)
+        if (m_list->model()->index(i, 0).data().toString() == name) return m_list->model()->index(i, 0);
+    return {};
+}
+
+void EntriesPanelTest::select(const QStringList& wanted) {
+    m_list->setCurrentIndex(row(wanted.front()));
+    for (const QString& name : wanted)
+        m_list->selectionModel()->select(row(name), QItemSelectionModel::Select);
+}
+
+void EntriesPanelTest::key(Qt::Key code, Qt::KeyboardModifiers modifiers) {
+    QTest::keyClick(m_list, code, modifiers);
+}
+
+void EntriesPanelTest::drop(const QMimeData& mimeData, const QPoint& position) {
+    QDragEnterEvent enter(position, Qt::CopyAction | Qt::MoveAction, &mimeData, Qt::LeftButton,
+                          Qt::NoModifier);
+    QCoreApplication::sendEvent(m_list->viewport(), &enter);
+    QDropEvent event(position, Qt::CopyAction | Qt::MoveAction, &mimeData, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(m_list->viewport(), &event);
+}
+
+void EntriesPanelTest::checkOneStep() {
+    const FractalFile after = m_document->file();
+    QVERIFY(after != m_before);
+    QCOMPARE(m_document->undoStack()->count(), 1);
+    m_document->undoStack()->undo();
+    QVERIFY(m_document->file() == m_before);
+    m_document->undoStack()->redo();
+    QVERIFY(m_document->file() == after);
+}
+
+void EntriesPanelTest::add() {
+    select({u"flower"_s});
+    m_panel->addEntry();
+    QCOMPARE(names().size(), 6);
+    QCOMPARE(m_document->currentEntry().id, m_document->file().entries[2].id);
+    QCOMPARE(document::system2(m_document->fractal())->maps.size(), std::size_t{3});
+    QCOMPARE(m_list->currentIndex().row(), 2);
+    checkOneStep();
+}
+
+void EntriesPanelTest::removeSeveral() {
+    select({u"fern"_s, u"maple"_s});
+    key(Qt::Key_Delete);
+    QCOMPARE(names(), (QStringList{u"flower"_s, u"tree"_s, u"dragon"_s}));
+    QVERIFY(m_list->currentIndex().isValid());
+    QCOMPARE(m_list->currentIndex().data().toString(), currentName());
+    checkOneStep();
+}
+
+void EntriesPanelTest::removeAll() {
+    m_list->selectAll();
+    m_panel->removeSelected();
+    QVERIFY(names().isEmpty());
+    QVERIFY(!m_list->currentIndex().isValid());
+    m_panel->addEntry();
+    QCOMPARE(names().size(), 1);
+    m_document->undoStack()->undo();
+    m_document->undoStack()->undo();
+    QVERIFY(m_document->file() == m_before);
+}
+
+void EntriesPanelTest::duplicate() {
+    select({u"maple"_s, u"fern"_s});
+    key(Qt::Key_Insert);
+    QCOMPARE(names(), (QStringList{u"maple"_s, u"flower"_s, u"fern"_s, u"maple_2"_s, u"fern_2"_s, u"tree"_s,
+                                   u"dragon"_s}));
+    QCOMPARE(m_list->selectedIds().size(), 2);
+    QCOMPARE(currentName(), u"maple_2"_s);
+    checkOneStep();
+}
+
+void EntriesPanelTest::renameByKeyboard() {
+    select({u"tree"_s});
+    key(Qt::Key_F2);
+    auto* editor = m_list->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    QVERIFY(!editor->accessibleName().isEmpty());
+    editor->selectAll();
+    QTest::keyClicks(editor, u"oak"_s);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(currentName(), u"oak"_s);
+    checkOneStep();
+}
+
+void EntriesPanelTest::badNameKeepsTheEditorOpen() {
+    QSignalSpy messages(m_panel.get(), &EntriesPanel::message);
+    select({u"tree"_s});
+    key(Qt::Key_F2);
+    QPointer<QLineEdit> editor = m_list->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->selectAll();
+    QTest::keyClicks(editor, u"FERN"_s);
+    QVERIFY(editor->accessibleDescription().contains(u"Another entry"_s));
+    QCOMPARE(QToolTip::text(), editor->accessibleDescription());
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTest::qWait(10);
+    QVERIFY(editor && editor->isVisible());
+    QCOMPARE(m_document->undoStack()->count(), 0);
+    QTest::keyClick(editor, Qt::Key_Escape);
+    QTRY_VERIFY(!editor || !editor->isVisible());
+    QVERIFY(m_document->file() == m_before);
+}
+
+void EntriesPanelTest::moveByKeyboard() {
+    select({u"fern"_s});
+    key(Qt::Key_Up, Qt::AltModifier);
+    QCOMPARE(names(), (QStringList{u"maple"_s, u"fern"_s, u"flower"_s, u"tree"_s, u"dragon"_s}));
+    QCOMPARE(currentName(), u"fern"_s);
+    checkOneStep();
+    key(Qt::Key_Down, Qt::AltModifier);
+    key(Qt::Key_Down, Qt::AltModifier);
+    key(Qt::Key_Down, Qt::AltModifier);
+    QCOMPARE(names().last(), u"fern"_s);
+    const int steps = m_document->undoStack()->count();
+    key(Qt::Key_Down, Qt::AltModifier); // nowhere to go
+    QCOMPARE(m_document->undoStack()->count(), steps);
+    QCOMPARE(m_list->currentIndex().data().toString(), u"fern"_s);
+}
+
+void EntriesPanelTest::moveSeveralWithGap() {
+    select({u"flower"_s, u"tree"_s});
+    m_panel->moveUp();
+    QCOMPARE(names(), (QStringList{u"flower"_s, u"tree"_s, u"maple"_s, u"fern"_s, u"dragon"_s}));
+    QCOMPARE(m_list->selectedIds().size(), 2);
+    checkOneStep();
+}
+
+void EntriesPanelTest::dropMoves() {
+    select({u"dragon"_s});
+    emit m_list->entriesDropped(m_list->selectedIds(), m_before.entries[1].id);
+    QCOMPARE(names(), (QStringList{u"maple"_s, u"dragon"_s, u"flower"_s, u"fern"_s, u"tree"_s}));
+    QCOMPARE(currentName(), u"dragon"_s);
+    checkOneStep();
+}
+
+void EntriesPanelTest::dropFromElsewhere() {
+    document::Fractal fractal = document::sierpinskiTriangle();
+    fractal.name = u"guest"_s;
+    Entry entry;
+    entry.fractal = std::make_shared<const document::Fractal>(fractal);
+    const auto mimeData = view::entriesMimeData({entry});
+    const QRect second = m_list->visualRect(row(u"flower"_s));
+    drop(*mimeData, second.center() + QPoint(0, second.height() / 4)); // lower half: behind it
+    QCOMPARE(names(), (QStringList{u"maple"_s, u"flower"_s, u"guest"_s, u"fern"_s, u"tree"_s, u"dragon"_s}));
+    checkOneStep();
+}
+
+void EntriesPanelTest::copyAndPasteBetweenDocuments() {
+    document::Fractal rich = *m_before.entries[0].fractal;
+    rich.comments = QStringList{u"a remark"_s};
+    rich.cage = document::effectiveCage(rich);
+    rich.cage->current[0] = {-1, -2};
+    rich.appearance.gamma = 1.5;
+    m_document->edit(u"enrich"_s, rich);
+    select({u"maple"_s, u"tree"_s});
+    key(Qt::Key_C, Qt::ControlModifier);
+    QVERIFY(QGuiApplication::clipboard()->text().contains(u"maple"_s));
+
+    init();
+    select({u"dragon"_s});
+    key(Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(names().mid(5), (QStringList{u"maple_2"_s, u"tree_2"_s}));
+    const document::Fractal& pasted = m_document->fractal();
+    QCOMPARE(pasted.name, u"maple_2"_s);
+    QCOMPARE(pasted.comments, rich.comments);
+    QVERIFY(pasted.cage == rich.cage);
+    QVERIFY(pasted.appearance == rich.appearance);
+    QCOMPARE(m_list->selectedIds().size(), 2);
+    checkOneStep();
+}
+
+void EntriesPanelTest::pasteNonsense() {
+    QSignalSpy messages(m_panel.get(), &EntriesPanel::message);
+    QGuiApplication::clipboard()->setText(u"once upon a time"_s);
+    m_panel->paste();
+    QCOMPARE(messages.count(), 1);
+    QVERIFY(m_document->file() == m_before);
+    QCOMPARE(m_document->undoStack()->count(), 0);
+}
+
+void EntriesPanelTest::comment() {
+    select({u"fern"_s});
+    m_panel->editComment();
+    auto* dialog = m_panel->findChild<QDialog*>();
+    QVERIFY(dialog);
+    dialog->findChild<QLineEdit*>()->setText(u"Barnsley's"_s);
+    auto* lines = dialog->findChild<QPlainTextEdit*>();
+    const auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    lines->setPlainText(u"fine\nbarycage: mine"_s);
+    QVERIFY(!ok->isEnabled());
+    lines->setPlainText(QString(199, u'x'));
+    QVERIFY(!ok->isEnabled());
+    lines->setPlainText(u"one\ntwo"_s);
+    QVERIFY(ok->isEnabled());
+    QSignalSpy accepted(dialog, &QDialog::accepted);
+    dialog->accept();
+    QCOMPARE(accepted.count(), 1);
+    QCOMPARE(m_document->fractal().headerComment, u"Barnsley's"_s);
+    QCOMPARE(m_document->fractal().comments, (QStringList{u"one"_s, u"two"_s}));
+    checkOneStep();
+}
+
+void EntriesPanelTest::filterHidesAndKeepsCurrent() {
+    auto* filter = m_panel->findChild<QLineEdit*>();
+    select({u"tree"_s});
+    filter->setText(u"F"_s);
+    QCOMPARE(m_list->model()->rowCount(), 2); // flower, fern
+    QCOMPARE(currentName(), u"tree"_s);
+    QVERIFY(!m_list->currentIndex().isValid());
+    filter->setText(u"re"_s);
+    QCOMPARE(m_list->currentIndex().data().toString(), u"tree"_s);
+    filter->setText(u"zzz"_s);
+    QCOMPARE(m_list->model()->rowCount(), 0);
+    QCOMPARE(currentName(), u"tree"_s);
+    m_panel->addEntry(); // would be hidden
+    QVERIFY(filter->text().isEmpty());
+    QCOMPARE(m_list->model()->rowCount(), 6);
+    QCOMPARE(m_list->currentIndex().data().toString(), currentName());
+}
+
+void EntriesPanelTest::currentFollowsBothWays() {
+    m_document->setCurrent(m_before.entries[3].id);
+    QCOMPARE(m_list->currentIndex().row(), 3);
+    QTest::mouseClick(m_list->viewport(), Qt::LeftButton, {}, m_list->visualRect(row(u"flower"_s)).center());
+    QCOMPARE(currentName(), u"flower"_s);
+    key(Qt::Key_Down);
+    QCOMPARE(currentName(), u"fern"_s);
+    QCOMPARE(m_document->undoStack()->count(), 0);
+}
+
+void EntriesPanelTest::selectionSurvivesUndo() {
+    select({u"flower"_s, u"tree"_s});
+    const auto ids = m_list->selectedIds();
+    m_panel->moveDown();
+    QCOMPARE(m_list->selectedIds(), ids);
+    m_document->undoStack()->undo();
+    QCOMPARE(m_list->selectedIds(), ids);
+}
+
+void EntriesPanelTest::emptyFile() {
+    m_document->setFile(FractalFile());
+    QVERIFY(m_list->selectedIds().isEmpty());
+    m_panel->removeSelected();
+    m_panel->duplicateSelected();
+    m_panel->moveUp();
+    m_panel->moveDown();
+    m_panel->copySelected();
+    m_panel->renameCurrent();
+    m_panel->editComment();
+    QVERIFY(m_document->file() == FractalFile());
+    m_panel->grab(); // says so instead of showing rows
+}
+
+void EntriesPanelTest::everythingIsNamed() {
+    for (const QWidget* widget : m_panel->findChildren<QWidget*>())
+        if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible())
+            QVERIFY2(!widget->accessibleName().isEmpty() ||
+                         !widget->parentWidget()->accessibleName().isEmpty(),
+                     widget->metaObject()->className());
+    for (const QAction* action : m_list->actions())
+        QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->text()));
+}
+
+QTEST_MAIN(EntriesPanelTest)
+#include "entries_panel_test.moc"
