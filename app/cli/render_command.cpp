@@ -301,7 +301,7 @@ void addPictureOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--dpi", arguments.dpi, "Resolution noted in the PNG, dots per inch");
     command.add_option("--svg", arguments.svg, "Kind of SVG (structured)")
         ->check(CLI::IsMember({"structured", "outline", "points"}));
-    command.add_option("--depth", arguments.depth, "Levels of copies in the SVG (what half a pixel needs)")
+    command.add_option("--depth", arguments.depth, "Levels of copies in the SVG (what a pixel needs)")
         ->check(CLI::NonNegativeNumber);
 }
 

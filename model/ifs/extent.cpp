@@ -8,7 +8,7 @@ namespace ifs {
 
 namespace {
 
-constexpr int NodesPerFace = 20'000; // keeps a box and a canonical simplex within one frame
+constexpr int NodesPerFace = 8'000; // keeps a box and a canonical simplex within one frame
 
 template <int Dim> using AxisSupports = std::array<SupportValue<Dim>, 2 * Dim>;
 
@@ -73,7 +73,8 @@ template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& supp
 
 template <int Dim>
 CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
-                                       const Orientation<Dim>& orientation, double tolerance) {
+                                       const std::type_identity_t<Orientation<Dim>>& orientation,
+                                       double tolerance) {
     return simplexFrom<Dim>(axisSupports<Dim>(support, tolerance), support, orientation, tolerance);
 }
 

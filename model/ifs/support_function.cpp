@@ -10,13 +10,13 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <unordered_map>
 
 namespace ifs {
 
 namespace {
 
 constexpr double RoundingUnit = 0x1p-53;
+constexpr int ExactMerging = 43; // bits of a state that must agree; the rest is rounding
 constexpr int TableDepth = 4;
 constexpr std::size_t TableWork = 60'000; // bounds evaluated at most while the container is shrunk
 
@@ -24,7 +24,7 @@ template <int Dim> Vector<Dim> solveFixedPoint(const AffineMap<Dim>& contraction
     return (Matrix<Dim>::Identity() - contraction.linear).inverse() * contraction.translation;
 }
 
-template <int Dim> AffineMap<Dim> meanMap(const std::vector<AffineMap<Dim>>& maps) {
+template <int Dim> AffineMap<Dim> meanMap(std::span<const AffineMap<Dim>> maps) {
     AffineMap<Dim> mean{Matrix<Dim>::Zero(), Vector<Dim>::Zero()};
     for (const auto& map : maps) {
         mean.linear += map.linear / double(maps.size());
@@ -33,22 +33,50 @@ template <int Dim> AffineMap<Dim> meanMap(const std::vector<AffineMap<Dim>>& map
     return mean;
 }
 
+template <int Dim> struct Ball {
+    Vector<Dim> centre;
+    double radius = 0;
+};
+
+// A ball about the attractor: max_i |w_i(c) − c| / (1 − s_i) is a radius about any c. A slow map does not
+// widen it when c is its fixed point.
+template <int Dim> Ball<Dim> enclosingBall(std::span<const AffineMap<Dim>> maps, const Existence& existence) {
+    const bool hyperbolic = existence.verdict == Verdict::Hyperbolic;
+    std::vector<double> reach;
+    for (const auto& map : maps)
+        reach.push_back(existence.normEquivalence /
+                        (1 - (hyperbolic ? spectralNorm<Dim>(map.linear) : existence.contractivity)));
+    const auto about = [&](const Vector<Dim>& centre) {
+        Ball<Dim> ball{centre};
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            ball.radius = std::max(ball.radius, (maps[i](centre) - centre).norm() * reach[i] * (1 + 1e-12));
+        return ball;
+    };
+    const Ball<Dim> middle = about(solveFixedPoint<Dim>(meanMap<Dim>(maps)));
+    const auto slowest = std::size_t(std::ranges::max_element(reach) - reach.begin());
+    const Ball<Dim> aside = about(solveFixedPoint<Dim>(maps[slowest]));
+    return aside.radius < middle.radius ? aside : middle;
+}
+
 } // namespace
 
-// The attractor seen from its centre, in the polytope {x : ⟨g,x⟩ ≤ H_g} over the directions g of a fan.
-// The maps are x ↦ A x + offset there; vectors u travel by the transposed matrices.
+// The attractor seen from its centre, inside both a ball and the polytope {x : ⟨g,x⟩ ≤ H_g} over the
+// directions g of a fan. The maps are x ↦ A x + offset there; vectors u travel by the transposed matrices.
 template <int Dim> struct SupportFunction<Dim>::Container {
     std::vector<Matrix<Dim>> transposed;
     std::vector<Vector<Dim>> offsets;
     Vector<Dim> anchor; // a point of the attractor
-    double radius = 0;  // about the centre
+    Ball<Dim> ball;
+    double radius = 0; // about the centre
     DirectionFan<Dim> fan;
     std::vector<double> heights;
     double mergeLimit = 0; // states this close, relative to |v|, can never be one below the other
 
     explicit Container(int depth) : fan(depth) {}
 
-    double bound(const Vector<Dim>& v) const { return fan.bound(v, heights); }
+    double bound(const Vector<Dim>& v) const {
+        return std::min(fan.bound(v, heights), v.dot(ball.centre) + ball.radius * v.norm());
+    }
 
     void shrink();
     Vector<Dim> recentre();
@@ -75,7 +103,7 @@ template <int Dim> void SupportFunction<Dim>::Container::shrink() {
     }
 }
 
-// Moves the origin to the middle of the box; returns by how much.
+// Moves the origin to the middle of the box if that lessens the radius; returns by how much it moved.
 template <int Dim> Vector<Dim> SupportFunction<Dim>::Container::recentre() {
     Vector<Dim> middle, half;
     for (int k = 0; k < Dim; ++k) {
@@ -84,9 +112,12 @@ template <int Dim> Vector<Dim> SupportFunction<Dim>::Container::recentre() {
         half[k] = (high - low) / 2;
     }
     const double rounding = 4 * RoundingUnit * radius;
+    if (half.norm() + rounding >= radius) return Vector<Dim>::Zero();
     for (std::size_t g = 0; g < heights.size(); ++g)
         heights[g] += rounding - fan.directions()[g].dot(middle);
-    radius = std::min(radius, half.norm() + rounding);
+    ball.centre -= middle;
+    ball.radius += rounding;
+    radius = half.norm() + rounding;
     return middle;
 }
 
@@ -95,17 +126,22 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     const Existence existence = classify(maps);
     if (existence.verdict != Verdict::Hyperbolic && existence.verdict != Verdict::EventuallyContractive)
         return std::nullopt;
-    SupportFunction result;
-    result.m_maps.assign(maps.begin(), maps.end());
-    result.m_contractivity = existence.contractivity;
-    result.m_normEquivalence = existence.normEquivalence;
-    result.m_centre = solveFixedPoint<Dim>(meanMap<Dim>(result.m_maps));
+    const Ball<Dim> ball = enclosingBall(maps, existence);
     const Vector<Dim> anchor = solveFixedPoint<Dim>(maps.front());
+    if (!std::isfinite(ball.radius) || !ball.centre.allFinite() || !anchor.allFinite()) return std::nullopt;
 
     int depth = TableDepth;
     while (depth > 0 && (std::size_t(4) << depth) * maps.size() > TableWork)
         --depth;
     auto container = std::make_shared<Container>(depth);
+    for (const auto& map : maps)
+        container->transposed.push_back(map.linear.transpose());
+    container->ball = {Vector<Dim>::Zero(), ball.radius};
+    container->radius = ball.radius;
+    container->heights.assign(container->fan.directions().size(), ball.radius);
+    container->mergeLimit = (1 - existence.contractivity) / existence.normEquivalence;
+
+    SupportFunction result;
     const auto centreOn = [&](const Vector<Dim>& centre) {
         result.m_centre = centre;
         container->offsets.clear();
@@ -113,20 +149,14 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
             container->offsets.push_back(map(centre) - centre);
         container->anchor = anchor - centre;
     };
-    centreOn(result.m_centre);
-    double reach = 0;
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-        container->transposed.push_back(maps[i].linear.transpose());
-        reach = std::max(reach, container->offsets[i].norm());
-    }
-    const double gap = 1 - existence.contractivity;
-    container->radius = reach * existence.normEquivalence / gap * (1 + 1e-12);
-    container->mergeLimit = gap / existence.normEquivalence;
-    if (!std::isfinite(container->radius) || !anchor.allFinite()) return std::nullopt;
-    container->heights.assign(container->fan.directions().size(), container->radius);
+    centreOn(ball.centre);
     container->shrink();
     centreOn(result.m_centre + container->recentre());
+
+    result.m_maps.assign(maps.begin(), maps.end());
     result.m_radius = container->radius;
+    result.m_contractivity = existence.contractivity;
+    result.m_normEquivalence = existence.normEquivalence;
     result.m_container = std::move(container);
     return result;
 }
@@ -149,30 +179,57 @@ template <int Dim> struct State {
     int depth = 0;
 };
 
-// v rounded to 43 bits of its largest component. The grid is shifted, for dyadic numbers with an error of one
-// ulp would fall to either side of a grid point.
-template <int Dim> struct StateKey {
-    std::array<std::int64_t, Dim + 1> digits;
+// The places of states by their v, rounded to `bits` bits of its largest component. The grid is shifted, for
+// dyadic numbers with an error of one ulp would fall to either side of a grid point. Two states may share a
+// key by chance: who looks one up compares the states themselves.
+template <int Dim> class StateTable {
+public:
+    explicit StateTable(int bits) : m_bits(bits), m_slots(1 << 10) {}
 
-    explicit StateKey(const Vector<Dim>& v) {
+    // The slot of the key: the state there, or Free.
+    std::int32_t& operator[](const Vector<Dim>& v) {
+        if (2 * ++m_used > m_slots.size()) grow();
+        return slot(key(v));
+    }
+
+    static constexpr std::int32_t Free = -1;
+
+private:
+    struct Slot {
+        std::uint64_t key = 0;
+        std::int32_t state = Free;
+    };
+
+    std::uint64_t key(const Vector<Dim>& v) const {
         int exponent = 0;
         std::frexp(1.1 * v.cwiseAbs().maxCoeff(), &exponent);
-        digits[Dim] = exponent;
-        for (int k = 0; k < Dim; ++k)
-            digits[std::size_t(k)] = std::int64_t(std::floor(std::ldexp(v[k], 43 - exponent) + 0.3));
-    }
-    bool operator==(const StateKey&) const = default;
-};
-
-struct StateKeyHash {
-    template <int Dim> std::size_t operator()(const StateKey<Dim>& key) const {
-        std::uint64_t hash = 0;
-        for (const std::int64_t digit : key.digits) {
-            hash = (hash ^ std::uint64_t(digit)) * 0x9E3779B97F4A7C15u;
+        const double scale = std::ldexp(1, m_bits - exponent);
+        std::uint64_t hash = std::uint64_t(exponent);
+        for (int k = 0; k < Dim; ++k) {
+            hash = (hash ^ std::uint64_t(std::int64_t(std::floor(v[k] * scale + 0.3)))) * 0x9E3779B97F4A7C15u;
             hash ^= hash >> 29;
         }
-        return std::size_t(hash);
+        return hash;
     }
+
+    std::int32_t& slot(std::uint64_t wanted) {
+        std::size_t place = wanted & (m_slots.size() - 1);
+        while (m_slots[place].state != Free && m_slots[place].key != wanted)
+            place = (place + 1) & (m_slots.size() - 1);
+        m_slots[place].key = wanted;
+        return m_slots[place].state;
+    }
+
+    void grow() {
+        std::vector<Slot> old(2 * m_slots.size());
+        old.swap(m_slots);
+        for (const Slot& entry : old)
+            if (entry.state != Free) slot(entry.key) = entry.state;
+    }
+
+    int m_bits;
+    std::size_t m_used = 0;
+    std::vector<Slot> m_slots;
 };
 
 // Best first over addresses. Whatever leaves the frontier without being followed is accounted for: in
@@ -180,10 +237,12 @@ struct StateKeyHash {
 // stands for it.
 template <int Dim, class Container> class AddressSearch {
 public:
-    AddressSearch(const Container& container, const Vector<Dim>& u, double tolerance)
+    AddressSearch(const Container& container, const Vector<Dim>& u, double tolerance, int mergeBits)
         : m_container(container),
           m_tolerance(tolerance),
-          m_mergeCost(8 * RoundingUnit * container.radius * u.norm()) {
+          m_known(mergeBits),
+          m_cell(mergeBits == ExactMerging ? 0 : std::ldexp(4, -mergeBits)),
+          m_length(u.norm()) {
         consider({.v = u});
     }
 
@@ -204,8 +263,10 @@ public:
 
     double upperBound() const {
         const double open = m_frontier.empty() ? m_ceiling : std::max(m_ceiling, m_frontier.top().bound);
-        return std::max(open, m_best) + m_slack;
+        return std::max(open, m_best) + slack();
     }
+
+    bool isFinished() const { return m_frontier.empty() || m_frontier.top().bound <= m_best + m_tolerance; }
 
     std::vector<int> bestAddress() const {
         std::vector<int> address;
@@ -245,33 +306,52 @@ private:
         m_states.push_back(state);
     }
 
-    // Whether an earlier state with the same v and no smaller o stands for this one. Whatever h_A the two
-    // differ by, radius·|v − v'| bounds it. A state may not stand for its own descendant: in ‖·‖_* a
-    // descendant is shorter by the contractivity, so states that are closer than `mergeLimit` are unrelated.
+    // What merging may have lost: no more than all costs together, and no more than the costs along one
+    // address, where the lengths |v| form a geometric series.
+    double slack() const {
+        if (m_cell >= m_container.mergeLimit) return m_slack;
+        const double alongOneAddress = m_cell * m_length / (m_container.mergeLimit - m_cell);
+        return std::min(m_slack, m_container.radius * alongOneAddress + m_merged * rounding());
+    }
+
+    // By how much exact ties differ.
+    double rounding() const { return 8 * RoundingUnit * m_container.radius * m_length; }
+
+    // Whether an earlier state with nearly the same v and hardly a smaller o stands for this one. Whatever
+    // h_A the two differ by, radius·|v − v'| bounds it. A state may not stand for its own descendant: in
+    // ‖·‖_* a descendant is shorter by the contractivity, so states that are closer than `mergeLimit` are
+    // unrelated.
     bool isMerged(const State<Dim>& state) {
-        const auto [place, isNew] = m_known.try_emplace(StateKey<Dim>(state.v), m_states.size());
-        if (isNew) return false;
-        const State<Dim>& earlier = m_states[place->second];
-        const double distance = (state.v - earlier.v).norm();
+        std::int32_t& place = m_known[state.v];
+        if (place == m_known.Free) {
+            place = std::int32_t(m_states.size());
+            return false;
+        }
+        const State<Dim>& earlier = m_states[std::size_t(place)];
+        const double distance = (state.v - earlier.v).norm(), length = earlier.v.norm();
         const double cost = state.o + m_container.radius * distance - earlier.o;
-        if (cost > m_mergeCost || distance >= m_container.mergeLimit * earlier.v.norm()) {
-            if (state.o > earlier.o) place->second = m_states.size();
+        if (cost > m_cell * m_container.radius * length + rounding() ||
+            distance >= m_container.mergeLimit * length) {
+            if (state.o > earlier.o) place = std::int32_t(m_states.size());
             return false;
         }
         m_slack += std::max(cost, 0.0);
+        ++m_merged;
         return true;
     }
 
     const Container& m_container;
     double m_tolerance;
-    double m_mergeCost;
+    StateTable<Dim> m_known;
+    double m_cell; // how far apart, relative to |v|, states may be merged; 0 for exact ties
+    double m_length;
     std::vector<State<Dim>> m_states;
     std::priority_queue<Open> m_frontier;
-    std::unordered_map<StateKey<Dim>, std::size_t, StateKeyHash> m_known;
     double m_best = -std::numeric_limits<double>::infinity();
     std::size_t m_bestState = 0;
     double m_ceiling = -std::numeric_limits<double>::infinity();
     double m_slack = 0;
+    int m_merged = 0;
     int m_considered = 0;
     int m_depth = 0;
 };
@@ -282,7 +362,7 @@ template <int Dim>
 SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double tolerance,
                                                    int maxNodes) const {
     SupportValue<Dim> result;
-    result.point = m_centre + m_container->anchor;
+    result.point = follow({});
     const double size = u.cwiseAbs().maxCoeff();
     if (!u.allFinite() || size == 0) {
         result.error = size == 0 ? 0 : std::numeric_limits<double>::infinity();
@@ -296,17 +376,32 @@ SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double 
         scaled[k] = std::ldexp(u[k], -exponent);
     const double smallest = 8 * RoundingUnit * m_radius * scaled.norm();
     const double wanted = std::ldexp(tolerance, -exponent);
-    AddressSearch<Dim, Container> search(*m_container, scaled, std::max(wanted, smallest));
-    search.run(maxNodes);
-
-    result.address = search.bestAddress();
-    for (auto symbol = result.address.rbegin(); symbol != result.address.rend(); ++symbol)
-        result.point = m_maps[std::size_t(*symbol)](result.point);
-    const double value = scaled.dot(result.point);
-    const double gap = std::max(0.0, search.upperBound() + scaled.dot(m_centre) - value);
-    result.value = std::ldexp(value, exponent);
-    result.error = std::ldexp(gap + roundingError(search.depth()) * scaled.norm(), exponent);
+    // Codes whose digits were rounded have near ties by the thousand. If exact merging does not settle them
+    // within half of the nodes, coarser and coarser merging does, at a price that the error states.
+    double leastError = std::numeric_limits<double>::infinity();
+    for (const auto& [mergeBits, share] : {std::pair{ExactMerging, 2}, {26, 4}, {14, 4}}) {
+        AddressSearch<Dim, Container> search(*m_container, scaled, std::max(wanted, smallest), mergeBits);
+        search.run(maxNodes / share);
+        const auto address = search.bestAddress();
+        const Vector<Dim> point = follow(address);
+        const double value = scaled.dot(point);
+        const double gap = std::max(0.0, search.upperBound() + scaled.dot(m_centre) - value);
+        const double error = gap + roundingError(search.depth()) * scaled.norm();
+        if (error < leastError) {
+            leastError = error;
+            result = {std::ldexp(value, exponent), std::ldexp(error, exponent), point, address};
+        }
+        if (search.isFinished()) break;
+    }
     return result;
+}
+
+// φ(σ…) from the anchor on, innermost map first: every map shrinks what rounding has done before.
+template <int Dim> Vector<Dim> SupportFunction<Dim>::follow(const std::vector<int>& address) const {
+    Vector<Dim> point = m_centre + m_container->anchor;
+    for (auto symbol = address.rbegin(); symbol != address.rend(); ++symbol)
+        point = m_maps[std::size_t(*symbol)](point);
+    return point;
 }
 
 template class SupportFunction<2>;

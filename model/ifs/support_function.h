@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 // Certified extents of an attractor, from h_A(u) = max over x in A of ⟨u,x⟩ by branch and bound over
@@ -46,6 +47,7 @@ public:
 
 private:
     SupportFunction() = default;
+    Vector<Dim> follow(const std::vector<int>& address) const;
 
     std::vector<AffineMap<Dim>> m_maps;
     Vector<Dim> m_centre = Vector<Dim>::Zero();
@@ -75,7 +77,8 @@ template <int Dim> struct CanonicalSimplex {
 };
 template <int Dim>
 CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
-                                       const Orientation<Dim>& orientation, double tolerance = 0);
+                                       const std::type_identity_t<Orientation<Dim>>& orientation,
+                                       double tolerance = 0);
 // The smallest leg over the 2^Dim orientations; ties (relative 1e-12) go to (+,+),(−,+),(+,−),(−,−) in this
 // order.
 template <int Dim>

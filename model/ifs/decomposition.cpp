@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/decomposition.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include <cmath>
+
+namespace ifs {
+
+namespace {
+
+constexpr double Relative = 1e-12; // how exactly a similarity must be one, and a rank must be missing
+
+Matrix<2> rotationBy(double angle) {
+    Matrix<2> result;
+    result << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    return result;
+}
+
+} // namespace
+
+RotationScaleShear rotationScaleShear(const Matrix<2>& linear) {
+    const double a = linear(0, 0), b = linear(0, 1), c = linear(1, 0), d = linear(1, 1);
+    const double scaleX = std::hypot(a, c);
+    if (scaleX == 0) // no first column to take the angle from: the second one stands at a right angle to it
+        return {b == 0 && d == 0 ? 0 : std::atan2(-b, d), 0, std::hypot(b, d), 0};
+    const double cosine = a / scaleX, sine = c / scaleX;
+    return {std::atan2(c, a), scaleX, cosine * d - sine * b, (cosine * b + sine * d) / scaleX};
+}
+
+Matrix<2> linearPart(const RotationScaleShear& parts) {
+    Matrix<2> stretch;
+    stretch << parts.scaleX, parts.scaleX * parts.shear, 0, parts.scaleY;
+    return rotationBy(parts.rotation) * stretch;
+}
+
+template <> Polar<2> polar<2>(const Matrix<2>& linear) {
+    const double x = linear(0, 0) + linear(1, 1), y = linear(1, 0) - linear(0, 1); // 2α
+    const double length = std::hypot(x, y);
+    Matrix<2> rotation = Matrix<2>::Identity();
+    if (length > 0) rotation << x / length, -y / length, y / length, x / length;
+    Matrix<2> stretch = rotation.transpose() * linear;
+    stretch(0, 1) = stretch(1, 0) = (stretch(0, 1) + stretch(1, 0)) / 2;
+    return {rotation, stretch};
+}
+
+template <> Polar<3> polar<3>(const Matrix<3>& linear) {
+    if (!linear.allFinite()) return {Matrix<3>::Identity(), linear};
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Matrix<3> u = svd.matrixU(), v = svd.matrixV();
+    const Vector<3> orientation(1, 1, (u * v.transpose()).determinant() < 0 ? -1 : 1);
+    const Vector<3> sigma = orientation.cwiseProduct(Vector<3>(svd.singularValues()));
+    return {u * orientation.asDiagonal() * v.transpose(), v * sigma.asDiagonal() * v.transpose()};
+}
+
+RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
+    if (!linear.allFinite()) return {Matrix<3>::Identity(), linear.diagonal(), Matrix<3>::Identity()};
+    const Eigen::HouseholderQR<Matrix<3>> qr(linear);
+    Matrix<3> q = qr.householderQ();
+    Matrix<3> r = qr.matrixQR().triangularView<Eigen::Upper>();
+    // Signs move from R to Q so that Q turns and only the last scale may reflect.
+    for (int k = 0; k < 2; ++k)
+        if (r(k, k) < 0) {
+            r.row(k) *= -1;
+            q.col(k) *= -1;
+        }
+    if (q.determinant() < 0) {
+        r.row(2) *= -1;
+        q.col(2) *= -1;
+    }
+    RotationScaleShear3 result{q, r.diagonal(), Matrix<3>::Identity()};
+    for (int row = 0; row < 2; ++row)
+        if (r(row, row) != 0)
+            for (int column = row + 1; column < 3; ++column)
+                result.shear(row, column) = r(row, column) / r(row, row);
+    return result;
+}
+
+template <int Dim> MapKind kind(const Matrix<Dim>& linear) {
+    const Vector<Dim> sigma = singularValues<Dim>(linear);
+    if (sigma[0] == 0) return MapKind::Constant;
+    if (!(sigma[Dim - 1] > Relative * Relative * sigma[0])) return MapKind::Singular;
+    if (!(sigma[0] - sigma[Dim - 1] <= 2 * Relative * sigma[0])) return MapKind::Affine;
+    return determinant<Dim>(linear) > 0 ? MapKind::Similarity : MapKind::ReflectedSimilarity;
+}
+
+template MapKind kind<2>(const Matrix<2>&);
+template MapKind kind<3>(const Matrix<3>&);
+
+} // namespace ifs
