@@ -132,8 +132,8 @@ private:
 
     bool isLeaf(const Node<Real>& node, const Extent& half, double threshold) const {
         const double size = 2 * std::max(half.x, half.y);
-        return node.depth >= m_settings.minDepth && size <= m_largest &&
-               (node.probability <= threshold || size <= smallest);
+        return node.depth >= m_settings.maxDepth || (node.depth >= m_settings.minDepth && size <= m_largest &&
+                                                     (node.probability <= threshold || size <= smallest));
     }
 
     // Level by level. With Threshold::Relative the limit is a number of words, each at most its share of what

@@ -38,6 +38,7 @@ struct Word {
 struct CutSettings {
     int words = 1024;       // no word has more than 1/words of the measure in view
     int minDepth = 0;       // no word is shorter, so that its first maps are known
+    int maxDepth = 1 << 30; // no word is longer
     std::uint64_t seed = 1; // decides which words stand for others where there are too many
 };
 

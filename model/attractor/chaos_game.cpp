@@ -38,10 +38,9 @@ std::array<std::vector<float>, 6> boxCoefficients(const DrawableSystem& system, 
 
 // Steps after which an orbit has forgotten its start, from the mean logarithm of the contraction.
 std::size_t burnIn(const DrawableSystem& system) {
-    double logarithm = 0;
-    for (std::size_t i = 0; i < system.maps.size(); ++i)
-        logarithm += system.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(system.maps[i].linear));
-    return logarithm < 0 ? static_cast<std::size_t>(std::clamp(16 / -logarithm, 32.0, 2048.0)) : 256;
+    return system.meanLogarithm < 0
+               ? static_cast<std::size_t>(std::clamp(16 / -system.meanLogarithm, 32.0, 2048.0))
+               : 256;
 }
 
 kernels::Lanes freshLanes(std::uint64_t seed, std::uint64_t pass) {

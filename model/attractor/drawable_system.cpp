@@ -2,6 +2,7 @@
 #include "attractor/drawable_system.h"
 
 #include "attractor/arithmetic.h"
+#include "ifs/attractor_existence.h"
 
 #include <algorithm>
 #include <array>
@@ -168,9 +169,16 @@ void placeBox(DrawableSystem& system) {
 }
 
 RenderNote existenceNote(const std::vector<ifs::AffineMap<2>>& maps) {
-    for (const ifs::AffineMap<2>& map : maps)
-        if (!(ifs::spectralNorm<2>(map.linear) < 1)) return RenderNote::Undecided;
-    return RenderNote::None;
+    switch (ifs::classify<2>(maps, 2000).verdict) {
+    case ifs::Verdict::None:
+        return RenderNote::NoAttractor;
+    case ifs::Verdict::Undecided:
+        return RenderNote::Undecided;
+    case ifs::Verdict::Empty:
+        return RenderNote::NoMaps;
+    default:
+        return RenderNote::None;
+    }
 }
 
 } // namespace
@@ -192,6 +200,9 @@ DrawableSystem drawable(const ifs::IteratedFunctionSystem<2>& system) {
     }
     for (double& p : result.probabilities)
         p /= total;
+    for (std::size_t i = 0; i < result.maps.size(); ++i)
+        result.meanLogarithm +=
+            result.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(result.maps[i].linear));
     result.note = existenceNote(result.maps);
     placeBox(result);
     return result;

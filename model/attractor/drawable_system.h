@@ -19,6 +19,8 @@ struct DrawableSystem {
     // attractor gets a box in which its orbits spend most of their time.
     ifs::Vector<2> centre = ifs::Vector<2>::Zero();
     ifs::Vector<2> halfExtent = ifs::Vector<2>::Ones();
+    // Σ p ln‖A‖. Unless it is negative, composing maps only expands, and restarted orbits are all there is.
+    double meanLogarithm = 0;
     RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
 };
 

@@ -21,8 +21,9 @@ namespace attractor {
 
 namespace {
 
-constexpr std::uint64_t mostPerSampleSet = 1U << 24; // more samples are drawn from a fresh set
-constexpr std::uint64_t samplesPerJob = 1U << 16;    // between two looks at the stop token
+constexpr std::uint64_t mostPerSampleSet = 1U << 24;           // more samples are drawn from a fresh set
+constexpr std::uint64_t mostUninstanced = 2 * SampleSet::size; // the same where there is but one word
+constexpr std::uint64_t samplesPerJob = 1U << 16;              // between two looks at the stop token
 constexpr std::size_t addressColours = 1024;
 
 // A run of words, or a part of a single word with very many samples.
@@ -88,6 +89,7 @@ struct Rendering::State {
     RenderNote placementNote() const;
     void makeColours();
     bool finished() const;
+    bool interrupted() const { return remaining > 0 || nextJob < jobs.size(); }
     bool complete(const std::stop_token& stop); // the present pass
     bool completeDensity(const std::stop_token& stop);
     void planSampleSet();
@@ -201,6 +203,7 @@ bool Rendering::State::completeDensity(const std::stop_token& stop) {
         if (request.appearance.colourBy == ColourBy::Address)
             for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
                 ++settings.minDepth;
+        if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;
         AddressCut fresh = addressCut(system, projection, settings, stop);
         if (stop.stop_requested()) return false;
         cut = std::move(fresh);
@@ -220,7 +223,8 @@ bool Rendering::State::completeDensity(const std::stop_token& stop) {
 // Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
 // exact.
 void Rendering::State::planSampleSet() {
-    const std::uint64_t number = std::min(remaining, mostPerSampleSet);
+    const std::uint64_t number =
+        std::min(remaining, system.meanLogarithm < 0 ? mostPerSampleSet : mostUninstanced);
     if (sinceCarry + number >= std::uint64_t{1} << 32) {
         sums.carryOverCounts();
         sinceCarry = 0;
@@ -369,7 +373,8 @@ Frame Rendering::State::frame() {
     if (width * height == 0) return result;
     const int side = request.appearance.supersample;
     if (!exposure && request.algorithm == Algorithm::Deterministic)
-        exposure = Exposure{1, 16, 1}; // an area covered once has density 1
+        exposure = Exposure{1, 16, 1};                               // an area covered once has density 1
+    if (request.algorithm == Algorithm::ChaosGame) exposure.reset(); // few points at first tell little
     if (!exposure)
         exposure = measuredExposure(sums, request.appearance, side, samplesOverAttractor(), request.exposure);
     result.exposure = *exposure;
@@ -402,8 +407,7 @@ void Rendering::restart(RenderRequest request) {
 
 bool Rendering::refine(std::stop_token stop, std::uint64_t samples) {
     const auto begin = std::chrono::steady_clock::now();
-    if (!m_state->complete(stop)) // what an earlier stop left
-        return false;
+    if (m_state->interrupted() && !m_state->complete(stop)) return false;
     m_state->remaining = samples > 0 ? samples : m_state->request.samples;
     if (!m_state->complete(stop)) return false;
     ++m_state->passes;
@@ -417,7 +421,7 @@ bool Rendering::finished() const {
 }
 
 Frame Rendering::frame() const {
-    m_state->complete({});
+    if (m_state->interrupted()) m_state->complete({});
     return m_state->frame();
 }
 

@@ -581,7 +581,8 @@ void EntryParser::warnAboutWeights() {
             else if (token.value == 0)
                 warn(token.span.begin, tr("The weight of map %1 is 0; the map takes no part.").arg(i + 1));
         }
-        if (!maps.empty() && !(std::abs(sum - 1) <= 0.02))
+        const bool allOn = std::all_of(maps.begin(), maps.end(), [](const auto& map) { return map.enabled; });
+        if (!maps.empty() && allOn && !(std::abs(sum - 1) <= 0.02))
             warn(layout.numbers[rowLength - 1].span.begin,
                  tr("The weights sum to %1, not 1. They are used in proportion; Fractint gives what is "
                     "missing to the "

@@ -67,8 +67,10 @@ void ClipboardTest::roundTripKeepsEverything() {
 void ClipboardTest::severalEntriesInOrder() {
     Fractal second = document::sierpinskiTriangle();
     second.name = u"second"_s;
+    Fractal third = elaborate();
+    third.name = u"third"_s;
     const view::FoundEntries found =
-        view::entriesIn(view::entriesText({made(elaborate()), made(second), made(elaborate())}));
+        view::entriesIn(view::entriesText({made(elaborate()), made(second), made(third)}));
     QCOMPARE(found.entries.size(), 3);
     QCOMPARE(found.entries[0].fractal->name, u"bent"_s);
     QCOMPARE(found.entries[1].fractal->name, u"second"_s);
@@ -100,7 +102,8 @@ void ClipboardTest::plainTextOfOthers() {
 }
 
 void ClipboardTest::bareTable() {
-    const view::FoundEntries found = view::entriesIn("0.5\t0\t0\t0.5\t0\t0\t0.5\n0.5\t0\t0\t0.5\t0.5\t0\t0.5\n");
+    const view::FoundEntries found =
+        view::entriesIn("0.5\t0\t0\t0.5\t0\t0\t0.5\n0.5\t0\t0\t0.5\t0.5\t0\t0.5\n");
     QCOMPARE(found.entries.size(), 1);
     const auto* system = document::system2(*found.entries.front().fractal);
     QVERIFY(system);

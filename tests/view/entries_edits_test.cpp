@@ -13,7 +13,9 @@ using document::FractalFile;
 
 namespace {
 
-EntryId id(int number) { return static_cast<EntryId>(number); }
+EntryId id(int number) {
+    return static_cast<EntryId>(number);
+}
 
 Entry readEntry(int number, const QByteArray& before = "\n") {
     document::Fractal fractal = document::sierpinskiTriangle();
@@ -28,7 +30,8 @@ Entry readEntry(int number, const QByteArray& before = "\n") {
 FractalFile fileOfEntries(int count) {
     FractalFile file;
     for (int number = 1; number <= count; ++number)
-        file.entries.append(readEntry(number, number == 1 ? "; head\n" : "\n; above " + QByteArray::number(number)));
+        file.entries.append(
+            readEntry(number, number == 1 ? "; head\n" : "\n; above " + QByteArray::number(number)));
     file.tail = "\x1a";
     return file;
 }
@@ -149,7 +152,8 @@ void EntriesEditsTest::movedKeepsEveryByte() {
     FractalFile file = fileOfEntries(8);
     const QByteArray original = sorted(bytes(file));
     for (int round = 0; round < 200; ++round) {
-        const QList<EntryId> ids{id(1 + static_cast<int>(random() % 8)), id(1 + static_cast<int>(random() % 8))};
+        const QList<EntryId> ids{id(1 + static_cast<int>(random() % 8)),
+                                 id(1 + static_cast<int>(random() % 8))};
         file = view::moved(file, ids, id(static_cast<int>(random() % 9)));
         QCOMPARE(sorted(bytes(file)), original);
         QVERIFY(bytes(file).startsWith("; head\n"));
@@ -197,7 +201,8 @@ void EntriesEditsTest::nameProblems() {
     QFETCH(QString, says);
     const auto problem = view::nameProblem(fileOfEntries(3), id(2), name);
     QCOMPARE(problem.has_value(), !says.isEmpty());
-    if (problem) QVERIFY2(problem->contains(says) && problem->endsWith(QLatin1Char('.')), qPrintable(*problem));
+    if (problem)
+        QVERIFY2(problem->contains(says) && problem->endsWith(QLatin1Char('.')), qPrintable(*problem));
 }
 
 // The two statements of the rules agree.

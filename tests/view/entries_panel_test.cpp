@@ -7,11 +7,13 @@
 #include <QAction>
 #include <QClipboard>
 #include <QDialog>
+#include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QGuiApplication>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
@@ -71,8 +73,8 @@ private:
     QModelIndex row(const QString& name) const;
     void select(const QStringList& names);
     void key(Qt::Key code, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
-    void drop(const QMimeData& mimeData, QObject* source, const QPoint& position);
-    void checkOneStep(); // exactly one, undone and redone exactly
+    void drop(const QMimeData& mimeData, const QPoint& position); // as if from another window
+    void checkOneStep();                                          // exactly one, undone and redone exactly
 
     std::unique_ptr<Document> m_document;
     std::unique_ptr<EntriesPanel> m_panel;
@@ -121,9 +123,9 @@ void EntriesPanelTest::key(Qt::Key code, Qt::KeyboardModifiers modifiers) {
     QTest::keyClick(m_list, code, modifiers);
 }
 
-void EntriesPanelTest::drop(const QMimeData& mimeData, QObject* source, const QPoint& position) {
-    Q_UNUSED(source);
-    QDragEnterEvent enter(position, Qt::CopyAction | Qt::MoveAction, &mimeData, Qt::LeftButton, Qt::NoModifier);
+void EntriesPanelTest::drop(const QMimeData& mimeData, const QPoint& position) {
+    QDragEnterEvent enter(position, Qt::CopyAction | Qt::MoveAction, &mimeData, Qt::LeftButton,
+                          Qt::NoModifier);
     QCoreApplication::sendEvent(m_list->viewport(), &enter);
     QDropEvent event(position, Qt::CopyAction | Qt::MoveAction, &mimeData, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(m_list->viewport(), &event);
@@ -251,9 +253,8 @@ void EntriesPanelTest::dropFromElsewhere() {
     entry.fractal = std::make_shared<const document::Fractal>(fractal);
     const auto mimeData = view::entriesMimeData({entry});
     const QRect second = m_list->visualRect(row(u"flower"_s));
-    drop(*mimeData, nullptr, second.center() + QPoint(0, second.height() / 4)); // lower half: behind it
-    QCOMPARE(names(),
-             (QStringList{u"maple"_s, u"flower"_s, u"guest"_s, u"fern"_s, u"tree"_s, u"dragon"_s}));
+    drop(*mimeData, second.center() + QPoint(0, second.height() / 4)); // lower half: behind it
+    QCOMPARE(names(), (QStringList{u"maple"_s, u"flower"_s, u"guest"_s, u"fern"_s, u"tree"_s, u"dragon"_s}));
     checkOneStep();
 }
 
@@ -297,9 +298,14 @@ void EntriesPanelTest::comment() {
     QVERIFY(dialog);
     dialog->findChild<QLineEdit*>()->setText(u"Barnsley's"_s);
     auto* lines = dialog->findChild<QPlainTextEdit*>();
-    lines->setPlainText(u"barycage: mine"_s);
-    QSignalSpy accepted(dialog, &QDialog::accepted);
+    const auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    lines->setPlainText(u"fine\nbarycage: mine"_s);
+    QVERIFY(!ok->isEnabled());
+    lines->setPlainText(QString(199, u'x'));
+    QVERIFY(!ok->isEnabled());
     lines->setPlainText(u"one\ntwo"_s);
+    QVERIFY(ok->isEnabled());
+    QSignalSpy accepted(dialog, &QDialog::accepted);
     dialog->accept();
     QCOMPARE(accepted.count(), 1);
     QCOMPARE(m_document->fractal().headerComment, u"Barnsley's"_s);
@@ -361,7 +367,8 @@ void EntriesPanelTest::emptyFile() {
 void EntriesPanelTest::everythingIsNamed() {
     for (const QWidget* widget : m_panel->findChildren<QWidget*>())
         if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible())
-            QVERIFY2(!widget->accessibleName().isEmpty() || !widget->parentWidget()->accessibleName().isEmpty(),
+            QVERIFY2(!widget->accessibleName().isEmpty() ||
+                         !widget->parentWidget()->accessibleName().isEmpty(),
                      widget->metaObject()->className());
     for (const QAction* action : m_list->actions())
         QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->text()));

@@ -15,7 +15,9 @@ namespace {
 
 using Pointer = Thumbnails::FractalPointer;
 
-Pointer triangle() { return std::make_shared<const document::Fractal>(document::sierpinskiTriangle()); }
+Pointer triangle() {
+    return std::make_shared<const document::Fractal>(document::sierpinskiTriangle());
+}
 
 Pointer changed(const Pointer& fractal, double shift) {
     document::Fractal other = *fractal;

@@ -77,6 +77,9 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
         return undecided(*system);
     case attractor::RenderNote::TooDeep:
         return Notes::tr("This is as deep as the arithmetic reaches: zoom out a little for a true picture.");
+    case attractor::RenderNote::FewerIterations:
+        return Notes::tr(
+            "Drawn with fewer iterations than asked for: more would need more memory than allowed.");
     case attractor::RenderNote::Degenerate:
         return Notes::tr(
             "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/address_cut.h"
+
+#include "attractor/cell_sums.h"
+#include "attractor/chaos_game.h"
+#include "attractor/kernels.h"
+#include "attractor/splat.h"
+#include "attractor/systems.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <random>
+
+using namespace attractor;
+
+namespace {
+
+AddressCut cutOf(const ifs::IteratedFunctionSystem<2>& system, const Camera& camera, int words = 512) {
+    CutSettings settings;
+    settings.words = words;
+    return addressCut(drawable(system), projection(camera, {}, 1), settings);
+}
+
+std::vector<std::uint32_t> counted(const AddressCut& cut, const SampleSet& samples, const CellWindow& window,
+                                   double perMeasure) {
+    std::vector<std::uint32_t> counts(window.cells() + trashCells);
+    for (const Word& word : cut.words)
+        splat(word, samples, static_cast<std::uint64_t>(word.probability * perMeasure), window,
+              counts.data());
+    return counts;
+}
+
+} // namespace
+
+class TestAddressCut : public QObject {
+    Q_OBJECT
+
+private slots:
+    void wordsShareTheWholeMeasure() {
+        for (const auto& system : {systems::maple(), systems::fern(), systems::flower(), systems::dragon()}) {
+            const AddressCut cut = cutOf(system, systems::camera(system, 300, 200));
+            QVERIFY(std::abs(cut.probability - 1) < 1e-12);
+            double sum = 0;
+            for (const Word& word : cut.words) {
+                sum += word.probability;
+                QVERIFY(word.probability <= 1.0 / 512 || std::abs(word.xx) + std::abs(word.xy) < 1);
+                QVERIFY(word.addressCoordinate > 0 && word.addressCoordinate < 1);
+            }
+            QVERIFY(std::abs(sum - 1) < 1e-12);
+        }
+    }
+
+    // The union over the words is the measure: its mean is the exact one.
+    void meanOverTheWordsIsExact() {
+        const DrawableSystem system = drawable(systems::fern());
+        const Camera camera = systems::camera(systems::fern(), 400, 400);
+        const AddressCut cut = cutOf(systems::fern(), camera);
+        SampleSet samples;
+        ifs::Vector<2> sum = ifs::Vector<2>::Zero();
+        double n = 0;
+        for (std::uint64_t pass = 0; pass < 4; ++pass) {
+            drawSamples(system, 3, pass, samples);
+            for (const Word& word : cut.words)
+                for (std::uint32_t k = 0; k < 64; ++k) {
+                    const float x = samples.x[word.offset + k];
+                    const float y = samples.y[word.offset + k];
+                    sum += word.probability * ifs::Vector<2>(word.xx * x + word.xy * y + word.x,
+                                                             word.yx * x + word.yy * y + word.y);
+                }
+            n += 64;
+        }
+        const ifs::Vector<2> mean = toWorld(camera, sum / n);
+        QVERIFY(std::abs(mean.x() - 0.796833224540832) < 0.01);
+        QVERIFY(std::abs(mean.y() - 6.167579195598532) < 0.02);
+    }
+
+    void cullingChangesNothingInTheView() {
+        const auto maple = systems::maple();
+        const Camera camera = systems::camera(maple, 320, 320);
+        const AddressCut whole = cutOf(maple, camera);
+        SampleSet samples;
+        drawSamples(drawable(maple), 1, 0, samples);
+        const CellWindow all{320, 0, 320};
+        const CellWindow part{320, 96, 160};
+        const auto everything = counted(whole, samples, all, 2e6);
+        const auto rows = counted(whole, samples, part, 2e6);
+        for (std::size_t cell = 0; cell < part.cells(); ++cell)
+            QCOMPARE(rows[cell], everything[cell + 96U * 320U]);
+    }
+
+    // Around a corner of the gasket one word of each length fills the view; others only touch its edge.
+    void zoomKeepsTheMeasureExactly() {
+        const auto gasket = systems::sierpinski();
+        for (const int depth : {4, 20, 40}) {
+            Camera camera = systems::camera(gasket, 256, 256);
+            camera.centre = {0, 0};
+            camera.pixelsPerUnit =
+                127 * std::pow(2.0, depth); // the view shows [0, 2^−depth)² and a little more
+            const AddressCut cut = cutOf(gasket, camera);
+            const double expected = std::pow(3.0, -depth);
+            QVERIFY2(cut.probability > 0.999 * expected && cut.probability < 1.25 * expected,
+                     qPrintable(QString::number(cut.probability / expected)));
+            QVERIFY(cut.words.size() >= 512);
+            for (const Word& word : cut.words)
+                QVERIFY(std::abs(word.x) < 600 && std::abs(word.y) < 600);
+        }
+    }
+
+    // Far inside, positions agree with those computed from the fixed point, which is the centre of the view.
+    void deepWordsAreInPlace() {
+        const auto fern = systems::fern();
+        Camera camera = systems::camera(fern, 512, 512);
+        const auto fixed = ifs::fixedPoint(fern.maps[1].map);
+        QVERIFY(fixed.has_value());
+        camera.centre = *fixed;
+        const double scale = camera.pixelsPerUnit;
+        const ifs::Matrix<2> a = fern.maps[1].map.linear;
+        // Similarity of ratio r about the fixed point: zooming by r^−k and turning back gives the same
+        // picture, so the measure in view shrinks by 0.85 a step up to what the other maps add and the view
+        // cuts.
+        const double r = ifs::spectralNorm<2>(a);
+        camera.pixelsPerUnit = scale * std::pow(r, -60);
+        const double at60 = cutOf(fern, camera).probability;
+        camera.pixelsPerUnit = scale * std::pow(r, -160);
+        const double at160 = cutOf(fern, camera).probability;
+        QVERIFY(std::abs(std::log(at160 / at60) / 100 - std::log(0.85)) < 0.01);
+    }
+
+    void overlapsAreThinnedWithoutBias() {
+        const auto maple = systems::maple();
+        Camera camera = systems::camera(maple, 400, 300);
+        const auto fixed = ifs::fixedPoint(maple.maps[2].map);
+        camera.centre = *fixed;
+        camera.pixelsPerUnit *= 1e8;
+        CutSettings settings;
+        settings.words = 512;
+        double sum = 0;
+        double squares = 0;
+        constexpr int seeds = 6;
+        for (int seed = 0; seed < seeds; ++seed) {
+            settings.seed = static_cast<std::uint64_t>(seed) + 1;
+            const AddressCut cut = addressCut(drawable(maple), projection(camera, {}, 1), settings);
+            QVERIFY(!cut.words.empty());
+            QVERIFY(cut.words.size() < 200'000);
+            sum += cut.probability;
+            squares += cut.probability * cut.probability;
+        }
+        const double mean = sum / seeds;
+        QVERIFY(std::sqrt(std::abs(squares / seeds - mean * mean)) < 0.2 * mean);
+    }
+
+    void patchesAndSingleCellsCountLikeTheRest() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<float> size(-6, 6);
+        std::uniform_real_distribution<float> place(-4, 68);
+        SampleSet samples;
+        drawSamples(drawable(systems::maple()), 2, 0, samples);
+        const CellWindow window{64, 0, 64};
+        const std::string chosen = simdName();
+        for (int n = 0; n < 300; ++n) {
+            const float shrink = n % 3 == 0 ? 0.05F : 1.0F;
+            const Word word{size(random) * shrink,
+                            size(random) * shrink,
+                            size(random) * shrink,
+                            size(random) * shrink,
+                            place(random),
+                            place(random),
+                            0,
+                            160,
+                            1,
+                            0};
+            const std::uint64_t count = n % 2 == 0 ? 777 : 20'000;
+            std::vector<std::uint32_t> plain(window.cells());
+            for (std::uint64_t k = 0; k < count; ++k) {
+                const float x = samples.x[word.offset + k % SampleSet::size];
+                const float y = samples.y[word.offset + k % SampleSet::size];
+                const float column = word.xx * x + word.xy * y + word.x;
+                const float row = word.yx * x + word.yy * y + word.y;
+                if (column >= 0 && column < 64 && row >= 0 && row < 64)
+                    ++plain[static_cast<std::size_t>(row) * 64 + static_cast<std::size_t>(column)];
+            }
+            for (const char* name : {"scalar", "sse4", "avx2", "avx512"}) {
+                if (!selectSimd(name)) continue;
+                std::vector<std::uint32_t> counts(window.cells() + trashCells);
+                splat(word, samples, count, window, counts.data());
+                counts.resize(window.cells());
+                QVERIFY2(counts == plain, name);
+                std::vector<ColourCell> colours(window.cells() + trashCells);
+                splat(word, samples, count, window, ColourCell{1, 5, 7, 4095}, colours.data());
+                for (std::size_t cell = 0; cell < plain.size(); ++cell) {
+                    QCOMPARE(colours[cell].samples, plain[cell]);
+                    QCOMPARE(colours[cell].blue, 4095 * plain[cell]);
+                }
+            }
+        }
+        QVERIFY(selectSimd(chosen));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAddressCut)
+#include "address_cut_test.moc"

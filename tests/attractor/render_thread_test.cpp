@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/render_queue.h"
+#include "attractor/render_thread.h"
+#include "attractor/systems.h"
+
+#include <QtTest>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <set>
+#include <thread>
+
+using namespace attractor;
+
+namespace {
+
+// Waits for a condition that another thread brings about; fails the test after a minute.
+template <class Condition> bool eventually(Condition condition) {
+    for (int n = 0; n < 60'000; ++n) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+}
+
+RenderRequest numbered(std::uint64_t revision, std::uint64_t samples = 20'000) {
+    RenderRequest request = systems::request(systems::maple(), samples, 64, 48);
+    request.revision = revision;
+    return request;
+}
+
+} // namespace
+
+class TestRenderThread : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theNewestRequestWins() {
+        std::atomic<int> announced = 0;
+        RenderThread thread([&] { ++announced; });
+        QVERIFY(thread.newestFrame() == nullptr);
+        for (std::uint64_t revision = 1; revision <= 200; ++revision)
+            thread.submit(numbered(revision), 20'000);
+        QVERIFY(eventually([&] {
+            const auto frame = thread.newestFrame();
+            return frame && frame->revision == 200;
+        }));
+        QVERIFY(announced <= 200);
+        QVERIFY(thread.newestFrame()->pixels == render(numbered(200)).pixels);
+    }
+
+    void neverAnnouncesTwiceBeforeTheFrameIsTaken() {
+        std::atomic<int> announced = 0;
+        RenderThread thread([&] { ++announced; });
+        thread.submit(numbered(1), 2'000'000);
+        QVERIFY(eventually([&] { return announced == 1; }));
+        std::shared_ptr<const Frame> frame;
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        QCOMPARE(announced.load(), 1); // passes went on without a second call
+        QVERIFY(eventually([&] {
+            frame = thread.newestFrame();
+            return frame->samples >= 2'000'000;
+        }));
+    }
+
+    void refinesToTheQualityAskedAndStops() {
+        RenderThread thread([] {});
+        thread.submit(numbered(1), 500'000);
+        QVERIFY(eventually([&] {
+            const auto frame = thread.newestFrame();
+            return frame && frame->samples >= 500'000;
+        }));
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        QCOMPARE(thread.newestFrame()->samples, std::uint64_t{500'000});
+        QVERIFY(thread.newestFrame()->passes > 2);
+    }
+
+    // By work, not by time: of a pass that would take minutes, hardly anything is done after the stop.
+    void abandonsAPassAtOnce() {
+        RenderThread thread([] {});
+        thread.submit(numbered(1, 1'000'000'000'000), 1);
+        thread.submit(numbered(2), 1);
+        QVERIFY(eventually([&] {
+            const auto frame = thread.newestFrame();
+            return frame && frame->revision == 2;
+        }));
+        thread.submit(numbered(3, 1'000'000'000'000), 1);
+        thread.cancel();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        QCOMPARE(thread.newestFrame()->revision, std::uint64_t{2});
+    } // and the destructor does not wait for revision 3
+
+    void aStopIsSeenBetweenTwoJobs() {
+        Rendering rendering(numbered(1, 1'000'000'000'000));
+        std::stop_source stop;
+        std::jthread other([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            stop.request_stop();
+        });
+        QVERIFY(!rendering.refine(stop.get_token()));
+    }
+
+    void queueDrawsInOrder() {
+        std::mutex mutex;
+        std::vector<std::uint64_t> keys;
+        RenderQueue queue([&](std::uint64_t key, const std::shared_ptr<const Frame>& frame) {
+            const std::lock_guard lock(mutex);
+            if (frame->pixels.size() == 64 * 48) keys.push_back(key);
+        });
+        for (std::uint64_t key = 1; key <= 20; ++key)
+            queue.submit(key, numbered(key));
+        QVERIFY(eventually([&] {
+            const std::lock_guard lock(mutex);
+            return keys.size() == 20;
+        }));
+        for (std::uint64_t key = 1; key <= 20; ++key)
+            QCOMPARE(keys[key - 1], key);
+    }
+
+    void cancelledRequestsAreNotDrawn() {
+        std::mutex mutex;
+        std::set<std::uint64_t> keys;
+        RenderQueue queue([&](std::uint64_t key, const std::shared_ptr<const Frame>&) {
+            const std::lock_guard lock(mutex);
+            keys.insert(key);
+        });
+        queue.submit(1, numbered(1, 1'000'000'000'000)); // holds the thread up
+        queue.submit(2, numbered(2));
+        queue.submit(3, numbered(3));
+        queue.cancel(2);
+        queue.cancel(1);
+        QVERIFY(eventually([&] {
+            const std::lock_guard lock(mutex);
+            return keys.contains(3);
+        }));
+        QVERIFY(!keys.contains(1) && !keys.contains(2));
+        queue.submit(4, numbered(4, 1'000'000'000'000));
+        queue.submit(5, numbered(5));
+        queue.clear();
+        queue.submit(6, numbered(6));
+        QVERIFY(eventually([&] {
+            const std::lock_guard lock(mutex);
+            return keys.contains(6);
+        }));
+        QVERIFY(!keys.contains(4) && !keys.contains(5));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRenderThread)
+#include "render_thread_test.moc"

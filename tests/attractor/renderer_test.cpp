@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/renderer.h"
+
+#include "attractor/kernels.h"
+#include "attractor/systems.h"
+#include "attractor/tone_map.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace attractor;
+
+namespace {
+
+double occupiedGrey(const Frame& frame) { // mean over pixels that show something
+    double sum = 0;
+    double count = 0;
+    for (const std::uint32_t pixel : frame.pixels)
+        if (systems::grey(pixel) > 0) {
+            sum += systems::grey(pixel);
+            ++count;
+        }
+    return count > 0 ? sum / count : 0;
+}
+
+double psnr(const std::vector<int>& a, const Frame& b) {
+    double squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double difference = a[i] - systems::grey(b.pixels[i]);
+        squares += difference * difference;
+    }
+    return 10 * std::log10(255.0 * 255.0 * static_cast<double>(a.size()) / squares);
+}
+
+// A chaos game that shares nothing with the engine, shown with the tones of `like`.
+std::vector<int> independentPicture(const RenderRequest& request, const Frame& like, int points) {
+    std::mt19937_64 random(2024);
+    const std::vector<double> p = ifs::probabilities(request.system);
+    std::discrete_distribution<std::size_t> choice(p.begin(), p.end());
+    std::vector<double> counts(like.pixels.size());
+    ifs::Vector<2> x = ifs::Vector<2>::Zero();
+    for (int n = -1000; n < points; ++n) {
+        x = request.system.maps[choice(random)].map(x);
+        const ifs::Vector<2> at = toPixel(request.camera, x);
+        if (n >= 0 && at.x() >= 0 && at.x() < request.camera.width && at.y() >= 0 &&
+            at.y() < request.camera.height)
+            counts[static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(request.camera.width) +
+                   static_cast<std::size_t>(at.x())] += 1;
+    }
+    std::vector<int> picture;
+    for (const double count : counts) {
+        const double density = count / points / like.exposure.meanDensity;
+        const double v = std::pow(std::log1p(request.appearance.brightness * density) /
+                                      std::log1p(request.appearance.brightness * like.exposure.whitePoint),
+                                  1 / request.appearance.gamma);
+        picture.push_back(static_cast<int>(std::lround(255 * std::min(1.0, v))));
+    }
+    return picture;
+}
+
+ifs::ControlCage<2> squeezed(double height) {
+    ifs::ControlCage<2> cage;
+    cage.rest = {{0, 0}, {1, 0}, {0, 1}};
+    cage.current = {{0, 0}, {1, 0}, {0, height}};
+    return cage;
+}
+
+} // namespace
+
+class TestRenderer : public QObject {
+    Q_OBJECT
+
+private slots:
+    void agreesWithAnIndependentChaosGame() {
+        for (const auto& system :
+             {systems::maple(), systems::fern(), systems::sierpinski(), systems::dragon()}) {
+            const RenderRequest request = systems::request(system, 12'000'000, 200, 150);
+            const Frame frame = render(request);
+            const double similarity = psnr(independentPicture(request, frame, 12'000'000), frame);
+            QVERIFY2(similarity > 32, qPrintable(QString::number(similarity)));
+        }
+    }
+
+    void refinementConverges() {
+        RenderRequest request = systems::request(systems::maple(), 200'000, 200, 150);
+        Rendering rendering(request);
+        rendering.refine();
+        const Frame rough = rendering.frame();
+        const std::vector<int> truth = independentPicture(request, rough, 20'000'000);
+        for (int pass = 0; pass < 5; ++pass)
+            rendering.refine({}, 2'000'000);
+        const Frame fine = rendering.frame();
+        QCOMPARE(fine.samples / 100'000, std::uint64_t{102});
+        QCOMPARE(fine.passes, 6);
+        QCOMPARE(fine.exposure, rough.exposure);
+        QVERIFY(psnr(truth, fine) > psnr(truth, rough) + 8);
+    }
+
+    void samePixelsForAnyThreadsAndInstructionSet() {
+        const std::string chosen = simdName();
+        for (const ColourBy colourBy : {ColourBy::Density, ColourBy::Map, ColourBy::Address}) {
+            RenderRequest request = systems::request(systems::fern(), 300'000);
+            request.appearance.colourBy = colourBy;
+            request.appearance.supersample = colourBy == ColourBy::Map ? 2 : 1;
+            const Frame reference = render(request);
+            for (const int threads : {2, 3, 7}) {
+                request.threads = threads;
+                QVERIFY(render(request).pixels == reference.pixels);
+            }
+            for (const char* name : {"scalar", "sse4", "avx2", "avx512"})
+                if (selectSimd(name)) QVERIFY2(render(request).pixels == reference.pixels, name);
+            QVERIFY(selectSimd(chosen));
+            request.seed = 2;
+            QVERIFY(render(request).pixels != reference.pixels);
+        }
+    }
+
+    void restartIsAsGoodAsNew() {
+        RenderRequest first = systems::request(systems::maple(), 100'000);
+        RenderRequest second = systems::request(systems::fern(), 100'000, 111, 77);
+        second.appearance.colourBy = ColourBy::Map;
+        Rendering rendering(first);
+        rendering.refine();
+        for (const RenderRequest& request : {second, first}) {
+            rendering.restart(request);
+            rendering.refine();
+            QVERIFY(rendering.frame().pixels == render(request).pixels);
+        }
+    }
+
+    void aStoppedPassIsMadeUpFor() {
+        const RenderRequest request = systems::request(systems::maple(), 3'000'000);
+        Rendering rendering(request);
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(!rendering.refine(stop.get_token()));
+        QVERIFY(rendering.refine());
+        QCOMPARE(rendering.frame().samples, std::uint64_t{6'000'000});
+        Rendering undisturbed(request);
+        undisturbed.refine();
+        undisturbed.refine();
+        QVERIFY(rendering.frame().pixels == undisturbed.frame().pixels);
+    }
+
+    void massIsConserved() {
+        const RenderRequest request = systems::request(systems::maple(), 1'000'000);
+        const Frame frame = render(request);
+        QCOMPARE(frame.samples, std::uint64_t{1'000'000});
+        QVERIFY(std::abs(frame.measure - 1) < 1e-12);
+    }
+
+    void brightnessDoesNotDependOnTheNumberOfPoints() {
+        for (const auto& system :
+             {systems::maple(), systems::fern(), systems::flower(), systems::sierpinski()}) {
+            const double few = occupiedGrey(render(systems::request(system, 400'000)));
+            const double many = occupiedGrey(render(systems::request(system, 6'400'000)));
+            // Pixels that only many points reach are dark; what both show must look alike.
+            QVERIFY2(std::abs(many / few - 1) < 0.12, qPrintable(QStringLiteral("%1 %2").arg(few).arg(many)));
+        }
+    }
+
+    void brightnessSurvivesZoomAndSize() {
+        for (const auto& system : {systems::sierpinski(), systems::flower(), systems::dragon()}) {
+            RenderRequest request = systems::request(system, 2'000'000);
+            const double whole = occupiedGrey(render(request));
+            request.camera.centre = *ifs::fixedPoint(system.maps[1].map);
+            request.camera.pixelsPerUnit *= 64;
+            const double zoomed = occupiedGrey(render(request));
+            const double small = occupiedGrey(render(systems::request(system, 2'000'000, 96, 60)));
+            QVERIFY2(std::abs(zoomed / whole - 1) < 0.12,
+                     qPrintable(QStringLiteral("%1 %2").arg(whole).arg(zoomed)));
+            QVERIFY2(std::abs(small / whole - 1) < 0.12, qPrintable(QStringLiteral("%1 %2").arg(whole).arg(small)));
+        }
+    }
+
+    void brightnessSurvivesFlattening() {
+        RenderRequest request = systems::request(systems::maple(), 2'000'000);
+        const Frame upright = render(request);
+        request.exposure = upright.exposure;
+        for (const double height : {0.5, 0.1, 0.02, 0.0, -0.3}) {
+            request.cage = squeezed(height);
+            const Frame frame = render(request);
+            QVERIFY2(std::abs(occupiedGrey(frame) / occupiedGrey(upright) - 1) < 0.2,
+                     qPrintable(QStringLiteral("%1: %2").arg(height).arg(occupiedGrey(frame))));
+            QCOMPARE(frame.note, height == 0 ? RenderNote::Degenerate : RenderNote::None);
+            QCOMPARE(frame.exposure.whitePoint, upright.exposure.whitePoint);
+        }
+    }
+
+    void brightnessSurvivesSupersampling() {
+        for (const auto& system : {systems::flower(), systems::maple(), systems::dragon()}) {
+            RenderRequest request = systems::request(system, 4'000'000);
+            const double plain = systems::meanGrey(render(request));
+            for (const int side : {2, 4}) {
+                request.appearance.supersample = side;
+                const Frame frame = render(request);
+                QCOMPARE(frame.pixels.size(), std::size_t{320 * 200});
+                const double fine = systems::meanGrey(frame);
+                QVERIFY2(std::abs(fine / plain - 1) < 0.12,
+                         qPrintable(QStringLiteral("%1 %2").arg(plain).arg(fine)));
+            }
+        }
+    }
+
+    void transparentLaidOverTheBackgroundIsTheSame() {
+        RenderRequest request = systems::request(systems::maple(), 1'000'000);
+        request.appearance = Appearance{};
+        const Frame opaque = render(request);
+        const Rgba ground = request.appearance.background;
+        request.appearance.background.alpha = 0;
+        const Frame clear = render(request);
+        for (std::size_t i = 0; i < clear.pixels.size(); ++i) {
+            const int alpha = static_cast<int>(clear.pixels[i] >> 24);
+            QCOMPARE(int(opaque.pixels[i] >> 24), 255);
+            const std::array<int, 3> back{ground.blue, ground.green, ground.red};
+            for (int channel = 0; channel < 3; ++channel) {
+                const int front = static_cast<int>(clear.pixels[i] >> (8 * channel) & 255U);
+                QVERIFY(front <= alpha); // premultiplied
+                const double over = front + back[static_cast<std::size_t>(channel)] * (255 - alpha) / 255.0;
+                QVERIFY(std::abs(over - static_cast<int>(opaque.pixels[i] >> (8 * channel) & 255U)) <= 1.6);
+            }
+        }
+    }
+
+    void mapsKeepTheirColours() {
+        RenderRequest request = systems::request(systems::sierpinski(), 500'000);
+        request.appearance.colourBy = ColourBy::Map;
+        request.appearance.mapColours[request.system.maps[1].id] = {255, 0, 0, 255};
+        request.appearance.mapColours[request.system.maps[0].id] = {0, 255, 0, 255};
+        request.appearance.mapColours[request.system.maps[2].id] = {0, 0, 255, 255};
+        const Frame frame = render(request);
+        for (int y = 0; y < request.camera.height; ++y)
+            for (int x = 0; x < request.camera.width; ++x) {
+                const std::uint32_t pixel =
+                    frame.pixels[static_cast<std::size_t>(y * request.camera.width + x)];
+                if ((pixel & 0xffffffU) == 0) continue;
+                const ifs::Vector<2> at = toWorld(request.camera, {x + 0.5, y + 0.5});
+                const double margin = 2 / request.camera.pixelsPerUnit;
+                if (at.x() > 0.5 + margin)
+                    QCOMPARE(pixel & 0x00ffffU, 0U);
+                else if (at.y() > 0.5 + margin)
+                    QCOMPARE(pixel & 0xffff00U, 0U);
+                else if (at.x() < 0.5 - margin && at.y() < 0.5 - margin)
+                    QCOMPARE(pixel & 0xff00ffU, 0U);
+            }
+    }
+
+    void paperModePlotsExactlyThePointsAsked() {
+        RenderRequest request = systems::request(systems::maple(), 1000, 64, 64);
+        request.algorithm = Algorithm::ChaosGame;
+        Rendering rendering(request);
+        QVERIFY(!rendering.finished());
+        rendering.refine({}, 300);
+        QCOMPARE(rendering.frame().samples, std::uint64_t{300});
+        rendering.refine({}, 10'000);
+        QCOMPARE(rendering.frame().samples, std::uint64_t{1000});
+        QVERIFY(rendering.finished());
+        QVERIFY(rendering.frame().pixels == render(request).pixels);
+    }
+
+    // W⁰ is the triangle itself, W¹ of the gasket leaves out its middle quarter.
+    void deterministicAlgorithmFillsImages() {
+        RenderRequest request = systems::request(systems::sierpinski(), 1, 400, 400);
+        request.algorithm = Algorithm::Deterministic;
+        request.cage = ifs::cageAtRest<2>({ifs::Vector<2>(0, 0), ifs::Vector<2>(1, 0), ifs::Vector<2>(0, 1)});
+        double before = 0;
+        for (int n = 0; n <= 4; ++n) {
+            request.iterations = n;
+            const Frame frame = render(request);
+            double covered = 0;
+            for (const std::uint32_t pixel : frame.pixels)
+                covered += systems::grey(pixel) > 0 ? 1 : 0;
+            covered /= request.camera.pixelsPerUnit * request.camera.pixelsPerUnit;
+            QVERIFY2(std::abs(covered - 0.5 * std::pow(0.75, n)) < 0.02,
+                     qPrintable(QString::number(covered)));
+            QVERIFY(n == 0 || covered < before);
+            QCOMPARE(frame.iterations, n);
+            before = covered;
+        }
+        request.iterations = 1000;
+        const Frame frame = render(request);
+        QCOMPARE(frame.note, RenderNote::FewerIterations);
+        QVERIFY(frame.iterations >= 12 && frame.iterations < 14);
+    }
+
+    void oddSystemsAreDrawnOrLeftEmpty_data() {
+        QTest::addColumn<int>("which");
+        QTest::addColumn<int>("note");
+        QTest::addColumn<bool>("visible");
+        const auto row = [](const char* name, int which, RenderNote note, bool visible) {
+            QTest::newRow(name) << which << static_cast<int>(note) << visible;
+        };
+        row("no maps", 0, RenderNote::NoMaps, false);
+        row("one map", 1, RenderNote::None, true);
+        row("identical maps", 2, RenderNote::None, true);
+        row("constant maps", 3, RenderNote::None, true);
+        row("expanding", 4, RenderNote::NoAttractor, true);
+        row("one map expands a little", 5, RenderNote::NoAttractor, true);
+        row("eventually contractive", 6, RenderNote::None, true);
+        row("huge coefficients", 7, RenderNote::None, true);
+        row("weights off", 8, RenderNote::NoMaps, false);
+        row("not finite", 9, RenderNote::NoMaps, false);
+        row("on a line", 10, RenderNote::None, true);
+        row("hardly contracting", 11, RenderNote::None, true);
+    }
+
+    void oddSystemsAreDrawnOrLeftEmpty() {
+        QFETCH(int, which);
+        QFETCH(int, note);
+        QFETCH(bool, visible);
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        ifs::IteratedFunctionSystem<2> off = systems::maple();
+        for (auto& map : off.maps)
+            map.weight = -1;
+        const std::vector<ifs::IteratedFunctionSystem<2>> candidates{
+            {},
+            systems::system({{{0.5, 0, 0, 0.5, 1, 1}}}),
+            systems::system({{{0.5, 0, 0, 0.5, 1, 1}}, {{0.5, 0, 0, 0.5, 1, 1}}}),
+            systems::system({{{0, 0, 0, 0, 1, 1}}, {{0, 0, 0, 0, 2, 3}}}),
+            systems::system({{{1.5, 0, 0, 1.5, 0, 0}}, {{1.2, 0, 0, 1.3, 1, 1}}}),
+            systems::system({{{1.05, 0, 0, 1.05, 0, 0}, 1},
+                             {{0.4, 0.1, 0, 0.4, 1, 1}, 1},
+                             {{0.4, 0, 0.1, 0.4, 0, 1}, 1}}),
+            systems::system({{{0.5, 2, 0, 0.5, 0, 0}}, {{0.5, 0, 0.1, 0.3, 1, 0}}}),
+            systems::system(
+                {{{0.5, 0, 0, 0.5, 1e150, 0}}, {{0.5, 0, 0, 0.5, 0, 3e150}}, {{0.5, 0, 0, 0.5, 0, 0}}}),
+            off,
+            systems::system({{{nan, 0, 0, 0.5, 1, 1}, 1}}),
+            systems::system({{{0.5, 0, 0, 0, 0, 0}}, {{0.5, 0, 0, 0, 0.5, 0}}}),
+            systems::system({{{0.9999, 0, 0, 0.9999, 0.0001, 0}, 0.9999}, {{0.5, 0, 0, 0.5, 0, 1}, 0.0001}})};
+        const auto& system = candidates[static_cast<std::size_t>(which)];
+        for (const Algorithm algorithm :
+             {Algorithm::Density, Algorithm::ChaosGame, Algorithm::Deterministic}) {
+            RenderRequest request = systems::request(system, 200'000);
+            request.algorithm = algorithm;
+            request.iterations = 3;
+            const Frame frame = render(request);
+            QCOMPARE(frame.pixels.size(), std::size_t{320 * 200});
+            QCOMPARE(static_cast<int>(frame.note), note);
+            if (algorithm == Algorithm::Density) QCOMPARE(systems::meanGrey(frame) > 0, visible);
+            QVERIFY(std::isfinite(frame.exposure.meanDensity) && std::isfinite(frame.exposure.whitePoint));
+        }
+    }
+
+    void oddCamerasAreHarmless() {
+        RenderRequest request = systems::request(systems::maple(), 10'000);
+        const Camera good = request.camera;
+        request.camera.width = 0;
+        QCOMPARE(render(request).pixels.size(), std::size_t{0});
+        request.camera = good;
+        for (const double scale : {0.0, -1.0, 1e-300, 1e300, std::numeric_limits<double>::infinity(),
+                                   std::numeric_limits<double>::quiet_NaN()}) {
+            request.camera.pixelsPerUnit = scale;
+            QCOMPARE(render(request).pixels.size(), std::size_t{320 * 200});
+        }
+        request.camera = good;
+        request.camera.centre = {1e9, 1e9};
+        QCOMPARE(systems::meanGrey(render(request)), 0.0);
+    }
+
+    void deepZoomIsFullOfDetail() {
+        RenderRequest request = systems::request(systems::fern(), 1'000'000);
+        request.camera.centre = *ifs::fixedPoint(request.system.maps[1].map);
+        const double scale = request.camera.pixelsPerUnit;
+        for (const double zoom : {1e4, 1e8, 1e12}) {
+            request.camera.pixelsPerUnit = scale * zoom;
+            const Frame frame = render(request);
+            QCOMPARE(frame.note, RenderNote::None);
+            QVERIFY(systems::meanGrey(frame) > 5);
+            std::uint64_t shades = 0;
+            std::array<bool, 256> seen{};
+            for (const std::uint32_t pixel : frame.pixels)
+                seen[static_cast<std::size_t>(systems::grey(pixel))] = true;
+            for (const bool shade : seen)
+                shades += shade ? 1 : 0;
+            QVERIFY(shades > 40);
+        }
+        request.camera.pixelsPerUnit = scale * 1e17;
+        QCOMPARE(render(request).note, RenderNote::TooDeep);
+    }
+
+    void toneIsMonotonicAndNormalised() {
+        QCOMPARE(tone(0, 20, 5, 2.2), 0.0);
+        QVERIFY(std::abs(tone(5, 20, 5, 2.2) - 1) < 1e-12);
+        double before = 0;
+        for (double density = 0.01; density < 5; density *= 1.2) {
+            const double v = tone(density, 20, 5, 2.2);
+            QVERIFY(v > before);
+            QVERIFY(std::abs(v - std::pow(std::log1p(20 * density) / std::log1p(100), 1 / 2.2)) < 1e-12);
+            before = v;
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRenderer)
+#include "renderer_test.moc"

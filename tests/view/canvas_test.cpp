@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/cage_actions.h"
+#include "canvas/canvas_geometry.h"
+#include "canvas/canvas_scene.h"
+#include "canvas/canvas_view.h"
+#include "document/fractal.h"
+#include "render_bridge.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <memory>
+
+using document::Document;
+using ifs::Vector;
+using view::CanvasPart;
+using view::CanvasView;
+using Kind = view::CanvasPart::Kind;
+
+class CanvasTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<view::RenderBridge> m_bridge;
+    std::unique_ptr<CanvasView> m_canvas;
+
+    const std::vector<Vector<2>>& vertices() const { return m_canvas->canvas().cage()->current; }
+    int steps() const { return m_document->undoStack()->count(); }
+    QPoint at(CanvasPart part) const { return m_canvas->canvas().positionOf(part).toPoint(); }
+    QPoint vertex(int index) const { return at({Kind::Vertex, index}); }
+    QPoint empty() const { return {12, 12}; }
+    QPoint inside() const {
+        return ((m_canvas->canvas().positionOf({Kind::Vertex, 0}) * 2 +
+                 m_canvas->canvas().positionOf({Kind::Edge, 1}) * 3) /
+                5)
+            .toPoint();
+    }
+    Qt::CursorShape cursor() const { return m_canvas->viewport()->cursor().shape(); }
+
+    // Events with buttons and modifiers of our own: a drag is press, moves and release.
+    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons,
+               Qt::KeyboardModifiers modifiers = {}) {
+        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, modifiers);
+        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
+    }
+    void press(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
+               Qt::MouseButton button = Qt::LeftButton) {
+        mouse(QEvent::MouseButtonPress, p, button, button, modifiers);
+    }
+    void move(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
+              Qt::MouseButtons buttons = Qt::LeftButton) {
+        mouse(QEvent::MouseMove, p, Qt::NoButton, buttons, modifiers);
+    }
+    void release(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
+                 Qt::MouseButton button = Qt::LeftButton) {
+        mouse(QEvent::MouseButtonRelease, p, button, Qt::NoButton, modifiers);
+    }
+    void hover(const QPointF& p) { move(p, {}, Qt::NoButton); }
+    void drag(const QPointF& from, const QPointF& by, Qt::KeyboardModifiers modifiers = {}) {
+        press(from, modifiers);
+        for (const double part : {0.3, 0.7, 1.0})
+            move(from + by * part, modifiers);
+        release(from + by, modifiers);
+    }
+    void click(const QPoint& p) { QTest::mouseClick(m_canvas->viewport(), Qt::LeftButton, {}, p); }
+
+private slots:
+    void init() {
+        m_document = std::make_unique<Document>();
+        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
+        m_bridge->setQuality(1'000'000);
+        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
+        m_canvas->resize(640, 480);
+        m_canvas->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
+        m_canvas->setFocus();
+    }
+
+    void cleanup() {
+        m_canvas.reset();
+        m_bridge.reset();
+        m_document.reset();
+    }
+
+    void handOverAVertexAndCrossElsewhere() {
+        hover(vertex(1));
+        QCOMPARE(cursor(), Qt::OpenHandCursor);
+        hover(empty());
+        QCOMPARE(cursor(), Qt::CrossCursor);
+        hover(inside());
+        QCOMPARE(cursor(), Qt::CrossCursor);
+        press(vertex(1));
+        QCOMPARE(cursor(), Qt::ClosedHandCursor);
+        move(vertex(1) + QPoint(40, 10));
+        QCOMPARE(cursor(), Qt::ClosedHandCursor);
+        release(vertex(1));
+        QCOMPARE(cursor(), Qt::OpenHandCursor);
+    }
+
+    void aVertexFollowsThePointerInOneStep() {
+        const std::vector<Vector<2>> before = vertices();
+        const attractor::Camera camera = m_canvas->camera();
+        drag(vertex(2) + QPoint(3, -2), {57, -31}); // not taken at its middle: it must not jump
+        const Vector<2> expected = before[2] + view::worldOffset(camera, {57, -31});
+        QCOMPARE(vertices()[2], expected);
+        QCOMPARE(vertices()[0], before[0]);
+        QCOMPARE(vertices()[1], before[1]);
+        QCOMPARE(steps(), 1);
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Move vertex 3"));
+        QVERIFY(m_canvas->camera() == camera);
+        m_document->undoStack()->undo();
+        QVERIFY(vertices() == before);
+    }
+
+    void edgeAndInsideMoveTheirVertices() {
+        const std::vector<Vector<2>> before = vertices();
+        const Vector<2> offset = view::worldOffset(m_canvas->camera(), {20, 15});
+        const QPointF third = m_canvas->canvas().positionOf({Kind::Vertex, 0}) * 0.7 +
+                              m_canvas->canvas().positionOf({Kind::Vertex, 1}) * 0.3;
+        drag(third, {20, 15});
+        QVERIFY((vertices()[0] - before[0] - offset).norm() < 1e-12);
+        QVERIFY((vertices()[1] - before[1] - offset).norm() < 1e-12);
+        QCOMPARE(vertices()[2], before[2]);
+        m_document->undoStack()->undo();
+        drag(inside(), {20, 15});
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY((vertices()[i] - before[i] - offset).norm() < 1e-12);
+        QCOMPARE(steps(), 1);
+    }
+
+    void escapeRestoresExactly() {
+        drag(vertex(0), {31, 17});
+        const document::Fractal before = m_document->fractal();
+        for (const Qt::KeyboardModifiers modifiers :
+             {Qt::KeyboardModifiers(), Qt::KeyboardModifiers(Qt::ControlModifier),
+              Qt::KeyboardModifiers(Qt::AltModifier)}) {
+            press(vertex(1), modifiers);
+            move(vertex(1) + QPoint(33, 44), modifiers);
+            QVERIFY(m_document->fractal() != before);
+            QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
+            QVERIFY(m_document->fractal() == before);
+            move(QPointF(300, 300), modifiers); // the button is still down: nothing may follow it
+            release(QPointF(300, 300), modifiers);
+            QVERIFY(m_document->fractal() == before);
+        }
+        QCOMPARE(steps(), 1);
+    }
+
+    void wayBackLeavesNoStep() {
+        const document::Fractal before = m_document->fractal();
+        const QPoint start = vertex(0);
+        press(start);
+        move(start + QPoint(50, 50));
+        move(start);
+        release(start);
+        QVERIFY(m_document->fractal() == before);
+        QCOMPARE(steps(), 0);
+        click(vertex(1)); // nor does a click
+        QCOMPARE(steps(), 0);
+        QCOMPARE(m_canvas->canvas().focused(), (CanvasPart{Kind::Vertex, 1}));
+    }
+
+    void flatAndBackIsTheSamePicture() {
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent() && m_bridge->frame()->samples >= 1'000'000, 20000);
+        const document::Fractal before = m_document->fractal();
+        const auto wanted = m_bridge->frame()->pixels;
+        const QPointF start = m_canvas->canvas().positionOf({Kind::Vertex, 2});
+        const QPointF edge = m_canvas->canvas().positionOf({Kind::Edge, 0});
+        press(start);
+        move(edge);
+        QVERIFY(!view::isPlacementInvertible(m_document->fractal()));
+        move(edge + (edge - start)); // mirrored
+        move(start);
+        release(start);
+        QVERIFY(m_document->fractal() == before);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent() && m_bridge->frame()->samples >= 1'000'000, 20000);
+        QVERIFY(m_bridge->frame()->pixels == wanted);
+    }
+
+    void controlTurnsAndAltScalesAboutThePivot() {
+        const Vector<2> pivot = m_canvas->canvas().pivot();
+        const std::vector<Vector<2>> before = vertices();
+        drag(vertex(1), {-60, -80}, Qt::ControlModifier);
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY(std::abs((vertices()[i] - pivot).norm() - (before[i] - pivot).norm()) < 1e-9);
+        QVERIFY((vertices()[1] - before[1]).norm() > 0.01);
+        m_document->undoStack()->undo();
+        drag(vertex(1), {40, 25}, Qt::AltModifier | Qt::ShiftModifier);
+        const double ratio = (vertices()[0] - pivot).norm() / (before[0] - pivot).norm();
+        QVERIFY(ratio > 1.01);
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY((vertices()[i] - pivot - ratio * (before[i] - pivot)).norm() < 1e-9);
+        QCOMPARE(steps(), 1);
+    }
+
+    void handlesDoTheSameWithoutKeys() {
+        const Vector<2> pivot = m_canvas->canvas().pivot();
+        const std::vector<Vector<2>> before = vertices();
+        drag(at({Kind::Rotate, 0}), {15, 60});
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Rotate the cage"));
+        QVERIFY(std::abs((vertices()[1] - pivot).norm() - (before[1] - pivot).norm()) < 1e-9);
+        drag(at({Kind::Scale, 0}), {-30, -30});
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Scale the cage"));
+        QCOMPARE(steps(), 2);
+    }
+
+    void thePivotCanBePutElsewhere() {
+        const QPoint start = at({Kind::Pivot, 0});
+        drag(start, vertex(0) - start + QPoint(3, 3)); // near vertex 1, so on it
+        QCOMPARE(m_canvas->canvas().pivot(), vertices()[0]);
+        QCOMPARE(steps(), 0);
+        const Vector<2> pivot = m_canvas->canvas().pivot();
+        drag(inside(), {30, 0});
+        QVERIFY((m_canvas->canvas().pivot() - pivot - view::worldOffset(m_canvas->camera(), {30, 0})).norm() <
+                1e-12);
+    }
+
+    void tabWalksAndArrowsNudge() {
+        for (int i = 0; i < 3; ++i) {
+            QTest::keyClick(m_canvas.get(), Qt::Key_Tab);
+            QCOMPARE(m_canvas->canvas().focused(), (CanvasPart{Kind::Vertex, i}));
+        }
+        QTest::keyClick(m_canvas.get(), Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(m_canvas->canvas().focused(), (CanvasPart{Kind::Vertex, 1}));
+        const Vector<2> before = vertices()[1];
+        const double pixel = 1 / m_canvas->camera().pixelsPerUnit;
+        QTest::keyClick(m_canvas.get(), Qt::Key_Right);
+        QVERIFY((vertices()[1] - before - Vector<2>(pixel, 0)).norm() < 1e-12);
+        QTest::keyClick(m_canvas.get(), Qt::Key_Up, Qt::ShiftModifier);
+        QVERIFY((vertices()[1] - before - Vector<2>(pixel, 10 * pixel)).norm() < 1e-12);
+        QTest::keyClick(m_canvas.get(), Qt::Key_Left, Qt::AltModifier);
+        QVERIFY((vertices()[1] - before - Vector<2>(0.9 * pixel, 10 * pixel)).norm() < 1e-12);
+        QCOMPARE(steps(), 3);
+    }
+
+    void aHeldArrowIsOneStep() {
+        QTest::keyClick(m_canvas.get(), Qt::Key_Tab);
+        const auto key = [&](QEvent::Type type, bool repeat) {
+            QKeyEvent event(type, Qt::Key_Down, {}, {}, repeat);
+            QCoreApplication::sendEvent(m_canvas.get(), &event);
+        };
+        const Vector<2> before = vertices()[0];
+        key(QEvent::KeyPress, false);
+        for (int i = 0; i < 9; ++i) {
+            key(QEvent::KeyRelease, true);
+            key(QEvent::KeyPress, true);
+        }
+        key(QEvent::KeyRelease, false);
+        QCOMPARE(steps(), 1);
+        QVERIFY((vertices()[0] - before - view::worldOffset(m_canvas->camera(), {0, 10})).norm() < 1e-12);
+    }
+
+    void threeClicksDefineTheTriangle() {
+        drag(vertex(2), {40, 10});
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        const ifs::AffineMap<2> display = ifs::displayMap<2>(*m_document->fractal().cage);
+        QSignalSpy changed(m_canvas.get(), &CanvasView::toolChanged);
+        m_canvas->setTool(CanvasView::Tool::DefineTriangle);
+        QCOMPARE(cursor(), Qt::CrossCursor);
+        click({100, 100});
+        click({150, 150});
+        QTest::keyClick(m_canvas.get(), Qt::Key_Backspace);
+        click({400, 120});
+        QSignalSpy refused(m_canvas.get(), &CanvasView::message);
+        click({250, 110}); // on the line of the other two
+        QCOMPARE(refused.count(), 1);
+        QCOMPARE(steps(), 1);
+        click({300, 400});
+        QCOMPARE(m_canvas->tool(), CanvasView::Tool::Cage);
+        QCOMPARE(changed.count(), 2);
+        QCOMPARE(steps(), 2);
+        QCOMPARE(vertex(0), QPoint(100, 100));
+        QCOMPARE(vertex(1), QPoint(400, 120));
+        QCOMPARE(vertex(2), QPoint(300, 400));
+        // The picture stays: the display map is the same.
+        const ifs::AffineMap<2> now = ifs::displayMap<2>(*m_document->fractal().cage);
+        QVERIFY((now.linear - display.linear).norm() < 1e-9);
+        QVERIFY((now.translation - display.translation).norm() < 1e-9);
+    }
+
+    void definingCanBeLeft() {
+        m_canvas->setTool(CanvasView::Tool::DefineTriangle);
+        click({100, 100});
+        QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
+        QCOMPARE(m_canvas->tool(), CanvasView::Tool::Cage);
+        QCOMPARE(steps(), 0);
+        m_canvas->setTool(CanvasView::Tool::DefineTriangle);
+        click({100, 100});
+        QContextMenuEvent menu(QContextMenuEvent::Mouse, {50, 50},
+                               m_canvas->viewport()->mapToGlobal(QPoint(50, 50)));
+        QCoreApplication::sendEvent(m_canvas->viewport(), &menu);
+        QCOMPARE(m_canvas->tool(), CanvasView::Tool::Cage);
+        QCOMPARE(steps(), 0);
+    }
+
+    void definingOnAFlatCageOffersReset() {
+        document::Fractal flat = m_document->fractal();
+        flat.cage = document::effectiveCage(flat);
+        flat.cage->current[2] = (flat.cage->current[0] + flat.cage->current[1]) / 2;
+        m_document->edit(QStringLiteral("Flatten"), flat);
+        m_canvas->setTool(CanvasView::Tool::DefineTriangle);
+        QCOMPARE(m_canvas->tool(), CanvasView::Tool::Cage);
+        auto* question = m_canvas->findChild<QMessageBox*>();
+        QVERIFY(question);
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::AcceptRole) button->click();
+        QCOMPARE(m_canvas->tool(), CanvasView::Tool::DefineTriangle);
+        QVERIFY(m_document->fractal().cage->current == m_document->fractal().cage->rest);
+    }
+
+    void snapsWhileDragging() {
+        m_canvas->setSnapping(view::SnapTo::Axes);
+        const QPointF target = view::pixelOf(m_canvas->camera(), {0, 0});
+        drag(vertex(1), target - vertex(1) + QPointF(60, 5)); // near y = 0 only
+        QCOMPARE(vertices()[1].y(), 0.0);
+        QVERIFY(vertices()[1].x() != 0);
+        m_canvas->setSnapping(view::SnapTo::Vertices);
+        drag(vertex(2), vertex(0) - vertex(2) + QPointF(4, 4));
+        QCOMPARE(vertices()[2], vertices()[0]);
+    }
+
+    void wheelKeepsThePointUnderTheCursor() {
+        const QPointF p(123, 321);
+        for (const QPoint& angle : {QPoint(0, 120), QPoint(0, -360), QPoint(0, 15)})
+            for (const QPoint& pixels : {QPoint(), QPoint(0, 37)}) {
+                const Vector<2> world = view::worldAt(m_canvas->camera(), p);
+                const double scale = m_canvas->camera().pixelsPerUnit;
+                QWheelEvent wheel(p, m_canvas->viewport()->mapToGlobal(p), pixels, angle, Qt::NoButton, {},
+                                  Qt::NoScrollPhase, false);
+                QCoreApplication::sendEvent(m_canvas->viewport(), &wheel);
+                QVERIFY(m_canvas->camera().pixelsPerUnit != scale);
+                const QPointF now = view::pixelOf(m_canvas->camera(), world);
+                QVERIFY(QLineF(now, p).length() < 1e-6);
+            }
+        m_canvas->resetZoom();
+        QCOMPARE(m_canvas->camera().pixelsPerUnit, 100.0);
+        for (int i = 0; i < 50; ++i)
+            m_canvas->zoomBy(2);
+        QVERIFY(m_canvas->camera().pixelsPerUnit > 1e12);
+    }
+
+    void middleButtonAndSpacePan() {
+        const Vector<2> world = view::worldAt(m_canvas->camera(), {200, 200});
+        press({200, 200}, {}, Qt::MiddleButton);
+        QCOMPARE(cursor(), Qt::ClosedHandCursor);
+        move({230, 180}, {}, Qt::MiddleButton);
+        release({230, 180}, {}, Qt::MiddleButton);
+        QVERIFY((view::worldAt(m_canvas->camera(), {230, 180}) - world).norm() < 1e-12);
+        QTest::keyPress(m_canvas.get(), Qt::Key_Space);
+        QCOMPARE(cursor(), Qt::OpenHandCursor);
+        drag(vertex(0), {-30, 20});
+        QTest::keyRelease(m_canvas.get(), Qt::Key_Space);
+        QVERIFY((view::worldAt(m_canvas->camera(), {200, 200}) - world).norm() < 1e-12);
+        QCOMPARE(steps(), 0);
+    }
+
+    void hidingTakesTheHandlesAway() {
+        const QPoint handle = vertex(0);
+        QSignalSpy spy(m_canvas.get(), &CanvasView::overlaysVisibleChanged);
+        QTest::keyClick(m_canvas.get(), Qt::Key_H);
+        QCOMPARE(spy.count(), 1);
+        hover(handle);
+        QCOMPARE(cursor(), Qt::CrossCursor);
+        drag(handle, {30, 30});
+        QCOMPARE(steps(), 0);
+        QTest::keyClick(m_canvas.get(), Qt::Key_H);
+        hover(handle);
+        QCOMPARE(cursor(), Qt::OpenHandCursor);
+    }
+
+    void readsOutBothCoordinates() {
+        QSignalSpy spy(m_canvas.get(), &CanvasView::pointerMoved);
+        hover(vertex(1));
+        const auto position = spy.last().first().value<view::PointerPosition>();
+        QVERIFY((position.world - vertices()[1]).norm() * m_canvas->camera().pixelsPerUnit < 1);
+        QVERIFY(position.barycentric);
+        QVERIFY((*position.barycentric - ifs::Barycentric<2>(0, 1, 0)).norm() < 0.02);
+    }
+
+    void saysWhyThereIsNoPicture() {
+        document::Fractal fractal = m_document->fractal();
+        document::system2(fractal)->maps[1].map.linear *= 3;
+        m_document->edit(QStringLiteral("Enlarge"), fractal);
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("map 2")), 20000);
+        QVERIFY(m_canvas->note().contains(QStringLiteral("1.5")));
+        m_document->undoStack()->undo();
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().isEmpty(), 20000);
+    }
+
+    void actionsKeepThePicture() {
+        drag(vertex(2), {50, 20});
+        const ifs::AffineMap<2> display = ifs::displayMap<2>(*m_document->fractal().cage);
+        QVERIFY(!view::fitMinimalCanonicalSimplex(*m_document));
+        const ifs::AffineMap<2> now = ifs::displayMap<2>(*m_document->fractal().cage);
+        QVERIFY((now.linear - display.linear).norm() < 1e-9);
+        QVERIFY(!view::bakeCage(*m_document));
+        QVERIFY(m_document->fractal().cage->current == m_document->fractal().cage->rest);
+        QVERIFY(view::resetCage(*m_document).has_value()); // nothing to do, and it says so
+        QCOMPARE(steps(), 3);
+    }
+};
+
+QTEST_MAIN(CanvasTest)
+#include "canvas_test.moc"

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "clipboard.h"
+#include "panels/collection_filter.h"
+#include "panels/collection_model.h"
+#include "panels/collection_panel.h"
+
+#include <QAbstractItemModelTester>
+#include <QAction>
+#include <QFile>
+#include <QLineEdit>
+#include <QListView>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace Qt::StringLiterals;
+using view::CollectionModel;
+using view::CollectionPanel;
+
+namespace {
+
+view::CollectionTheme theme(const QString& title, const QStringList& names) {
+    view::CollectionTheme result;
+    result.title = title;
+    for (const QString& name : names) {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        fractal.name = name;
+        fractal.comments = QStringList{u"Source of "_s + name};
+        document::Entry entry;
+        entry.fractal = std::make_shared<const document::Fractal>(fractal);
+        result.entries.append(entry);
+    }
+    return result;
+}
+
+} // namespace
+
+class CollectionPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void everyBundledEntryIsReadable();
+    void modelGroupsByTheme();
+    void searchKeepsTitlesOfWhatIsFound();
+    void opensAndAdds();
+    void arrowsSkipTitles();
+    void asksOnlyForWhatIsSeen();
+    void ownFolders();
+    void dragsAsText();
+};
+
+void CollectionPanelTest::initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(u"barycage-test"_s);
+    QCoreApplication::setApplicationName(u"collection"_s);
+    QSettings().clear();
+}
+
+void CollectionPanelTest::everyBundledEntryIsReadable() {
+    const QStringList paths = view::bundledCollection();
+    QVERIFY(paths.size() >= 8);
+    QVERIFY(paths.front().endsWith(u"paper.ifs"_s));
+    qsizetype count = 0;
+    for (const QString& path : paths) {
+        const view::CollectionTheme theme = view::readTheme(path);
+        QVERIFY2(!theme.title.isEmpty() && !theme.entries.isEmpty(), qPrintable(path));
+        for (const document::Entry& entry : theme.entries) {
+            QVERIFY2(document::dimension(*entry.fractal) == 2, qPrintable(entry.fractal->name));
+            QVERIFY2(entry.problems.isEmpty(), qPrintable(entry.fractal->name));
+        }
+        count += theme.entries.size();
+    }
+    QVERIFY(count >= 40);
+}
+
+void CollectionPanelTest::modelGroupsByTheme() {
+    view::Thumbnails thumbnails;
+    CollectionModel model(&thumbnails);
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    view::CollectionTheme withBroken = theme(u"Ferns"_s, {u"a"_s, u"b"_s});
+    withBroken.entries.append(
+        {document::EntryId::None, std::make_shared<const document::Fractal>(), nullptr, {}});
+    model.append(withBroken);
+    model.append(theme(u"Mine"_s, {u"c"_s}), u"/home/me"_s);
+    QStringList shown;
+    for (int row = 0; row < model.rowCount(); ++row)
+        shown.append(model.index(row).data().toString());
+    QCOMPARE(shown, (QStringList{u"Ferns"_s, u"a"_s, u"b"_s, u"Mine"_s, u"c"_s}));
+    QVERIFY(!model.fractalAt(model.index(0)));
+    QCOMPARE(model.fractalAt(model.index(4))->name, u"c"_s);
+    QVERIFY(!(model.flags(model.index(3)) & Qt::ItemIsSelectable));
+    model.removeFolder(u"/home/me"_s);
+    QCOMPARE(model.rowCount(), 3);
+}
+
+void CollectionPanelTest::searchKeepsTitlesOfWhatIsFound() {
+    view::Thumbnails thumbnails;
+    CollectionModel model(&thumbnails);
+    model.append(theme(u"Ferns"_s, {u"barnsley"_s, u"other"_s}));
+    model.append(theme(u"Trees"_s, {u"oak"_s}));
+    view::CollectionFilter filter;
+    filter.setSourceModel(&model);
+    const auto shown = [&filter](const QString& words) {
+        filter.setWords(words);
+        QStringList result;
+        for (int row = 0; row < filter.rowCount(); ++row)
+            result.append(filter.index(row, 0).data().toString());
+        return result;
+    };
+    QCOMPARE(shown({}).size(), 5);
+    QCOMPARE(shown(u"BARN"_s), (QStringList{u"Ferns"_s, u"barnsley"_s}));
+    QCOMPARE(shown(u"tree"_s), (QStringList{u"Trees"_s, u"oak"_s}));
+    QCOMPARE(shown(u"source  oak"_s), (QStringList{u"Trees"_s, u"oak"_s}));
+    QCOMPARE(shown(u"source fern"_s).size(), 3);
+    QVERIFY(shown(u"nowhere"_s).isEmpty());
+}
+
+void CollectionPanelTest::opensAndAdds() {
+    CollectionPanel panel;
+    panel.resize(300, 400);
+    panel.show();
+    panel.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&panel));
+    auto* grid = panel.findChild<QListView*>();
+    QStringList opened;
+    QStringList added;
+    connect(&panel, &CollectionPanel::openRequested, this,
+            [&opened](const document::Fractal& fractal) { opened.append(fractal.name); });
+    connect(&panel, &CollectionPanel::addRequested, this,
+            [&added](const document::Fractal& fractal) { added.append(fractal.name); });
+    QTRY_VERIFY(grid->model()->rowCount() > 3);
+    for (const QAction* action : grid->actions())
+        QVERIFY(!action->statusTip().isEmpty());
+
+    grid->setFocus();
+    QTest::keyClick(grid, Qt::Key_Return); // nothing chosen yet
+    QVERIFY(opened.isEmpty());
+    const QModelIndex second = grid->model()->index(2, 0);
+    const QPoint place = grid->visualRect(second).center();
+    QTest::mouseClick(grid->viewport(), Qt::LeftButton, {}, place);
+    QVERIFY(opened.isEmpty());
+    QTest::mouseDClick(grid->viewport(), Qt::LeftButton, {}, place);
+    QCOMPARE(opened, (QStringList{u"flower"_s}));
+    QTest::keyClick(grid, Qt::Key_Return);
+    QCOMPARE(opened.size(), 2);
+    QVERIFY(added.isEmpty());
+    QTest::keyClick(grid, Qt::Key_Return, Qt::ShiftModifier);
+    QCOMPARE(added, (QStringList{u"flower"_s}));
+    QCOMPARE(opened.size(), 2);
+}
+
+void CollectionPanelTest::arrowsSkipTitles() {
+    CollectionPanel panel;
+    panel.resize(300, 500);
+    panel.show();
+    auto* grid = panel.findChild<QListView*>();
+    QTRY_VERIFY(grid->model()->rowCount() > 60);
+    QTest::qWait(0);
+    grid->setCurrentIndex(grid->model()->index(1, 0));
+    for (int step = 0; step < 12; ++step) {
+        const int before = grid->currentIndex().row();
+        QTest::keyClick(grid, Qt::Key_Down);
+        QVERIFY(grid->currentIndex().row() > before);
+        QVERIFY(!grid->currentIndex().data(CollectionModel::HeadingRole).toBool());
+    }
+}
+
+void CollectionPanelTest::asksOnlyForWhatIsSeen() {
+    CollectionPanel panel;
+    panel.resize(300, 400);
+    panel.show();
+    auto* grid = panel.findChild<QListView*>();
+    auto* thumbnails = panel.findChild<view::Thumbnails*>();
+    QTRY_VERIFY(grid->model()->rowCount() > 100);
+    QTRY_VERIFY(thumbnails->submitted() > 0);
+    QTRY_COMPARE_WITH_TIMEOUT(thumbnails->pending(), 0, 20000);
+    QVERIFY2(thumbnails->submitted() < 60, qPrintable(QString::number(thumbnails->submitted())));
+}
+
+void CollectionPanelTest::ownFolders() {
+    QTemporaryDir folder;
+    QFile file(folder.filePath(u"mine.ifs"_s));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("zigzag { ; my own\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n");
+    file.close();
+    const auto isShown = [](CollectionPanel& panel) {
+        panel.findChild<QLineEdit*>()->setText(u"zigzag"_s);
+        return panel.findChild<QListView*>()->model()->rowCount() == 2; // the title and the entry
+    };
+    {
+        CollectionPanel panel;
+        panel.addFolder(folder.path());
+        panel.addFolder(folder.path());
+        QTRY_VERIFY(isShown(panel));
+    }
+    CollectionPanel later;
+    QCOMPARE(later.folders(), QStringList{folder.path()});
+    QTRY_VERIFY(isShown(later));
+    later.removeFolder(folder.path());
+    QVERIFY(!isShown(later));
+    QVERIFY(CollectionPanel().folders().isEmpty());
+}
+
+void CollectionPanelTest::dragsAsText() {
+    view::Thumbnails thumbnails;
+    CollectionModel model(&thumbnails);
+    model.append(theme(u"Ferns"_s, {u"a"_s, u"b"_s}));
+    const std::unique_ptr<QMimeData> mimeData(model.mimeData({model.index(0), model.index(2)}));
+    const view::FoundEntries found = view::entriesIn(*mimeData);
+    QCOMPARE(found.entries.size(), 1);
+    QCOMPARE(found.entries.front().fractal->name, u"b"_s);
+}
+
+QTEST_MAIN(CollectionPanelTest)
+#include "collection_panel_test.moc"
