@@ -14,7 +14,7 @@ namespace io {
 
 namespace {
 
-constexpr double thinnest = 0.5;       // of a copy, in pixels: what is thinner is hardly seen
+constexpr double thinnest = 0.8;       // of a copy, in pixels: what is thinner is hardly seen
 constexpr double hullTolerance = 2e-3; // of the radius
 constexpr double widening = 0.3;       // of the smallest copies on every side, in pixels
 constexpr double mostWidening = 0.35;  // as a share of their size
@@ -32,6 +32,30 @@ ifs::Vector<2> middleOf(const std::vector<ifs::Vector<2>>& points) {
     for (const auto& p : points)
         sum += p;
     return sum / double(points.size());
+}
+
+double turn(const ifs::Vector<2>& a, const ifs::Vector<2>& b, const ifs::Vector<2>& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+// Strictly convex and counter-clockwise: points found to a tolerance need not be (Andrew's monotone chain).
+std::vector<ifs::Vector<2>> strictlyConvex(std::vector<ifs::Vector<2>> points) {
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 3) return points;
+    std::vector<ifs::Vector<2>> chain;
+    const auto add = [&](const ifs::Vector<2>& point, std::size_t fixed) {
+        while (chain.size() >= fixed + 2 && turn(chain[chain.size() - 2], chain.back(), point) <= 0)
+            chain.pop_back();
+        chain.push_back(point);
+    };
+    for (const auto& point : points) add(point, 0);
+    const std::size_t lower = chain.size() - 1;
+    for (auto point = points.rbegin() + 1; point != points.rend(); ++point) add(*point, lower);
+    chain.pop_back();
+    return chain;
 }
 
 // The convex polygon pushed out so that it holds every point within `distance` of it (the corners are cut
@@ -125,10 +149,10 @@ std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const if
     levels.m_pixel = 1 / std::max(ifs::spectralNorm<2>(display.linear), 1e-300);
     const double tolerance = std::max(hullTolerance * support->radius(), 1e-3 * levels.m_pixel);
     const ifs::ConvexHull hull = ifs::convexHull(*support, tolerance);
-    levels.m_hull = hull.vertices;
+    levels.m_hull = strictlyConvex(hull.vertices);
     levels.m_hullError = std::max(hull.error, tolerance);
-    levels.m_diameter = diameterOf(hull.vertices);
-    if (!std::isfinite(levels.m_diameter) || hull.vertices.empty()) return std::nullopt;
+    levels.m_diameter = diameterOf(levels.m_hull);
+    if (!std::isfinite(levels.m_diameter) || levels.m_hull.empty()) return std::nullopt;
     levels.m_index = active.index;
     levels.thickenAll(active.maps, display);
     Descent descent = descentOf(levels.m_maps);
@@ -205,10 +229,9 @@ double SvgLevels::error(int level) const {
 }
 
 int SvgLevels::levelFor(double wanted) const {
-    const int last = deepest();
-    for (int level = 0; level < last; ++level)
-        if (error(level) <= wanted) return level;
-    return last;
+    int level = 0;
+    while (references(level + 1) <= comfortableReferences && error(level) > wanted) ++level;
+    return level;
 }
 
 } // namespace io

@@ -19,6 +19,7 @@ ifs::AffineMap<2> thickened(const ifs::AffineMap<2>& map, const ifs::Vector<2>& 
 class SvgLevels {
 public:
     static constexpr std::uint64_t mostReferences = 400'000;
+    static constexpr std::uint64_t comfortableReferences = 150'000;
     static constexpr int mostLevels = 200;
 
     // `display` takes the code's coordinates to pixels. nullopt without an attractor of finite size.
@@ -41,7 +42,8 @@ public:
 
     // Certified bound, in pixels, of the distance between the attractor and what is drawn, both ways.
     double error(int level) const;
-    int levelFor(double error) const; // the first whose error is not larger, else deepest()
+    // The first whose error is not larger, else the deepest that programs draw without a long wait.
+    int levelFor(double error) const;
 
 private:
     void thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs::AffineMap<2>& display);
