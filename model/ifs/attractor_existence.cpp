@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/attractor_existence.h"
 
-#include "ifs/symmetric_square.h"
+#include "ifs/invariant_form.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -83,23 +84,12 @@ double normEquivalence(const std::vector<double>& norms, double contractivity) {
     return constant;
 }
 
-// The ellipsoidal norm √(xᵀPx), P the leading eigenmatrix of P ↦ Σ ρ_i^emphasis A_iᵀPA_i. It changes with the
-// coordinates as the maps do, so a system that was hyperbolic before an affine change of coordinates often
-// shows it here. The more emphasis, the better the norm fits the slowest map.
+// Contraction in the ellipsoidal norm √(xᵀPx) of the invariant form P.
 template <int Dim>
-std::optional<Existence> contractsEllipsoid(const Matrices<Dim>& generators, double emphasis) {
-    SymmetricOperator<Dim> transfer = SymmetricOperator<Dim>::Zero();
-    for (const auto& linear : generators)
-        transfer +=
-            std::pow(spectralRadius<Dim>(linear), emphasis) * symmetricSquare<Dim>(linear.transpose());
-    SymmetricVector<Dim> shape = upperTriangle<Dim>(Matrix<Dim>::Identity());
-    constexpr int Iterations = 64;
-    for (int n = 0; n < Iterations; ++n) {
-        shape = transfer * shape;
-        shape /= shape.cwiseAbs().maxCoeff();
-        if (!shape.allFinite()) return std::nullopt;
-    }
-    const Matrix<Dim> form = symmetricMatrix<Dim>(shape);
+std::optional<Existence> contractsEllipsoid(std::span<const AffineMap<Dim>> maps, double emphasis) {
+    const auto invariant = invariantForm<Dim>(maps, emphasis);
+    if (!invariant) return std::nullopt;
+    const Matrix<Dim>& form = *invariant;
     const Vector<Dim> eigenvalues =
         Eigen::SelfAdjointEigenSolver<Matrix<Dim>>(form, Eigen::EigenvaluesOnly).eigenvalues();
     const Eigen::LLT<Matrix<Dim>> cholesky(form);
@@ -107,8 +97,8 @@ std::optional<Existence> contractsEllipsoid(const Matrices<Dim>& generators, dou
         return std::nullopt;
     const Matrix<Dim> root = cholesky.matrixU();
     Matrices<Dim> conjugated;
-    for (const auto& linear : generators)
-        conjugated.push_back(root * linear * root.inverse());
+    for (const auto& map : maps)
+        conjugated.push_back(root * map.linear * root.inverse());
     const Largest norm = largestNorm<Dim>(conjugated);
     // κ times the rounding unit is what the change of coordinates may have cost.
     const double condition = std::sqrt(eigenvalues[Dim - 1] / eigenvalues[0]);
@@ -165,7 +155,7 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
     }
     if (generators.size() > allowed) return undecided;
     for (const double emphasis : {0.0, 8.0, 64.0})
-        if (const auto existence = contractsEllipsoid<Dim>(generators, emphasis)) return *existence;
+        if (const auto existence = contractsEllipsoid<Dim>(maps, emphasis)) return *existence;
     return undecided;
 }
 

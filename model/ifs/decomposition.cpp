@@ -57,11 +57,30 @@ template <> Polar<3> polar<3>(const Matrix<3>& linear) {
     return {u * orientation.asDiagonal() * v.transpose(), v * sigma.asDiagonal() * v.transpose()};
 }
 
+namespace {
+
+// A column that depends on the ones before it gives way to one at right angles to both others, so that its
+// row of R vanishes altogether and shear stays finite.
+Matrix<3> independent(Matrix<3> columns) {
+    const auto spans = [&](const Vector<3>& p, const Vector<3>& q) {
+        return p.cross(q).norm() > 1e-15 * p.norm() * q.norm();
+    };
+    const auto orthogonal = [&](const Vector<3>& p, const Vector<3>& q) -> Vector<3> {
+        if (spans(p, q)) return p.cross(q).normalized();
+        const Vector<3>& longer = p.norm() > q.norm() ? p : q;
+        return longer.norm() > 0 ? Vector<3>(longer.unitOrthogonal()) : Vector<3>::Unit(0);
+    };
+    if (columns.col(0).norm() == 0) columns.col(0) = orthogonal(columns.col(1), columns.col(2));
+    if (!spans(columns.col(0), columns.col(1))) columns.col(1) = orthogonal(columns.col(2), columns.col(0));
+    return columns;
+}
+
+} // namespace
+
 RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
     if (!linear.allFinite()) return {Matrix<3>::Identity(), linear.diagonal(), Matrix<3>::Identity()};
-    const Eigen::HouseholderQR<Matrix<3>> qr(linear);
-    Matrix<3> q = qr.householderQ();
-    Matrix<3> r = qr.matrixQR().triangularView<Eigen::Upper>();
+    Matrix<3> q = Eigen::HouseholderQR<Matrix<3>>(independent(linear)).householderQ();
+    Matrix<3> r = q.transpose() * linear;
     // Signs move from R to Q so that Q turns and only the last scale may reflect.
     for (int k = 0; k < 2; ++k)
         if (r(k, k) < 0) {
@@ -73,8 +92,9 @@ RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
         q.col(2) *= -1;
     }
     RotationScaleShear3 result{q, r.diagonal(), Matrix<3>::Identity()};
+    const double negligible = 1e-15 * linear.cwiseAbs().maxCoeff();
     for (int row = 0; row < 2; ++row)
-        if (r(row, row) != 0)
+        if (result.scale[row] > negligible)
             for (int column = row + 1; column < 3; ++column)
                 result.shear(row, column) = r(row, column) / r(row, row);
     return result;

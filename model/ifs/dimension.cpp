@@ -3,11 +3,12 @@
 
 #include "ifs/attractor_existence.h"
 #include "ifs/decomposition.h"
-
-#include <Eigen/Eigenvalues>
+#include "ifs/invariant_form.h"
+#include "ifs/iterated_function_system.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -15,211 +16,200 @@ namespace ifs {
 
 namespace {
 
-constexpr double largestDimension = 64;
-
-// The zero of a decreasing function on [low, high], which has a sign change there.
-template <class Function> double zeroOf(Function decreasing, double low, double high) {
-    for (int step = 0; step < 80 && high - low > 1e-15 * high; ++step) {
+// The zero of a decreasing function on [low, high].
+template <class Function> double bisect(Function function, double low, double high, int steps) {
+    for (int n = 0; n < steps; ++n) {
         const double middle = (low + high) / 2;
-        (decreasing(middle) > 0 ? low : high) = middle;
+        (function(middle) > 0 ? low : high) = middle;
     }
     return (low + high) / 2;
 }
 
-// The ratio of a map that is a similarity in some coordinates: all eigenvalues of one modulus, and none defective.
-template <int Dim> std::optional<double> similarityRatio(const Matrix<Dim>& linear) {
-    const double norm = spectralNorm<Dim>(linear);
-    const MapKind which = kind<Dim>(linear);
-    if (which == MapKind::Similarity || which == MapKind::ReflectedSimilarity) return norm;
-    return std::nullopt;
-}
-
-// In coordinates in which the first map with complex eigenvalues is a rotation and scaling. If the maps are
-// similarities in any common coordinates, they are in these.
-std::optional<Matrix<2>> roundingCoordinates(std::span<const AffineMap<2>> maps) {
-    for (const AffineMap<2>& map : maps) {
-        const double half = map.linear.trace() / 2;
-        const double discriminant = half * half - map.linear.determinant();
-        if (!(discriminant < -1e-12 * map.linear.squaredNorm())) continue;
-        const double beta = std::sqrt(-discriminant);
-        // A = half·I + beta·J with J² = −I; J becomes the quarter turn in the basis (v, −Jv).
-        const Matrix<2> turn = (map.linear - half * Matrix<2>::Identity()) / beta;
-        Matrix<2> basis;
-        basis.col(0) = Vector<2>::UnitX();
-        basis.col(1) = turn * Vector<2>::UnitX();
-        return basis;
-    }
-    return std::nullopt;
-}
-
-template <int Dim> std::optional<std::vector<double>> ratios(std::span<const AffineMap<Dim>> maps) {
-    std::vector<double> result;
-    for (const AffineMap<Dim>& map : maps) {
-        const auto ratio = similarityRatio<Dim>(map.linear);
-        if (!ratio) return std::nullopt;
-        result.push_back(*ratio);
-    }
-    return result;
-}
-
-// Growth rate e^{P(t)} of Falconer's pressure: the transfer operator on functions of the direction, on `cells` cells
-// of the half circle with linear interpolation.
-class DirectionOperator {
+// L_t f(x) = Σ_i w_i(x) f(A_iᵀx/|A_iᵀx|) on the directions x of the plane, with w_i = |A_iᵀx|^t for t ≤ 1 and
+// |A_iᵀx|^(2−t)·|det A_i|^(t−1) above; its growth rate is that of Σ φ^t(A_σ) over the words σ.
+class TransferOperator {
 public:
-    explicit DirectionOperator(std::span<const AffineMap<2>> maps) {
-        for (const AffineMap<2>& map : maps)
-            addMap(map.linear);
+    explicit TransferOperator(std::span<const AffineMap<2>> maps) {
+        constexpr std::size_t MostCells = 500, FewestCells = 50, MostImages = 500'000;
+        m_cells = std::clamp(MostImages / maps.size(), FewestCells, MostCells);
+        for (const auto& map : maps) {
+            m_determinants.push_back(std::abs(determinant<2>(map.linear)));
+            for (std::size_t j = 0; j < m_cells; ++j) {
+                const double angle = (double(j) + 0.5) * std::numbers::pi / double(m_cells);
+                m_images.push_back(
+                    image(map.linear.transpose() * Vector<2>(std::cos(angle), std::sin(angle))));
+            }
+        }
     }
 
-    double growth(double t) const {
-        std::vector<double> density(cells, 1.0), next(cells);
-        double logarithm = 0;
-        std::vector<double> weights(m_arms.size());
-        std::transform(m_arms.begin(), m_arms.end(), weights.begin(),
-                       [t](const Arm& arm) { return arm.weight(t); });
-        for (int step = 0; step < steps; ++step) {
-            std::fill(next.begin(), next.end(), 0.0);
-            for (std::size_t k = 0; k < m_arms.size(); ++k) {
-                const Arm& arm = m_arms[k];
-                next[arm.from] += weights[k] * ((1 - arm.share) * density[arm.to] +
-                                                arm.share * density[(arm.to + 1) % cells]);
+    // ln of the growth rate of L_tⁿ1.
+    double pressure(double t) const {
+        const std::vector<double> weights = weightsFor(t);
+        std::vector<double> f(m_cells, 1), next(m_cells);
+        constexpr int Iterations = 200;
+        double growth = 0;
+        int counted = 0;
+        for (int n = 0; n < Iterations; ++n) {
+            apply(weights, f, next);
+            const double largest = std::ranges::max(next);
+            if (!(largest > 0)) return -std::numeric_limits<double>::infinity();
+            if (2 * n >= Iterations) { // the first half only forgets where it started
+                growth += std::log(largest);
+                ++counted;
             }
-            const double largest = *std::max_element(next.begin(), next.end());
-            if (!(largest > 0)) return 0;
-            for (double& value : next)
-                value /= largest;
-            if (step >= steps / 2) logarithm += std::log(largest);
-            density.swap(next);
+            double least = std::numeric_limits<double>::infinity(), most = 0;
+            for (std::size_t j = 0; j < m_cells; ++j) {
+                if (f[j] > 0) {
+                    least = std::min(least, next[j] / f[j]);
+                    most = std::max(most, next[j] / f[j]);
+                }
+                f[j] = next[j] / largest;
+            }
+            if (most - least <= 1e-10 * most) // the eigenvalue lies between the two
+                return std::log((least + most) / 2);
         }
-        return std::exp(logarithm / (steps - steps / 2));
+        return growth / counted;
     }
 
 private:
-    static constexpr std::size_t cells = 500;
-    static constexpr int steps = 200;
-
-    struct Arm {
-        std::size_t from = 0, to = 0;
-        double share = 0;  // of cell to + 1
-        double length = 0; // |Aᵀx|
-        double determinant = 0;
-        double weight(double t) const {
-            if (t <= 1) return std::pow(length, t);
-            if (t <= 2) return std::pow(length, 2 - t) * std::pow(determinant, t - 1);
-            return std::pow(determinant, t / 2);
-        }
+    struct Image {
+        double length;
+        std::uint32_t cell; // f there is (1 − fraction)·f[cell] + fraction·f[cell + 1]
+        double fraction;
     };
 
-    void addMap(const Matrix<2>& linear) {
-        const double spacing = std::numbers::pi / cells;
-        for (std::size_t j = 0; j < cells; ++j) {
-            const double angle = (static_cast<double>(j) + 0.5) * spacing;
-            const Vector<2> image = linear.transpose() * Vector<2>(std::cos(angle), std::sin(angle));
-            Arm arm;
-            arm.from = j;
-            arm.length = image.norm();
-            arm.determinant = std::abs(linear.determinant());
-            if (!(arm.length > 0)) continue;
-            double place = std::atan2(image.y(), image.x()) / spacing - 0.5;
-            place -= std::floor(place / cells) * cells;
-            const double cell = std::floor(place);
-            arm.to = static_cast<std::size_t>(cell) % cells;
-            arm.share = place - cell;
-            m_arms.push_back(arm);
+    Image image(const Vector<2>& v) const {
+        const double length = v.norm();
+        if (length == 0) return {0, 0, 0};
+        double position = std::atan2(v.y(), v.x()) / std::numbers::pi * double(m_cells) - 0.5;
+        position -= std::floor(position / double(m_cells)) * double(m_cells);
+        const double cell = std::min(std::floor(position), double(m_cells - 1));
+        return {length, std::uint32_t(cell), position - cell};
+    }
+
+    std::vector<double> weightsFor(double t) const {
+        std::vector<double> weights;
+        weights.reserve(m_images.size());
+        for (std::size_t k = 0; k < m_images.size(); ++k) {
+            const double det = m_determinants[k / m_cells], length = m_images[k].length;
+            weights.push_back(t <= 1 ? std::pow(length, t) : std::pow(length, 2 - t) * std::pow(det, t - 1));
+        }
+        return weights;
+    }
+
+    void apply(const std::vector<double>& weights, const std::vector<double>& f,
+               std::vector<double>& next) const {
+        std::ranges::fill(next, 0.0);
+        for (std::size_t k = 0; k < m_images.size(); ++k) {
+            const Image& at = m_images[k];
+            const std::size_t after = at.cell + 1 == m_cells ? 0 : at.cell + 1;
+            next[k % m_cells] += weights[k] * (f[at.cell] + at.fraction * (f[after] - f[at.cell]));
         }
     }
 
-    std::vector<Arm> m_arms;
+    std::size_t m_cells;
+    std::vector<double> m_determinants;
+    std::vector<Image> m_images; // map by map, cell by cell
 };
 
-bool hasAttractor(std::span<const AffineMap<2>> maps) {
-    const Verdict verdict = classify<2>(maps).verdict;
-    return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
+template <int Dim> std::vector<double> similarityRatios(std::span<const AffineMap<Dim>> maps) {
+    std::vector<double> ratios;
+    for (const auto& map : maps)
+        if (const double det = std::abs(determinant<Dim>(map.linear)); det > 0)
+            ratios.push_back(std::pow(det, 1.0 / Dim));
+    return ratios;
+}
+
+// Where Σ φ^t(A_i) = 1: an upper bound of the affinity dimension, in any dimension of space.
+template <int Dim> double firstBound(std::span<const AffineMap<Dim>> maps) {
+    constexpr double Largest = 64;
+    const auto excess = [maps](double t) {
+        double sum = -1;
+        for (const auto& map : maps)
+            sum += singularValueFunction<Dim>(map.linear, t);
+        return sum;
+    };
+    return bisect(excess, 0, Largest, 60);
+}
+
+template <int Dim> std::optional<double> dimensionOf(std::span<const AffineMap<Dim>> maps) {
+    if constexpr (Dim == 2) return affinityDimension(maps);
+    if (const auto dimension = similarityDimension<Dim>(maps)) return dimension;
+    return maps.empty() ? std::nullopt : std::optional(firstBound<Dim>(maps));
 }
 
 } // namespace
 
 std::optional<double> moranDimension(std::span<const double> ratios) {
-    if (ratios.empty()) return std::nullopt;
-    for (double ratio : ratios)
-        if (!(ratio > 0 && ratio < 1)) return std::nullopt;
+    if (ratios.empty() || !std::ranges::all_of(ratios, [](double s) { return s > 0 && s < 1; }))
+        return std::nullopt;
     if (ratios.size() == 1) return 0;
-    const auto excess = [&](double dimension) {
+    const auto excess = [ratios](double dimension) {
         double sum = -1;
-        for (double ratio : ratios)
+        for (const double ratio : ratios)
             sum += std::pow(ratio, dimension);
         return sum;
     };
-    double high = 1;
-    while (high < largestDimension && excess(high) > 0)
+    double high = 64;
+    while (excess(high) > 0)
         high *= 2;
-    return zeroOf(excess, 0, high);
+    constexpr int Steps = 100;
+    return bisect(excess, 0, high, Steps);
 }
 
 template <int Dim> std::optional<double> similarityDimension(std::span<const AffineMap<Dim>> maps) {
-    if (const auto direct = ratios<Dim>(maps)) return moranDimension(*direct);
-    if constexpr (Dim == 2) {
-        const auto coordinates = roundingCoordinates(maps);
-        if (!coordinates) return std::nullopt;
-        std::vector<AffineMap<2>> round;
-        for (const AffineMap<2>& map : maps) {
-            const auto seen = inverse(AffineMap<2>{*coordinates, Vector<2>::Zero()});
-            if (!seen) return std::nullopt;
-            round.push_back({seen->linear * map.linear * *coordinates, map.translation});
-            // The change of coordinates costs digits: a similarity up to 1e-9 is one.
-            const Vector<2> sigma = singularValues<2>(round.back().linear);
-            if (sigma[0] - sigma[1] > 1e-9 * sigma[0]) return std::nullopt;
-        }
-        std::vector<double> result;
-        for (const AffineMap<2>& map : maps)
-            result.push_back(std::sqrt(std::abs(map.linear.determinant())));
-        return moranDimension(result);
+    if (maps.empty() || !std::ranges::all_of(maps, isFinite<Dim>)) return std::nullopt;
+    const auto form = invariantForm<Dim>(maps);
+    const std::vector<double> ratios = similarityRatios<Dim>(maps);
+    if (!form || ratios.size() != maps.size() || !(singularValues<Dim>(*form)[Dim - 1] > 1e-12))
+        return std::nullopt;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const Matrix<Dim> image =
+            maps[i].linear.transpose() * *form * maps[i].linear / (ratios[i] * ratios[i]);
+        if (!((image - *form).cwiseAbs().maxCoeff() <= 1e-9)) return std::nullopt;
     }
-    return std::nullopt;
+    return moranDimension(ratios);
 }
 
 template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, double t) {
-    if (t <= 0) return 1;
+    if (t >= Dim) return std::pow(std::abs(determinant<Dim>(linear)), t / Dim);
     const Vector<Dim> sigma = singularValues<Dim>(linear);
-    if (t >= Dim) return std::pow(std::abs(linear.determinant()), t / Dim);
-    const int whole = static_cast<int>(std::ceil(t)) - 1;
-    double product = 1;
-    for (int k = 0; k < whole; ++k)
-        product *= sigma[k];
-    return product * std::pow(sigma[whole], t - whole);
+    double result = 1;
+    for (int k = 0; k < Dim && t > 0; ++k, t -= 1)
+        result *= t >= 1 ? sigma[k] : std::pow(sigma[k], t);
+    return result;
 }
 
 std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps) {
-    if (maps.empty() || !hasAttractor(maps)) return std::nullopt;
+    const Verdict verdict = classify(maps).verdict;
+    if (verdict != Verdict::Hyperbolic && verdict != Verdict::EventuallyContractive) return std::nullopt;
     if (maps.size() == 1) return 0;
-    const DirectionOperator transfer(maps);
-    const auto excess = [&](double t) { return transfer.growth(t) - 1; };
-    double high = 2;
+    if (const auto dimension = similarityDimension(maps)) return dimension;
     double area = 0;
-    for (const AffineMap<2>& map : maps)
-        area += std::abs(map.linear.determinant());
-    if (area >= 1) { // Σ |det|^{t/2} = 1 lies beyond 2, where the singular value function knows only the determinant
-        const auto beyond = [&](double t) {
-            double sum = -1;
-            for (const AffineMap<2>& map : maps)
-                sum += std::pow(std::abs(map.linear.determinant()), t / 2);
-            return sum;
-        };
-        while (high < largestDimension && beyond(high) > 0)
-            high *= 2;
-        return zeroOf(beyond, 2, high);
-    }
-    double low = 0, top = high;
-    for (int step = 0; step < 30; ++step) {
-        const double middle = (low + top) / 2;
-        (excess(middle) > 0 ? low : top) = middle;
-    }
-    return (low + top) / 2;
+    for (const auto& map : maps)
+        area += std::abs(determinant<2>(map.linear));
+    if (area >= 1) // above 2 the pressure is ln Σ |det A_i|^(t/2)
+        return moranDimension(similarityRatios<2>(maps));
+    const TransferOperator transfer(maps);
+    constexpr int Steps = 26;
+    return bisect([&](double t) { return transfer.pressure(t); }, 0, 2, Steps);
 }
 
-template std::optional<double> similarityDimension<2>(std::span<const AffineMap<2>>);
-template std::optional<double> similarityDimension<3>(std::span<const AffineMap<3>>);
-template double singularValueFunction<2>(const Matrix<2>&, double);
-template double singularValueFunction<3>(const Matrix<3>&, double);
+template <int Dim> std::vector<double> dimensionWeights(std::span<const AffineMap<Dim>> maps, double floor) {
+    const auto dimension = dimensionOf<Dim>(maps);
+    if (!dimension) return determinantWeights(maps, floor);
+    std::vector<double> masses;
+    for (const auto& map : maps)
+        masses.push_back(singularValueFunction<Dim>(map.linear, std::min<double>(*dimension, Dim)));
+    return shares(std::move(masses), floor);
+}
+
+#define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template std::optional<double> similarityDimension<Dim>(std::span<const AffineMap<Dim>>);                \
+    template double singularValueFunction<Dim>(const Matrix<Dim>&, double);                                  \
+    template std::vector<double> dimensionWeights<Dim>(std::span<const AffineMap<Dim>>, double);
+BARYCAGE_INSTANTIATE(2)
+BARYCAGE_INSTANTIATE(3)
+#undef BARYCAGE_INSTANTIATE
 
 } // namespace ifs
