@@ -188,7 +188,8 @@ private slots:
             QVERIFY(std::abs((vertices()[i] - pivot).norm() - (before[i] - pivot).norm()) < 1e-9);
         QVERIFY((vertices()[1] - before[1]).norm() > 0.01);
         m_document->undoStack()->undo();
-        drag(vertex(1), {40, 25}, Qt::AltModifier | Qt::ShiftModifier);
+        const QPointF outwards = (vertex(1) - m_canvas->canvas().positionOf({Kind::Pivot, 0})) * 0.25;
+        drag(vertex(1), outwards, Qt::AltModifier | Qt::ShiftModifier);
         const double ratio = (vertices()[0] - pivot).norm() / (before[0] - pivot).norm();
         QVERIFY(ratio > 1.01);
         for (std::size_t i = 0; i < 3; ++i)

@@ -63,7 +63,7 @@ QList<Fact> Facts::all() {
 
 void Facts::addContraction() {
     if (m_active.maps.empty()) return;
-    add(tr("Contraction factors"), both([this](Format number) {
+    add(tr("Contraction"), both([this](Format number) {
             QStringList factors;
             for (const auto& map : m_active.maps)
                 factors << number(ifs::spectralNorm<2>(map.linear));
@@ -83,7 +83,7 @@ void Facts::addExtents() {
         }),
         tr("The smallest box with sides parallel to the axes that holds the attractor; certified."));
     const auto simplex = ifs::minimalCanonicalSimplex(*support, tolerance);
-    add(tr("Minimal canonical simplex"), both([&](Format number) {
+    add(tr("Canonical simplex"), both([&](Format number) {
             return tr("%1, leg %2, corner %3")
                 .arg(orientationText(simplex.orientation), number(simplex.leg),
                      pair(simplex.vertices[0], number));
@@ -92,7 +92,7 @@ void Facts::addExtents() {
            "The signs "
            "are the directions of its legs."));
     const auto hull = ifs::convexHull(*support, 1e-4 * support->radius());
-    add(tr("Area of the convex hull"), both([&](Format number) { return number(hull.area); }),
+    add(tr("Convex hull area"), both([&](Format number) { return number(hull.area); }),
         tr("Area of the convex hull's inner polygon with %1 vertices; the hull reaches at most %2 beyond it.")
             .arg(hull.vertices.size())
             .arg(shortNumber(hull.error)));
@@ -112,11 +112,12 @@ void Facts::addMoments() {
     add(tr("Mean"), both([&](Format number) { return pair(moments->mean, number); }),
         tr("Mean of the invariant measure, solved exactly: the centre of mass of the picture."));
     const auto& covariance = moments->covariance;
-    add(tr("Covariance xx, xy, yy"), both([&](Format number) {
+    add(tr("Covariance"), both([&](Format number) {
             return QStringLiteral("%1, %2, %3")
                 .arg(number(covariance(0, 0)), number(covariance(0, 1)), number(covariance(1, 1)));
         }),
-        tr("Covariance of the invariant measure, solved exactly: how widely the picture spreads."));
+        tr("Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture "
+           "spreads."));
 }
 
 QString word(const std::vector<int>& address) {

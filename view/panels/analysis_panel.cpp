@@ -44,9 +44,10 @@ AnalysisPanel::AnalysisPanel(document::Document* document, QWidget* parent)
     layout->addStretch();
     m_form = new QFormLayout(m_box);
     m_form->setContentsMargins(0, 0, 0, 0);
-    m_form->setVerticalSpacing(10);
+    m_form->setVerticalSpacing(8);
     m_form->setHorizontalSpacing(16);
-    m_form->setRowWrapPolicy(QFormLayout::WrapAllRows);
+    m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_settled.setSingleShot(true);
     m_settled.setInterval(restPause);
     connect(&m_settled, &QTimer::timeout, this, &AnalysisPanel::compute);
@@ -66,7 +67,7 @@ void AnalysisPanel::follow(const document::Change& change) {
 }
 
 void AnalysisPanel::compute() {
-    show(analysisFacts(m_document->fractal()));
+    showFacts(analysisFacts(m_document->fractal()));
 }
 
 QString AnalysisPanel::notice() const {
@@ -80,7 +81,7 @@ QString AnalysisPanel::notice() const {
                     "of the picture.");
 }
 
-void AnalysisPanel::show(const QList<Fact>& facts) {
+void AnalysisPanel::showFacts(const QList<Fact>& facts) {
     m_notice->setText(notice());
     m_notice->setVisible(!m_notice->text().isEmpty());
     m_copy->setVisible(!facts.isEmpty());

@@ -29,7 +29,7 @@ protected:
 private:
     void follow(const document::Change& change);
     void compute();
-    void show(const QList<Fact>& facts);
+    void showFacts(const QList<Fact>& facts);
     QString notice() const;
 
     document::Document* m_document;

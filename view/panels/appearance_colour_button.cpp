@@ -54,6 +54,7 @@ void ColourButton::choose() {
 void ColourButton::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (!isEnabled()) painter.setOpacity(0.4);
     const QRectF area = QRectF(rect()).adjusted(2.5, 2.5, -2.5, -2.5);
     QPainterPath shape;
     shape.addRoundedRect(area, 3, 3);

@@ -349,7 +349,7 @@ void CagePanel::showPoint() {
 void CagePanel::showSimplex() {
     if (!isVisible()) return;
     const auto simplex = displayedSimplex(m_document->fractal(), SimplexChoice::Minimal);
-    m_simplex->setText(simplex ? tr("Orientation %1, leg %2, right angle at (%3, %4)")
+    m_simplex->setText(simplex ? tr("%1, leg %2, corner (%3, %4)")
                                      .arg(orientationText(simplex->orientation), shortNumber(simplex->leg),
                                           shortNumber(simplex->vertices[0].x()),
                                           shortNumber(simplex->vertices[0].y()))

@@ -217,7 +217,8 @@ QString EntriesModel::subtitle(const Entry& entry) const {
     default:
         break;
     }
-    return tr("%n map(s)", nullptr, static_cast<int>(mapCount(*entry.fractal)));
+    const auto maps = static_cast<int>(mapCount(*entry.fractal));
+    return maps == 1 ? tr("1 map") : tr("%n maps", nullptr, maps);
 }
 
 QString EntriesModel::toolTip(const Entry& entry) const {

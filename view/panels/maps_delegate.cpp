@@ -12,7 +12,7 @@ namespace view {
 
 namespace {
 
-constexpr int margin = 6; // left and right of a cell's text
+constexpr int margin = 4; // left and right of a cell's text
 
 struct NumberParts {
     QString whole;
@@ -174,7 +174,7 @@ QSize MapsDelegate::sizeHint(const QStyleOptionViewItem& given, const QModelInde
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
     const int height = option.fontMetrics.height() + 8;
-    if (index.column() == MapsModel::Enabled || index.column() == MapsModel::Colour) return {28, height};
+    if (index.column() == MapsModel::Enabled || index.column() == MapsModel::Colour) return {26, height};
     const QString text = option.text;
     if (!MapsModel::isNumber(index.column())) {
         const bool warned = !index.data(MapsModel::WarningRole).toString().isEmpty();

@@ -11,11 +11,11 @@
 #include <QAction>
 #include <QClipboard>
 #include <QColorDialog>
-#include <QFrame>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QToolButton>
@@ -28,13 +28,6 @@ namespace view {
 namespace {
 
 constexpr int narrowest = 30; // of a number column
-
-QFrame* separator(QWidget* parent) {
-    auto* line = new QFrame(parent);
-    line->setFrameShape(QFrame::VLine);
-    line->setFrameShadow(QFrame::Sunken);
-    return line;
-}
 
 } // namespace
 
@@ -65,13 +58,14 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     bars->addWidget(makeColumnBar());
 
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(6);
     layout->addWidget(m_bars);
     layout->addWidget(m_pages, 1);
 
     connect(document, &document::Document::changed, this, &MapsPanel::follow);
     follow({document::Change::Everything, false});
+    restoreSelection();
 }
 
 QAction* MapsPanel::action(const QString& text, const QString& iconName, const QString& shortcut,
@@ -141,6 +135,8 @@ QToolButton* MapsPanel::weightsButton() {
     add("normalise", tr("Normalise"), tr("The same proportions, with the sum 1"), WeightRule::Normalise);
     auto* made = new QToolButton(this);
     made->setText(tr("Weights"));
+    made->setIcon(icon(QStringLiteral("weight-equal")));
+    made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     made->setMenu(menu);
     made->setPopupMode(QToolButton::InstantPopup);
     made->setAutoRaise(true);
@@ -156,7 +152,7 @@ QWidget* MapsPanel::makeEditBar() {
     layout->setSpacing(2);
     for (QAction* each : {m_add, m_duplicate, m_delete})
         layout->addWidget(button(each));
-    layout->addWidget(separator(bar));
+    layout->addSpacing(8);
     for (QAction* each : {m_up, m_down})
         layout->addWidget(button(each));
     layout->addStretch();
@@ -197,6 +193,11 @@ QWidget* MapsPanel::makeColumnBar() {
 
 QWidget* MapsPanel::makeTable() {
     m_table->setAccessibleName(tr("Table of maps"));
+    QFont small = m_table->font(); // seven columns of numbers in a narrow panel
+    small.setPointSizeF(small.pointSizeF() * 0.92);
+    m_table->setFont(small);
+    m_table->horizontalHeader()->setFont(small);
+    m_rowHeader->setFont(small);
     m_table->setModel(m_model);
     auto* delegate = new MapsDelegate(m_model, this);
     m_table->setItemDelegate(delegate);
@@ -284,12 +285,19 @@ void MapsPanel::fitColumns() {
     for (int column = 0; column < MapsModel::ColumnCount; ++column) {
         if (m_table->isColumnHidden(column)) continue;
         if (column == MapsModel::Enabled || column == MapsModel::Colour) {
-            m_table->setColumnWidth(column, column == MapsModel::Enabled ? 28 : 26);
+            m_table->setColumnWidth(column, 26);
             continue;
         }
-        m_table->resizeColumnToContents(column);
-        m_table->setColumnWidth(column, std::max(narrowest, m_table->columnWidth(column)));
+        m_table->setColumnWidth(column, std::max(narrowest, widthOf(column)));
     }
+}
+
+// What the numbers need, and the letter over them.
+int MapsPanel::widthOf(int column) const {
+    const QString name = m_model->headerData(column, Qt::Horizontal).toString();
+    const QAbstractItemView* view = m_table; // where the hint is public
+    return std::max(view->sizeHintForColumn(column),
+                    m_table->horizontalHeader()->fontMetrics().horizontalAdvance(name) + 12);
 }
 
 void MapsPanel::follow(const document::Change& change) {
@@ -369,7 +377,10 @@ void MapsPanel::selectMaps(const std::vector<ifs::MapId>& ids) {
     auto* model = m_table->selectionModel();
     if (first.isValid()) model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
     model->select(selection, QItemSelectionModel::ClearAndSelect);
-    if (first.isValid()) m_table->scrollTo(first);
+    if (!first.isValid()) return;
+    const int sideways = m_table->horizontalScrollBar()->value();
+    m_table->scrollTo(first);
+    m_table->horizontalScrollBar()->setValue(sideways);
 }
 
 void MapsPanel::keepSelection() {

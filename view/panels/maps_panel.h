@@ -64,6 +64,7 @@ private:
     void updateActions();
     void updateNotice();
     void fitColumns();
+    int widthOf(int column) const;
     void applyEdit(const QString& text, MapsEdit edit);
     void paste(const Rows& rows);
     void moveRowTo(int from, int to);

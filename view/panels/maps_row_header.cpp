@@ -38,7 +38,7 @@ void MapsRowHeader::mouseMoveEvent(QMouseEvent* event) {
 QSize MapsRowHeader::sectionSizeFromContents(int row) const {
     const QSize size = QHeaderView::sectionSizeFromContents(row);
     const int digits = fontMetrics().horizontalAdvance(QString::number(count()));
-    return {qMax(30, digits + 28), size.height()};
+    return {digits + 26, size.height()};
 }
 
 void MapsRowHeader::paintSection(QPainter* painter, const QRect& area, int row) const {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "panels/appearance_panel.h"
+#include "panels/appearance_slider.h"
+#include "panels/gradient_preview.h"
+#include "panels/number_field.h"
+#include "view/maps_support.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSlider>
+
+#include <memory>
+
+using namespace maps_support;
+using attractor::Appearance;
+
+class AppearancePanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_document = std::make_unique<document::Document>();
+        m_document->setFile(document::fileOf(maple()));
+        m_panel = std::make_unique<view::AppearancePanel>(m_document.get());
+        m_panel->show();
+        m_panel->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    }
+
+    void aSliderDragIsLiveAndOneStep() {
+        QSlider* slider = m_panel->brightness()->slider();
+        const double before = appearance().brightness;
+        slider->setSliderDown(true);
+        for (const int position : {300, 320, 350})
+            slider->setSliderPosition(position);
+        const double during = appearance().brightness;
+        QVERIFY(during > before);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        slider->setSliderDown(false);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(appearance().brightness, during);
+        m_document->undoStack()->undo();
+        QCOMPARE(appearance().brightness, before);
+        QCOMPARE(m_panel->brightness()->field()->value(), before);
+    }
+
+    void aRunOfArrowKeysIsOneStep() {
+        QSlider* slider = m_panel->gamma()->slider();
+        slider->setFocus();
+        for (int i = 0; i < 5; ++i)
+            QTest::keyClick(slider, Qt::Key_Right);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTRY_COMPARE(m_document->undoStack()->count(), 1);
+        QVERIFY(appearance().gamma > Appearance{}.gamma);
+    }
+
+    void aTypedGammaMustBePositive() {
+        view::NumberField* field = m_panel->gamma()->field();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("-1"));
+        QVERIFY(!field->problem().isEmpty());
+        QCOMPARE(appearance().gamma, Appearance{}.gamma);
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("1.5"));
+        QCOMPARE(appearance().gamma, 1.5);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+    }
+
+    void choicesAreSteps() {
+        choose(m_panel->colourBy(), 1);
+        QCOMPARE(appearance().colourBy, attractor::ColourBy::Map);
+        choose(m_panel->gradient(), 1);
+        QVERIFY(appearance().palette == attractor::builtInPalettes()[1]);
+        choose(m_panel->supersampling(), 2);
+        QCOMPARE(appearance().supersample, 3);
+        m_panel->transparent()->click();
+        QCOMPARE(int(appearance().background.alpha), 0);
+        QCOMPARE(m_document->undoStack()->count(), 4);
+        m_panel->resetToDefault();
+        QVERIFY(appearance() == Appearance{});
+        for (int i = 0; i < 5; ++i)
+            m_document->undoStack()->undo();
+        QVERIFY(appearance() == Appearance{});
+        QCOMPARE(m_panel->colourBy()->currentIndex(), 0);
+    }
+
+    void aPaletteOfTheFileIsOffered() {
+        document::Fractal fractal = m_document->fractal();
+        fractal.appearance.palette = {"mine", {{0, {0, 0, 0, 255}}, {1, {255, 0, 0, 255}}}};
+        const int builtIn = m_panel->gradient()->count();
+        m_document->edit(QStringLiteral("palette"), fractal);
+        QCOMPARE(m_panel->gradient()->count(), builtIn + 1);
+        QCOMPARE(m_panel->gradient()->currentIndex(), builtIn);
+        m_document->undoStack()->undo();
+        QCOMPARE(m_panel->gradient()->currentIndex(), 0);
+    }
+
+    void aGradientIsPaintedFromEndToEnd() {
+        const attractor::Palette palette{"p", {{0, {0, 0, 0, 255}}, {1, {255, 255, 255, 255}}}};
+        const QImage image = view::gradientPixmap(palette, {100, 12}, 2).toImage();
+        QCOMPARE(image.size(), QSize(200, 24));
+        QVERIFY(image.pixelColor(4, 12).lightness() < 60);
+        QVERIFY(image.pixelColor(195, 12).lightness() > 240);
+        for (int x = 8; x < 192; x += 8)
+            QVERIFY(image.pixelColor(x, 12).lightness() >= image.pixelColor(x - 4, 12).lightness());
+    }
+
+private:
+    const Appearance& appearance() const { return m_document->fractal().appearance; }
+    static void choose(QComboBox* box, int index) {
+        box->setCurrentIndex(index);
+        emit box->activated(index);
+    }
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<view::AppearancePanel> m_panel;
+};
+
+QTEST_MAIN(AppearancePanelTest)
+#include "appearance_panel_test.moc"

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "panels/cage_panel.h"
+#include "panels/number_field.h"
+#include "view/maps_support.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QSignalSpy>
+
+#include <memory>
+
+using namespace maps_support;
+using view::CagePanel;
+using view::NumberField;
+
+class CagePanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_document = std::make_unique<document::Document>();
+        m_document->setFile(document::fileOf(withTriangle(maple())));
+        m_panel = std::make_unique<CagePanel>(m_document.get());
+        m_panel->show();
+        m_panel->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    }
+
+    void aTypedVertexMovesThePicture() {
+        NumberField* x = m_panel->field(CagePanel::Vertices::Current, 1, 0);
+        QCOMPARE(x->value(), 5.0);
+        type(x, QStringLiteral("6.5"));
+        QCOMPARE(cage().current[1].x(), 6.5);
+        QCOMPARE(cage().rest[1].x(), 5.0);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTest::keyClick(x, Qt::Key_Return);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QVERIFY(m_panel->status().contains(QStringLiteral("1.1875"))); // (6.5 + 3) / (5 + 3)
+        QVERIFY(m_panel->bakeAction()->isEnabled());
+    }
+
+    void aTypedRestVertexKeepsThePicture() {
+        document::Fractal fractal = m_document->fractal();
+        fractal.cage->current = {{0, 0}, {4, 1}, {-1, 5}};
+        m_document->edit(QStringLiteral("place"), fractal);
+        const auto shown = *document::effectiveSystem(m_document->fractal());
+        NumberField* y = m_panel->field(CagePanel::Vertices::Rest, 2, 1);
+        y->setVisible(true);
+        type(y, QStringLiteral("8"));
+        QTest::keyClick(y, Qt::Key_Return);
+        QCOMPARE(cage().rest[2].y(), 8.0);
+        const auto now = *document::effectiveSystem(m_document->fractal());
+        for (std::size_t i = 0; i < shown.maps.size(); ++i)
+            QVERIFY(distance(shown.maps[i].map, now.maps[i].map) < 1e-12);
+    }
+
+    void aRestTriangleOnOneLineIsRefused() {
+        QSignalSpy messages(m_panel.get(), &CagePanel::message);
+        const document::Fractal before = m_document->fractal();
+        NumberField* y = m_panel->field(CagePanel::Vertices::Rest, 2, 1);
+        y->setVisible(true);
+        type(y, QStringLiteral("-3")); // (-3, -3) again
+        QTest::keyClick(y, Qt::Key_Return);
+        QVERIFY(!messages.isEmpty());
+        QVERIFY(m_document->fractal() == before);
+        QCOMPARE(y->value(), 6.0);
+    }
+
+    void saysMirroredAndFlat() {
+        document::Fractal fractal = m_document->fractal();
+        QVERIFY(m_panel->status().contains(QStringLiteral("At rest")));
+        fractal.cage->current = {{-3, -3}, {-11, -3}, {-3, 6}};
+        m_document->edit(QStringLiteral("mirror"), fractal);
+        QVERIFY(m_panel->status().contains(QStringLiteral("mirrored")));
+        fractal.cage->current = {{-3, -3}, {0, 0}, {4, 4}};
+        m_document->edit(QStringLiteral("flat"), fractal);
+        QVERIFY(m_panel->status().contains(QStringLiteral("Flat")));
+        QVERIFY(!m_panel->bakeAction()->isEnabled());
+        QVERIFY(m_panel->bakeAction()->toolTip().contains(QStringLiteral("flat")));
+        m_panel->reset();
+        QVERIFY(m_panel->status().contains(QStringLiteral("At rest")));
+    }
+
+    void showsBarycentricCoordinates() {
+        document::Fractal fractal = m_document->fractal();
+        fractal.cage = ifs::cageAtRest<2>({ifs::Vector<2>(0, 0), ifs::Vector<2>(4, 0), ifs::Vector<2>(0, 3)});
+        m_document->edit(QStringLiteral("cage"), fractal);
+        type(m_panel->pointField(0), QStringLiteral("1"));
+        type(m_panel->pointField(1), QStringLiteral("1"));
+        QCOMPARE(m_panel->barycentric(), QStringLiteral("(0.4167, 0.25, 0.3333)"));
+    }
+
+    void fitsTheMinimalCanonicalSimplex() {
+        document::Fractal fractal = m_document->fractal();
+        fractal.cage->current = {{0, 0}, {4, 1}, {-1, 5}};
+        m_document->edit(QStringLiteral("place"), fractal);
+        const auto shown = *document::effectiveSystem(fractal);
+        m_panel->fit(view::SimplexChoice::Minimal);
+        const auto& corners = cage().current;
+        QVERIFY(qAbs(corners[1].y() - corners[0].y()) < 1e-9 && qAbs(corners[2].x() - corners[0].x()) < 1e-9);
+        QVERIFY(qAbs(qAbs(corners[1].x() - corners[0].x()) - qAbs(corners[2].y() - corners[0].y())) < 1e-9);
+        const auto now = *document::effectiveSystem(m_document->fractal());
+        for (std::size_t i = 0; i < shown.maps.size(); ++i)
+            QVERIFY(distance(shown.maps[i].map, now.maps[i].map) < 1e-9);
+
+        m_panel->reset();
+        m_panel->fit(view::SimplexChoice::MinusMinus);
+        // Of the maple itself, as published for (−, −): corner (3.34421, 5.07246), leg 11.70466.
+        fractal = maple();
+        m_document->setFile(document::fileOf(fractal));
+        m_panel->fit(view::SimplexChoice::MinusMinus);
+        QVERIFY((cage().rest[0] - ifs::Vector<2>(3.34421444954056, 5.07246376811594)).norm() < 1e-6);
+        QVERIFY(qAbs(cage().rest[0].x() - cage().rest[1].x() - 11.704657475156326) < 1e-6);
+    }
+
+    void asksForTheThreeClicks() {
+        QSignalSpy asked(m_panel.get(), &CagePanel::defineRequested);
+        for (QAction* action : m_panel->findChildren<QAction*>())
+            if (action->text().startsWith(QStringLiteral("Define"))) action->trigger();
+        QCOMPARE(asked.size(), 1);
+    }
+
+private:
+    const ifs::ControlCage<2>& cage() const { return *m_document->fractal().cage; }
+    static void type(NumberField* field, const QString& text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+    }
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<CagePanel> m_panel;
+};
+
+QTEST_MAIN(CagePanelTest)
+#include "cage_panel_test.moc"

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "panels/map_shape_editor.h"
+#include "panels/maps_panel.h"
+#include "panels/number_field.h"
+#include "view/maps_support.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QToolButton>
+
+using namespace maps_support;
+using view::MapsModel;
+using view::MapsPanel;
+using view::NumberField;
+
+class MapsPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_document = std::make_unique<document::Document>();
+        m_document->setFile(document::fileOf(withTriangle(maple())));
+        m_panel = std::make_unique<MapsPanel>(m_document.get());
+        m_panel->resize(380, 600);
+        m_panel->show();
+        m_panel->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    }
+
+    void typingInACellIsLiveAndOneStep() {
+        NumberField* editor = openEditor(1, MapsModel::A);
+        QTest::keyClicks(editor, QStringLiteral("0.5"));
+        QCOMPARE(coefficient(1, 0, 0), 0.5);
+        QTest::keyClicks(editor, QStringLiteral("25"));
+        QCOMPARE(coefficient(1, 0, 0), 0.525);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(m_document->undoStack()->count(), 1);
+        m_document->undoStack()->undo();
+        QCOMPARE(coefficient(1, 0, 0), 0.61);
+    }
+
+    void aTypedKeyStartsTheEdit() {
+        m_panel->table()->setCurrentIndex(m_panel->model()->index(2, MapsModel::E));
+        m_panel->table()->setFocus();
+        QTest::keyClicks(m_panel->table(), QStringLiteral("3"));
+        QCOMPARE(systemOf(*m_document).maps[2].map.translation.x(), 3.0);
+    }
+
+    void escapeRestores() {
+        const document::Fractal before = m_document->fractal();
+        NumberField* editor = openEditor(0, MapsModel::D);
+        QTest::keyClicks(editor, QStringLiteral("0.1"));
+        QVERIFY(m_document->fractal() != before);
+        QTest::keyClick(editor, Qt::Key_Escape);
+        QTRY_VERIFY(m_document->fractal() == before);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void aBadNumberIsNeverCommitted() {
+        const document::Fractal before = m_document->fractal();
+        QSignalSpy messages(m_panel.get(), &MapsPanel::message);
+        NumberField* editor = openEditor(0, MapsModel::B);
+        QTest::keyClicks(editor, QStringLiteral("0,5"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCoreApplication::processEvents();
+        QVERIFY(editor->isVisible()); // refused where it is typed
+        QVERIFY(editor->problem().contains(QStringLiteral("0.5")));
+        m_panel->table()->setFocus(); // leaving it
+        QTRY_VERIFY(m_document->fractal() == before);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QCOMPARE(messages.size(), 1);
+    }
+
+    void tabGoesOnWithOneStepEach() {
+        NumberField* editor = openEditor(0, MapsModel::A);
+        QTest::keyClicks(editor, QStringLiteral("0.5"));
+        QTest::keyClick(editor, Qt::Key_Tab);
+        QTRY_VERIFY(currentEditor() && currentEditor() != editor);
+        QTest::keyClicks(currentEditor(), QStringLiteral("0.25"));
+        QTest::keyClick(currentEditor(), Qt::Key_Return);
+        QTRY_COMPARE(m_document->undoStack()->count(), 2);
+        QCOMPARE(coefficient(0, 0, 0), 0.5);
+        QCOMPARE(coefficient(0, 0, 1), 0.25);
+    }
+
+    void duplicateDeleteAndReorderKeepTheSelection() {
+        const ifs::MapId second = m_panel->model()->idAt(1);
+        m_panel->selectMaps({second});
+        QTest::keyClick(m_panel->table(), Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(m_panel->model()->rowOf(second), 2);
+        QCOMPARE(m_panel->selectedMaps(), std::vector{second});
+        QTest::keyClick(m_panel->table(), Qt::Key_Up, Qt::AltModifier);
+        QCOMPARE(m_panel->model()->rowOf(second), 1);
+        QTest::keyClick(m_panel->table(), Qt::Key_Insert);
+        QCOMPARE(m_panel->model()->rowCount(), 5);
+        QCOMPARE(m_panel->selectedMaps(), std::vector{m_panel->model()->idAt(2)});
+        QTest::keyClick(m_panel->table(), Qt::Key_Delete);
+        QCOMPARE(m_panel->model()->rowCount(), 4);
+        QCOMPARE(m_document->undoStack()->count(), 4);
+    }
+
+    void rowsAreDraggedByTheirNumber() {
+        const ifs::MapId first = m_panel->model()->idAt(0);
+        m_panel->table()->verticalHeader()->moveSection(0, 2);
+        QTRY_COMPARE(m_panel->model()->rowOf(first), 2);
+        for (int row = 0; row < 4; ++row)
+            QCOMPARE(m_panel->table()->verticalHeader()->visualIndex(row), row);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+    }
+
+    void pastesRowsAndRefusesRubbishWithASentence() {
+        QSignalSpy messages(m_panel.get(), &MapsPanel::message);
+        m_panel->selectMaps({m_panel->model()->idAt(3)});
+        QGuiApplication::clipboard()->setText(
+            QStringLiteral("0.1\t0.2\t0.3\t0.4\t0.5\t0.6\t0.7\n1 2 3 4 5 6 0.5\n"));
+        m_panel->pasteMaps();
+        QCOMPARE(m_panel->model()->rowCount(), 5);
+        QCOMPARE(coefficient(3, 1, 1), 0.4);
+        QCOMPARE(systemOf(*m_document).maps[4].weight, std::optional(0.5));
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QGuiApplication::clipboard()->setText(QStringLiteral("0.1 0.2 rubbish 0.4 0.5 0.6\n"));
+        m_panel->appendPasted();
+        QCOMPARE(m_panel->model()->rowCount(), 5);
+        QVERIFY2(messages.back().front().toString().startsWith(QStringLiteral("Nothing was pasted")),
+                 qPrintable(messages.back().front().toString()));
+    }
+
+    void copiedRowsComeBackTheSame() {
+        m_panel->selectMaps({m_panel->model()->idAt(0), m_panel->model()->idAt(2)});
+        m_panel->copyMaps();
+        m_panel->appendPasted();
+        QCOMPARE(m_panel->model()->rowCount(), 6);
+        for (const auto& [copy, original] : {std::pair{4U, 0U}, std::pair{5U, 2U}}) {
+            QVERIFY(systemOf(*m_document).maps[copy].map == systemOf(*m_document).maps[original].map);
+            QCOMPARE(systemOf(*m_document).maps[copy].weight, systemOf(*m_document).maps[original].weight);
+        }
+    }
+
+    void bakeKeepsThePicture() {
+        document::Fractal fractal = m_document->fractal();
+        fractal.cage->current = {{0, 0}, {4, 1}, {-1, 5}};
+        m_document->edit(QStringLiteral("place"), fractal);
+        const auto shown = *document::effectiveSystem(m_document->fractal());
+        m_panel->bake();
+        QVERIFY(m_document->fractal().cage->rest == m_document->fractal().cage->current);
+        for (std::size_t i = 0; i < shown.maps.size(); ++i)
+            QVERIFY(distance(systemOf(*m_document).maps[i].map, shown.maps[i].map) < 1e-12);
+
+        fractal.cage->current = {{0, 0}, {1, 1}, {2, 2}};
+        m_document->edit(QStringLiteral("flat"), fractal);
+        QSignalSpy messages(m_panel.get(), &MapsPanel::message);
+        m_panel->bake();
+        QVERIFY(m_document->fractal() == fractal);
+        QCOMPARE(messages.size(), 1);
+    }
+
+    void theShapeEditorIsTheSameMapInOtherWords() {
+        auto* shape = m_panel->findChild<view::MapShapeEditor*>();
+        m_panel->table()->setCurrentIndex(m_panel->model()->index(2, MapsModel::A));
+        // Map 3 of the maple as published: -24.775140569 degrees, 0.715891053164, 0.557347376024,
+        // 0.086829268293.
+        using Part = view::MapShapeEditor::Part;
+        QVERIFY(qAbs(shape->field(Part::Rotation)->value() + 24.775140569) < 1e-8);
+        QVERIFY(qAbs(shape->field(Part::ScaleX)->value() - 0.715891053164) < 1e-11);
+        QVERIFY(qAbs(shape->field(Part::ScaleY)->value() - 0.557347376024) < 1e-11);
+        QVERIFY(qAbs(shape->field(Part::Shear)->value() - 0.086829268293) < 1e-11);
+
+        NumberField* rotation = shape->field(Part::Rotation);
+        type(rotation, QStringLiteral("30"));
+        QCOMPARE(m_document->undoStack()->count(), 0); // live
+        QVERIFY(qAbs(coefficient(2, 1, 0) - 0.715891053164 / 2) < 1e-11);
+        QTest::keyClick(rotation, Qt::Key_Return);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(rotation->value(), 30.0); // as typed, not 29.999999999999996
+
+        type(shape->field(Part::TranslationX), QStringLiteral("2"));
+        const auto before = systemOf(*m_document).maps[2].map.linear;
+        QTest::keyClick(shape->field(Part::TranslationX), Qt::Key_Return);
+        QVERIFY(systemOf(*m_document).maps[2].map.linear == before);
+        QCOMPARE(systemOf(*m_document).maps[2].map.translation.x(), 2.0);
+        m_document->undoStack()->undo();
+        m_document->undoStack()->undo();
+        QVERIFY(qAbs(rotation->value() + 24.775140569) < 1e-8);
+    }
+
+    void saysWhatAnEntryWithoutPlaneMapsIs() {
+        document::Fractal space;
+        space.system = document::System3{};
+        m_document->setFile(document::fileOf(space));
+        QVERIFY(shownText().contains(QStringLiteral("3D: not yet shown")));
+        document::FractalFile file = document::fileOf(document::Fractal{});
+        file.entries[0].problems = {{document::Problem::Severity::Error, QStringLiteral("x"), 7, 3,
+                                     QStringLiteral("A number is missing.")}};
+        m_document->setFile(file);
+        QVERIFY(shownText().contains(QStringLiteral("Line 7, column 3: A number is missing.")));
+        m_document->setFile(document::fileOf(fractalOf({})));
+        QVERIFY(shownText().contains(QStringLiteral("No maps")));
+        m_panel->addMap();
+        QCOMPARE(m_panel->model()->rowCount(), 1);
+        QVERIFY(m_panel->table()->isVisible());
+    }
+
+private:
+    NumberField* openEditor(int row, int column) {
+        const QModelIndex cell = m_panel->model()->index(row, column);
+        m_panel->table()->setFocus();
+        m_panel->table()->setCurrentIndex(cell);
+        m_panel->table()->edit(cell);
+        NumberField* editor = currentEditor();
+        editor->setFocus();
+        editor->selectAll();
+        return editor;
+    }
+    NumberField* currentEditor() const {
+        for (auto* field : m_panel->table()->viewport()->findChildren<NumberField*>())
+            if (field->isVisible()) return field;
+        return nullptr;
+    }
+    static void type(NumberField* field, const QString& text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+    }
+    double coefficient(std::size_t map, int row, int column) const {
+        return systemOf(*m_document).maps[map].map.linear(row, column);
+    }
+    QString shownText() const {
+        QString text;
+        for (auto* label : m_panel->findChildren<QLabel*>())
+            if (label->isVisible()) text += label->text();
+        return text;
+    }
+
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<MapsPanel> m_panel;
+};
+
+QTEST_MAIN(MapsPanelTest)
+#include "maps_panel_test.moc"
