@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint64_t fewest = 1'000'000;
 constexpr std::uint64_t most = 10'000'000; // in the first pass
 constexpr double fluid = 14;               // milliseconds for one frame of a gesture
+constexpr int patience = 400;              // milliseconds that a change waits for the frame before it
 
 } // namespace
 
@@ -21,6 +22,11 @@ RenderBridge::RenderBridge(document::Document* document, QObject* parent)
     : QObject(parent), m_document(document), m_thread(std::make_unique<attractor::RenderThread>([this] {
           QMetaObject::invokeMethod(this, &RenderBridge::takeFrame, Qt::QueuedConnection);
       })) {
+    m_underWay.setSingleShot(true);
+    m_underWay.setInterval(patience);
+    connect(&m_underWay, &QTimer::timeout, this, [this] {
+        if (m_waiting) submit();
+    });
     connect(document, &document::Document::changed, this, &RenderBridge::follow);
 }
 
@@ -30,17 +36,17 @@ void RenderBridge::setCamera(const attractor::Camera& camera) {
     if (camera == m_camera) return;
     m_camera = camera;
     m_exposing = Exposing::Measured;
-    request();
+    request(Haste::InTurn);
 }
 
 void RenderBridge::setQuality(std::uint64_t samples) {
     if (samples == m_quality) return;
     m_quality = samples;
-    request();
+    request(Haste::Now);
 }
 
 bool RenderBridge::isCurrent() const {
-    return m_frame && m_frame->revision == m_requested;
+    return m_frame && m_frame->revision == m_requested && !m_waiting;
 }
 
 void RenderBridge::follow(const document::Change& change) {
@@ -53,10 +59,19 @@ void RenderBridge::follow(const document::Change& change) {
         m_exposing = Exposing::Measured;
     else if (!change.live && (change.parts & (Change::System | Change::Appearance)))
         m_exposing = Exposing::Measured;
-    request();
+    request(m_live ? Haste::InTurn : Haste::Now);
 }
 
-void RenderBridge::request() {
+void RenderBridge::request(Haste haste) {
+    if (haste == Haste::InTurn && m_underWay.isActive())
+        m_waiting = true;
+    else
+        submit();
+}
+
+void RenderBridge::submit() {
+    m_waiting = false;
+    m_underWay.stop();
     const document::Fractal& fractal = m_document->fractal();
     if (!document::system2(fractal)) {
         m_thread->cancel();
@@ -76,6 +91,7 @@ void RenderBridge::request() {
         request.exposure = m_frame->exposure;
     m_exposing = Exposing::Kept;
     m_thread->submit(std::move(request), m_quality);
+    m_underWay.start();
 }
 
 void RenderBridge::takeFrame() {
@@ -83,6 +99,10 @@ void RenderBridge::takeFrame() {
     if (!frame || frame == m_frame || !document::system2(m_document->fractal())) return;
     m_frame = std::move(frame);
     if (m_frame->passes == 1) adaptBudget(*m_frame);
+    if (m_frame->revision == m_requested) {
+        m_underWay.stop();
+        if (m_waiting) submit();
+    }
     emit frameChanged();
 }
 

@@ -6,6 +6,7 @@
 #include "document/document.h"
 
 #include <QObject>
+#include <QTimer>
 
 #include <memory>
 
@@ -42,8 +43,15 @@ private:
     // Whether brightness keeps its meaning from the frame before.
     enum class Exposing { Kept, Measured };
 
+    enum class Haste {
+        Now,    // an older request is abandoned
+        InTurn, // one of many: when the frame under way has come, so that a stream of changes starves no
+                // frame
+    };
+
     void follow(const document::Change& change);
-    void request();
+    void request(Haste haste);
+    void submit();
     void takeFrame();
     void adaptBudget(const attractor::Frame& frame);
 
@@ -56,6 +64,8 @@ private:
     std::uint64_t m_measuredFrom = 1; // requests since this revision share their exposure
     Exposing m_exposing = Exposing::Measured;
     bool m_live = false;
+    bool m_waiting = false; // a request takes its turn
+    QTimer m_underWay;      // runs until the first frame of the newest request, or until patience ends
     std::unique_ptr<attractor::RenderThread> m_thread; // last: stops before the rest goes
 };
 

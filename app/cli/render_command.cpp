@@ -14,7 +14,6 @@
 #include <QFileInfo>
 
 #include <memory>
-#include <thread>
 
 namespace cli {
 
@@ -174,7 +173,7 @@ attractor::RenderRequest requestOf(const document::Fractal& fractal, const attra
     const auto pixels = std::uint64_t(camera.width) * std::uint64_t(camera.height);
     request.algorithm = algorithmOf(arguments.algorithm);
     request.seed = arguments.seed;
-    request.threads = arguments.threads.value_or(int(std::max(1u, std::thread::hardware_concurrency())));
+    request.threads = arguments.threads.value_or(io::threadsOfThisMachine());
     const std::uint64_t perPixel = request.algorithm == attractor::Algorithm::ChaosGame ? 2 : 100;
     request.samples = arguments.points.value_or(std::max<std::uint64_t>(perPixel * pixels, 1'000'000));
     if (request.algorithm == attractor::Algorithm::Deterministic) {
@@ -301,7 +300,7 @@ void addPictureOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--dpi", arguments.dpi, "Resolution noted in the PNG, dots per inch");
     command.add_option("--svg", arguments.svg, "Kind of SVG (structured)")
         ->check(CLI::IsMember({"structured", "outline", "points"}));
-    command.add_option("--depth", arguments.depth, "Levels of copies in the SVG (what half a pixel needs)")
+    command.add_option("--depth", arguments.depth, "Levels of copies in the SVG (what a pixel needs)")
         ->check(CLI::NonNegativeNumber);
 }
 

@@ -312,6 +312,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::restoreLayout() {
     const QSettings settings;
+    resizeDocks(
+        {findChild<QDockWidget*>(QStringLiteral("entries")), findChild<QDockWidget*>(QStringLiteral("maps"))},
+        {260, 430}, Qt::Horizontal);
     if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray())) resize(1440, 900);
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <thread>
 
 namespace io {
 
@@ -116,6 +117,10 @@ std::uint64_t memoryFor(const attractor::RenderRequest& request) {
     const std::uint64_t cell = coloured ? 16 : 4; // per thread
     return pixels *
            (supersample * supersample * cell * std::uint64_t(request.threads) + 2 * sizeof(std::uint32_t));
+}
+
+int threadsOfThisMachine() {
+    return int(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 } // namespace io

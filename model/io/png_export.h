@@ -45,4 +45,6 @@ Picture drawPicture(const PngExport& picture, const Progress& progress = {}, std
 // Memory that drawing this picture takes, in bytes, about.
 std::uint64_t memoryFor(const attractor::RenderRequest& request);
 
+int threadsOfThisMachine(); // ≥ 1
+
 } // namespace io

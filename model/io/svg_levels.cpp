@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/svg_levels.h"
 
+#include "ifs/attractor_existence.h"
 #include "ifs/support_function.h"
 
 #include <Eigen/Geometry>
@@ -13,8 +14,10 @@ namespace io {
 
 namespace {
 
-constexpr double thinnest = 0.1; // of a copy, in pixels
-constexpr double hullGap = 0.05; // between outline and attractor, in pixels
+constexpr double thinnest = 0.8;       // of a copy, in pixels: what is thinner is hardly seen
+constexpr double hullTolerance = 2e-3; // of the radius
+constexpr double widening = 0.3;       // of the smallest copies on every side, in pixels
+constexpr double mostWidening = 0.35;  // as a share of their size
 
 double diameterOf(const std::vector<ifs::Vector<2>>& points) {
     double longest = 0;
@@ -29,6 +32,30 @@ ifs::Vector<2> middleOf(const std::vector<ifs::Vector<2>>& points) {
     for (const auto& p : points)
         sum += p;
     return sum / double(points.size());
+}
+
+double turn(const ifs::Vector<2>& a, const ifs::Vector<2>& b, const ifs::Vector<2>& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+// Strictly convex and counter-clockwise: points found to a tolerance need not be (Andrew's monotone chain).
+std::vector<ifs::Vector<2>> strictlyConvex(std::vector<ifs::Vector<2>> points) {
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 3) return points;
+    std::vector<ifs::Vector<2>> chain;
+    const auto add = [&](const ifs::Vector<2>& point, std::size_t fixed) {
+        while (chain.size() >= fixed + 2 && turn(chain[chain.size() - 2], chain.back(), point) <= 0)
+            chain.pop_back();
+        chain.push_back(point);
+    };
+    for (const auto& point : points) add(point, 0);
+    const std::size_t lower = chain.size() - 1;
+    for (auto point = points.rbegin() + 1; point != points.rend(); ++point) add(*point, lower);
+    chain.pop_back();
+    return chain;
 }
 
 // The convex polygon pushed out so that it holds every point within `distance` of it (the corners are cut
@@ -65,24 +92,34 @@ std::vector<ifs::Vector<2>> pushedOut(const std::vector<ifs::Vector<2>>& polygon
     return result;
 }
 
+struct Descent {
+    std::vector<int> steps; // of each map
+    double shrinkage;       // − logarithm of the size that one step stands for
+};
+
 // How many steps each map descends: the logarithm of its size in units of the largest map's.
-std::vector<int> stepsOf(const std::vector<ifs::AffineMap<2>>& maps) {
-    constexpr double smallestUnit = 0.03;
+Descent descentOf(const std::vector<ifs::AffineMap<2>>& maps) {
+    constexpr double smallestShrinkage = 0.03;
     std::vector<double> costs;
-    double unit = HUGE_VAL;
+    double least = HUGE_VAL;
     for (const auto& map : maps) {
         const auto sigma = ifs::singularValues<2>(map.linear);
         // The geometric mean, but a thin copy is also long.
         const double size = std::sqrt(sigma[0] * std::max(sigma[1], sigma[0] / 10));
         costs.push_back(-std::log(std::max(size, 1e-9)));
-        if (costs.back() > 0) unit = std::min(unit, costs.back());
+        if (costs.back() > 0) least = std::min(least, costs.back());
     }
-    unit = std::max(unit, smallestUnit);
-    std::vector<int> steps;
+    Descent descent{{}, std::isfinite(least) ? std::max(least, smallestShrinkage) : smallestShrinkage};
     for (const double cost : costs)
-        steps.push_back(
-            std::isfinite(unit) ? std::clamp(int(std::lround(cost / unit)), 1, SvgLevels::mostLevels) : 1);
-    return steps;
+        descent.steps.push_back(
+            std::clamp(int(std::lround(cost / descent.shrinkage)), 1, SvgLevels::mostLevels));
+    return descent;
+}
+
+// What thickening moves points by in the whole picture, when it moves those of one map by `shift`: every
+// further thickened map in a word is seen through the ones before it.
+double accumulated(double shift, double thickNorm, const ifs::Existence& existence) {
+    return shift * existence.normEquivalence / std::max(1 - thickNorm, 1e-3);
 }
 
 } // namespace
@@ -108,27 +145,55 @@ std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const if
     const auto active = ifs::activeMaps(system);
     const auto support = ifs::SupportFunction<2>::of(active.maps);
     if (!support) return std::nullopt;
-    const double pixel = 1 / std::max(ifs::spectralNorm<2>(display.linear), 1e-300);
-    // A pixel coarser than the attractor must not make the outline a blob.
-    const double gap = std::min(hullGap * pixel, 1e-3 * support->radius());
-    const ifs::ConvexHull hull = ifs::convexHull(*support, gap);
     SvgLevels levels;
-    levels.m_outline = pushedOut(hull.vertices, std::max(hull.error, gap));
-    levels.m_diameter = diameterOf(levels.m_outline);
-    if (!std::isfinite(levels.m_diameter) || levels.m_diameter <= 0) return std::nullopt;
-    const ifs::Vector<2> centre = middleOf(levels.m_outline);
-    levels.m_display = thickened(display, centre, thinnest / levels.m_diameter);
+    levels.m_pixel = 1 / std::max(ifs::spectralNorm<2>(display.linear), 1e-300);
+    const double tolerance = std::max(hullTolerance * support->radius(), 1e-3 * levels.m_pixel);
+    const ifs::ConvexHull hull = ifs::convexHull(*support, tolerance);
+    levels.m_hull = strictlyConvex(hull.vertices);
+    levels.m_hullError = std::max(hull.error, tolerance);
+    levels.m_diameter = diameterOf(levels.m_hull);
+    if (!std::isfinite(levels.m_diameter) || levels.m_hull.empty()) return std::nullopt;
     levels.m_index = active.index;
-    for (const auto& map : active.maps)
-        levels.m_maps.push_back(thickened(map, centre, std::min(thinnest * pixel / levels.m_diameter, 0.1)));
-    levels.m_steps = stepsOf(levels.m_maps);
+    levels.thickenAll(active.maps, display);
+    Descent descent = descentOf(levels.m_maps);
+    levels.m_steps = std::move(descent.steps);
+    levels.m_shrinkage = descent.shrinkage;
+    levels.countReferences();
+    return levels;
+}
+
+void SvgLevels::thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs::AffineMap<2>& display) {
+    const ifs::Vector<2> centre = middleOf(m_hull);
+    const double size = std::max(m_diameter, m_pixel);
+    m_display = thickened(display, centre, thinnest / size);
+    double thickNorm = 0;
+    bool anyThick = false;
+    for (const auto& map : maps) {
+        m_maps.push_back(thickened(map, centre, std::min(thinnest * m_pixel / size, 0.1)));
+        if (m_maps.back() == map) continue;
+        anyThick = true;
+        thickNorm = std::max(thickNorm, ifs::spectralNorm<2>(m_maps.back().linear));
+    }
+    if (anyThick) m_thickeningError = accumulated(thinnest, thickNorm, ifs::classify<2>(maps));
+    if (!(m_display == display)) m_thickeningError += thinnest;
+}
+
+void SvgLevels::countReferences() {
     for (int level = 0; level <= mostLevels; ++level) {
         std::uint64_t sum = 0;
-        for (std::size_t i = 0; level > 0 && i < levels.m_maps.size(); ++i)
-            sum += 1 + levels.m_references[std::size_t(levels.below(level, i))];
-        levels.m_references.push_back(std::min(sum, mostReferences));
+        for (std::size_t i = 0; level > 0 && i < m_maps.size(); ++i)
+            sum += 1 + m_references[std::size_t(below(level, i))];
+        m_references.push_back(std::min(sum, mostReferences));
     }
-    return levels;
+}
+
+double SvgLevels::margin(int depth) const {
+    const double smallest = widening * m_pixel * std::exp(m_shrinkage * depth);
+    return m_hullError + std::min(smallest, std::max(mostWidening * m_diameter, widening * m_pixel));
+}
+
+std::vector<ifs::Vector<2>> SvgLevels::outline(int depth) const {
+    return pushedOut(m_hull, margin(depth));
 }
 
 int SvgLevels::below(int level, std::size_t map) const {
@@ -150,23 +215,23 @@ double SvgLevels::error(int level) const {
         int level;
     };
     double largest = 0;
+    const double diameter = diameterOf(outline(level));
     std::vector<Copy> open{{m_display.linear, level}};
     while (!open.empty()) {
         const Copy copy = open.back();
         open.pop_back();
-        const double size = ifs::spectralNorm<2>(copy.linear) * m_diameter;
+        const double size = ifs::spectralNorm<2>(copy.linear) * diameter;
         if (copy.level == 0) largest = std::max(largest, size);
         for (std::size_t i = 0; copy.level > 0 && i < m_maps.size(); ++i)
             open.push_back({copy.linear * m_maps[i].linear, below(copy.level, i)});
     }
-    return largest + thinnest / 2;
+    return largest + m_thickeningError;
 }
 
 int SvgLevels::levelFor(double wanted) const {
-    const int last = deepest();
-    for (int level = 0; level < last; ++level)
-        if (error(level) <= wanted) return level;
-    return last;
+    int level = 0;
+    while (references(level + 1) <= comfortableReferences && error(level) > wanted) ++level;
+    return level;
 }
 
 } // namespace io

@@ -19,37 +19,47 @@ ifs::AffineMap<2> thickened(const ifs::AffineMap<2>& map, const ifs::Vector<2>& 
 class SvgLevels {
 public:
     static constexpr std::uint64_t mostReferences = 400'000;
+    static constexpr std::uint64_t comfortableReferences = 150'000;
     static constexpr int mostLevels = 200;
 
-    // `display` takes the code's coordinates to pixels. nullopt without an attractor, or when it has no
-    // finite size.
+    // `display` takes the code's coordinates to pixels. nullopt without an attractor of finite size.
     static std::optional<SvgLevels> of(const document::System2& system, const ifs::AffineMap<2>& display);
 
-    const std::vector<ifs::Vector<2>>& outline() const {
-        return m_outline;
-    } // contains the attractor; convex, ≥ 3
-    const std::vector<ifs::AffineMap<2>>& maps() const { return m_maps; } // active maps, none singular
-    const std::vector<std::size_t>& index() const { return m_index; }     // their places in the system
-    const ifs::AffineMap<2>& display() const { return m_display; }        // not singular
+    // Active maps, none singular, their places in the system, and where the picture goes.
+    const std::vector<ifs::AffineMap<2>>& maps() const { return m_maps; }
+    const std::vector<std::size_t>& index() const { return m_index; }
+    const ifs::AffineMap<2>& display() const { return m_display; } // not singular
+
+    // Level 0 for a picture of this depth: contains the attractor; convex, counter-clockwise. So much wider
+    // that copies thinner than a pixel do not fade away.
+    std::vector<ifs::Vector<2>> outline(int depth) const;
 
     int below(int level, std::size_t map) const; // the level of which `map` makes a copy for `level`
 
-    // Copies that a reader of the file makes in all for one of `level`; stays at mostReferences once it is
-    // reached.
+    // Copies that a reader of the file makes in all for one of `level`; stays at mostReferences once reached.
     std::uint64_t references(int level) const;
     int deepest() const; // with fewer than mostReferences
 
     // Certified bound, in pixels, of the distance between the attractor and what is drawn, both ways.
     double error(int level) const;
-    int levelFor(double error) const; // the first whose error is not larger, else deepest()
+    // The first whose error is not larger, else the deepest that programs draw without a long wait.
+    int levelFor(double error) const;
 
 private:
-    std::vector<ifs::Vector<2>> m_outline;
+    void thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs::AffineMap<2>& display);
+    void countReferences();
+    double margin(int depth) const; // between the hull and the outline
+
+    std::vector<ifs::Vector<2>> m_hull;
+    double m_hullError = 0;
+    double m_diameter = 0; // of the hull
+    double m_pixel = 1;    // in the code's units
     std::vector<ifs::AffineMap<2>> m_maps;
     std::vector<std::size_t> m_index;
     std::vector<int> m_steps;
+    double m_shrinkage = 0; // minus the logarithm of what one level shrinks by
     ifs::AffineMap<2> m_display;
-    double m_diameter = 0; // of the outline
+    double m_thickeningError = 0; // in pixels
     std::vector<std::uint64_t> m_references;
 };
 

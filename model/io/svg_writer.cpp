@@ -15,7 +15,7 @@ namespace io {
 
 namespace {
 
-constexpr double goodEnough = 0.5; // pixels
+constexpr double goodEnough = 1; // pixel
 const QString svg = QStringLiteral("http://www.w3.org/2000/svg");
 const QString xlink = QStringLiteral("http://www.w3.org/1999/xlink");
 
@@ -88,7 +88,7 @@ SvgPlan planOf(const SvgLevels& levels, const SvgFormat& format) {
     SvgPlan plan;
     plan.deepest = levels.deepest();
     plan.depth = format.depth ? std::clamp(*format.depth, 0, plan.deepest) : levels.levelFor(goodEnough);
-    plan.references = levels.references(plan.depth) + 1;
+    plan.references = std::max<std::uint64_t>(levels.references(plan.depth), 1);
     plan.errorInPixels = levels.error(plan.depth);
     return plan;
 }
@@ -167,9 +167,7 @@ private:
     void writeOutline() {
         m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
         attribute("id", levelId(0));
-        attribute("points", pointList(m_levels.outline()));
-        // Copies thinner than a pixel would fade away; this keeps them half a pixel wide at any scale.
-        attribute("vector-effect", QStringLiteral("non-scaling-stroke"));
+        attribute("points", pointList(m_levels.outline(m_depth)));
     }
 
     void writeLevel(int level) {
@@ -185,9 +183,7 @@ private:
         m_xml.writeAttribute(xlink, QStringLiteral("href"),
                              QLatin1Char('#') + levelId(m_levels.below(level, i)));
         attribute("transform", text(m_levels.maps()[i]));
-        if (colour.isEmpty()) return;
-        attribute("fill", colour);
-        attribute("stroke", colour);
+        if (!colour.isEmpty()) attribute("fill", colour);
     }
 
     void writeBackground() {
@@ -225,11 +221,7 @@ private:
         startElement("g");
         attribute("id", QStringLiteral("attractor"));
         attribute("transform", text(m_levels.display()));
-        const QString colour = text(colourOfAll());
-        attribute("fill", colour);
-        attribute("stroke", colour);
-        attribute("stroke-width", QStringLiteral("0.5"));
-        attribute("stroke-linejoin", QStringLiteral("round"));
+        attribute("fill", text(colourOfAll()));
         if (m_depth == 0) {
             m_xml.writeEmptyElement(svg, QStringLiteral("use"));
             m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + levelId(0));

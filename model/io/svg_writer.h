@@ -14,7 +14,7 @@
 namespace io {
 
 struct SvgFormat {
-    std::optional<int> depth; // levels of copies; nullopt: as many as half a pixel needs
+    std::optional<int> depth; // levels of copies; nullopt: as many as a pixel needs
     CageVisibility cage = CageVisibility::Hidden;
 };
 

@@ -136,9 +136,12 @@ void CollectionPanelTest::opensAndAdds() {
     for (const QAction* action : grid->actions())
         QVERIFY(!action->statusTip().isEmpty());
 
+    auto* search = panel.findChild<QLineEdit*>();
+    search->setText(u"there is no such fractal"_s);
     grid->setFocus();
-    QTest::keyClick(grid, Qt::Key_Return); // nothing chosen yet
+    QTest::keyClick(grid, Qt::Key_Return);
     QVERIFY(opened.isEmpty());
+    search->clear();
     const QModelIndex second = grid->model()->index(2, 0);
     const QPoint place = grid->visualRect(second).center();
     QTest::mouseClick(grid->viewport(), Qt::LeftButton, {}, place);
@@ -185,10 +188,10 @@ void CollectionPanelTest::ownFolders() {
     QTemporaryDir folder;
     QFile file(folder.filePath(u"mine.ifs"_s));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("zigzag { ; my own\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n");
+    file.write("qwxyz { ; my own\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n");
     file.close();
     const auto isShown = [](CollectionPanel& panel) {
-        panel.findChild<QLineEdit*>()->setText(u"zigzag"_s);
+        panel.findChild<QLineEdit*>()->setText(u"qwxyz"_s);
         return panel.findChild<QListView*>()->model()->rowCount() == 2; // the title and the entry
     };
     {

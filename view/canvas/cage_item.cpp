@@ -28,6 +28,7 @@ void CageItem::setPolygon(const QPolygonF& polygon) {
 void CageItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {
     m_hovered = hovered;
     m_pressed = pressed;
+    m_focused = focused;
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const CanvasPart self{CanvasPart::Kind::Vertex, int(i)};
         HandleStates state;
@@ -58,12 +59,16 @@ void CageItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     outline.closeSubpath();
     strokeWithHalo(*painter, outline, m_style, m_style.line, m_style.lineWidth);
 
-    const CanvasPart& lit = m_pressed.kind == CanvasPart::Kind::None ? m_hovered : m_pressed;
-    if (lit.kind == CanvasPart::Kind::Edge && lit.index < m_polygon.size()) {
-        QPainterPath edge(m_polygon[lit.index]);
-        edge.lineTo(m_polygon[(lit.index + 1) % m_polygon.size()]);
-        strokeWithHalo(*painter, edge, m_style, m_style.accent, m_style.lineWidth + 1);
-    }
+    if (m_focused.kind == CanvasPart::Kind::Inside)
+        strokeWithHalo(*painter, outline, m_style, m_style.accent, m_style.lineWidth, Qt::DashLine);
+    const auto light = [&](const CanvasPart& part, double width) {
+        if (part.kind != CanvasPart::Kind::Edge || part.index >= m_polygon.size()) return;
+        QPainterPath edge(m_polygon[part.index]);
+        edge.lineTo(m_polygon[(part.index + 1) % m_polygon.size()]);
+        strokeWithHalo(*painter, edge, m_style, m_style.accent, width);
+    };
+    light(m_focused, m_style.lineWidth);
+    light(m_pressed.kind == CanvasPart::Kind::None ? m_hovered : m_pressed, m_style.lineWidth + 1);
 }
 
 } // namespace view

@@ -32,6 +32,7 @@ private:
     std::vector<std::unique_ptr<VertexHandle>> m_handles;
     CanvasPart m_hovered;
     CanvasPart m_pressed;
+    CanvasPart m_focused;
     OverlayStyle m_style;
 };
 

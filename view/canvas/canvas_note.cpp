@@ -19,20 +19,16 @@ QString number(double value) {
     return QString::number(value, 'g', 4);
 }
 
-QString noAttractor(const document::System2& system) {
-    const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
-    const ifs::Existence existence = ifs::classify<2>(active.maps);
-    if (existence.verdict != ifs::Verdict::None || existence.witness.empty())
-        return Notes::tr("This system has no attractor: its points run away.");
+QString noAttractor(const ifs::ActiveMaps<2>& active, const std::vector<int>& witness) {
     ifs::AffineMap<2> word;
     QStringList address;
-    for (const int letter : existence.witness) {
+    for (const int letter : witness) {
         word = word * active.maps[std::size_t(letter)];
         address << QString::number(active.index[std::size_t(letter)] + 1);
     }
     const QString stretch = number(ifs::spectralNorm(word.linear));
     const QString radius = number(ifs::spectralRadius(word.linear));
-    if (existence.witness.size() == 1)
+    if (witness.size() == 1)
         return Notes::tr(
                    "No attractor: map %1 does not contract (largest singular value %2, spectral radius %3). "
                    "Make it smaller, or switch it off.")
@@ -43,8 +39,12 @@ QString noAttractor(const document::System2& system) {
         .arg(address.join(QLatin1Char(' ')), stretch, radius);
 }
 
-QString undecided(const document::System2& system) {
+// The renderer only says that the picture is not to be trusted; the reason is looked for here.
+QString doubtful(const document::System2& system) {
     const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
+    const ifs::Existence existence = ifs::classify<2>(active.maps);
+    if (existence.verdict == ifs::Verdict::None && !existence.witness.empty())
+        return noAttractor(active, existence.witness);
     for (std::size_t i = 0; i < active.maps.size(); ++i) {
         const double stretch = ifs::spectralNorm(active.maps[i].linear);
         if (stretch >= 1)
@@ -72,9 +72,8 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     case attractor::RenderNote::NoMaps:
         return Notes::tr("No map takes part, so there is nothing to draw. Add a map or switch one on.");
     case attractor::RenderNote::NoAttractor:
-        return noAttractor(*system);
     case attractor::RenderNote::Undecided:
-        return undecided(*system);
+        return doubtful(*system);
     case attractor::RenderNote::TooDeep:
         return Notes::tr("This is as deep as the arithmetic reaches: zoom out a little for a true picture.");
     case attractor::RenderNote::FewerIterations:

@@ -35,14 +35,20 @@ QPointF cleared(QPointF p, double step, const QPolygonF& cage, const QPointF& pi
     return p;
 }
 
+// An open circle with a head where it ends, along its direction.
 QPainterPath rotateGlyph() {
+    constexpr double r = 4.6;
     QPainterPath glyph;
-    glyph.arcMoveTo(QRectF(-4.5, -4.5, 9, 9), 30);
-    glyph.arcTo(QRectF(-4.5, -4.5, 9, 9), 30, 270);
+    glyph.arcMoveTo(QRectF(-r, -r, 2 * r, 2 * r), 60);
+    glyph.arcTo(QRectF(-r, -r, 2 * r, 2 * r), 60, 285);
     const QPointF tip = glyph.currentPosition();
-    glyph.moveTo(tip + QPointF(-2.9, -1.2));
-    glyph.lineTo(tip);
-    glyph.lineTo(tip + QPointF(-1.4, 2.8));
+    const QLineF back = QLineF(QPointF(), tip).normalVector();
+    for (const double spread : {-42.0, 42.0}) {
+        QLineF barb = QLineF::fromPolar(3.6, back.angle() + 180 + spread);
+        barb.translate(tip);
+        glyph.moveTo(tip);
+        glyph.lineTo(barb.p2());
+    }
     return glyph;
 }
 
@@ -127,7 +133,7 @@ void GizmoItem::paintKnob(QPainter& painter, CanvasPart::Kind kind, const QPoint
         ring.addEllipse(QPointF(), 14, 14);
         strokeWithHalo(painter, ring, m_style, m_style.accent, m_style.lineWidth + 0.5);
     }
-    painter.setPen(QPen(m_style.halo, 1));
+    painter.setPen(QPen(m_style.axis, 1));
     painter.setBrush(m_style.noteBackground);
     painter.drawEllipse(QPointF(), radius + 1, radius + 1);
     painter.setBrush(Qt::NoBrush);

@@ -14,6 +14,11 @@ bool isReadable(const document::Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
 }
 
+// Without what follows a colon: there is room for a few words below a picture.
+QString shortTitle(const QString& title) {
+    return title.section(QLatin1String(": "), 0, 0);
+}
+
 QString titleOf(const document::Fractal& fractal) {
     const QString title = fractal.headerComment.trimmed();
     return title.isEmpty() ? fractal.name : title;
@@ -100,7 +105,7 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
     const document::Fractal& fractal = *row.entry.fractal;
     switch (role) {
     case Qt::DisplayRole:
-        return titleOf(fractal);
+        return shortTitle(titleOf(fractal));
     case Qt::ToolTipRole:
         return toolTip(fractal, row.theme);
     case Qt::AccessibleTextRole:
@@ -122,6 +127,7 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
 }
 
 Qt::ItemFlags CollectionModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) return Qt::NoItemFlags;
     if (!fractalAt(index)) return Qt::ItemNeverHasChildren; // a title is neither chosen nor stepped on
     return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
 }

@@ -66,6 +66,7 @@ EntriesPanel::EntriesPanel(document::Document* document, QWidget* parent)
     m_filter->setPlaceholderText(tr("Filter by name"));
     m_filter->setStatusTip(tr("Show only the entries whose name contains this text."));
     m_filter->setClearButtonEnabled(true);
+    m_filter->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     createList();
     createActions();
 

@@ -16,7 +16,8 @@ HistoryPanel::HistoryPanel(document::Document* document, QWidget* parent) : QWid
     steps->setToolTip(tr("Choose a step to go back to it, or forward. The disk marks what is saved."));
     steps->setEmptyLabel(tr("As opened"));
     steps->setCleanIcon(icon(QStringLiteral("save")));
-    steps->setUniformItemSizes(true);
+    steps->setIconSize({14, 14});
+    steps->setSpacing(1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(steps);

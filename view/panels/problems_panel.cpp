@@ -97,11 +97,10 @@ void ProblemsPanel::showEntry(const QModelIndex& index) {
 
 void ProblemsPanel::updateCount() {
     m_list->setVisible(count() > 0);
-    m_summary->setText(count() > 0
-                           ? tr("%n problem(s) found while reading. Entries that could not be read are kept "
-                                "as they are.",
-                                nullptr, count())
-                           : tr("Nothing to report: every entry was read."));
+    const QString found = count() == 1 ? tr("1 problem was found while reading.")
+                                       : tr("%n problems were found while reading.", nullptr, count());
+    m_summary->setText(count() > 0 ? found + QLatin1Char(' ') + tr("What could not be read is kept as it is.")
+                                   : tr("Nothing to report: every entry was read."));
     m_summary->setAlignment(count() > 0 ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
     emit countChanged(count());
 }

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "io/number.h"
+#include "io/table_reader.h"
+
+#include <QLocale>
+#include <QRandomGenerator>
+#include <QtTest>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace {
+
+// "a b c d e f p|-" per row, rows parted by "/".
+QString summary(const io::Table& table) {
+    QStringList rows;
+    for (const auto& row : table.rows) {
+        QStringList numbers;
+        const auto& [linear, translation] = row.map;
+        for (const double n :
+             {linear(0, 0), linear(0, 1), linear(1, 0), linear(1, 1), translation[0], translation[1]})
+            numbers << QString::number(n);
+        rows << numbers.join(QLatin1Char(' ')) + QLatin1Char(' ') +
+                    (row.weight ? QString::number(*row.weight) : QStringLiteral("-"));
+    }
+    return rows.join(QLatin1Char('/'));
+}
+
+} // namespace
+
+class TableReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tables_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("rows");
+        const auto row = [](const char* name, const char* text, const char* rows) {
+            QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(rows);
+        };
+        const char* one = "0.5 0 0.25 -0.5 1 2 -";
+        const char* weighted = "0.5 0 0.25 -0.5 1 2 0.75";
+        row("blanks", ".5 0 .25 -.5 1 2", one);
+        row("with a weight", ".5 0 .25 -.5 1 2 .75\n", weighted);
+        row("tabs", ".5\t0\t.25\t-.5\t1\t2\t.75\r\n", weighted);
+        row("commas", "0.5,0,0.25,-0.5,1,2,0.75", weighted);
+        row("commas and blanks", "0.5, 0, 0.25, -0.5, 1, 2", one);
+        row("semicolons", "0.5;0;0.25;-0.5;1;2;0.75", weighted);
+        row("decimal commas, semicolons", "0,5;0;0,25;-0,5;1;2;0,75", weighted);
+        row("decimal commas, tabs", "0,5\t0\t0,25\t-0,5\t1\t2", one);
+        row("typographic minus", "0.5 0 0.25 −0.5 1 2", one);
+        row("labels", "w1 .5 0 .25 -.5 1 2\nw2 .5 0 .25 -.5 1 2",
+            "0.5 0 0.25 -0.5 1 2 -/0.5 0 0.25 -0.5 1 2 -");
+        row("a number as label", "1 .5 0 .25 -.5 1 2 .75", weighted);
+        row("ƒ as label", "ƒ1\t.5\t0\t.25\t-.5\t1\t2\t.75", weighted);
+        row("header", "a,b,c,d,e,f,p\n0.5,0,0.25,-0.5,1,2,0.75", weighted);
+        row("header with label", "map a b c d e f\n1 .5 0 .25 -.5 1 2 .75", weighted);
+        row("blank lines", "\n\n .5 0 .25 -.5 1 2 \n\n", one);
+        row("comments", "; the fern\n.5 0 .25 -.5 1 2 .75 ; the stem, first", weighted);
+        row("CR", "\r.5 0 .25 -.5 1 2\r", one);
+        row("exponents", "5e-1 0 2.5E-1 -.5 1 +2", one);
+    }
+
+    void tables() {
+        QFETCH(QString, text);
+        const io::Table table = io::readTable(text);
+        QTEST(summary(table), "rows");
+        QVERIFY2(table.problems.isEmpty(), qPrintable(table.problems.value(0).message));
+    }
+
+    void errors_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("line");
+        QTest::addColumn<int>("column");
+        QTest::newRow("five numbers") << QStringLiteral("1 2 3 4 5 6\n 1 2 3 4 5") << 2 << 2;
+        QTest::newRow("nine numbers") << QStringLiteral("1 2 3 4 5 6 7 8 9") << 1 << 1;
+        QTest::newRow("fraction") << QStringLiteral("1 2 3 4 1/3 6") << 1 << 9;
+        QTest::newRow("after a typographic minus") << QString::fromUtf8("−1 2 x 4 5 6") << 1 << 8;
+        QTest::newRow("nan") << QStringLiteral("1 2 3 4 5 nan") << 1 << 11;
+        QTest::newRow("mixed decimals") << QStringLiteral("0,5\t0.5\t3\t4\t5\t6") << 1 << 5;
+        QTest::newRow("words later") << QStringLiteral("1 2 3 4 5 6\nend of table") << 2 << 1;
+        QTest::newRow("other order of columns") << QStringLiteral("a b e c d f\n1 2 3 4 5 6") << 1 << 1;
+        QTest::newRow("nothing") << QString() << 0 << 0;
+    }
+
+    void errors() {
+        QFETCH(QString, text);
+        const io::Table table = io::readTable(text);
+        QVERIFY(!table.problems.isEmpty());
+        QCOMPARE(table.problems[0].severity, document::Problem::Severity::Error);
+        QTEST(table.problems[0].line, "line");
+        QTEST(table.problems[0].column, "column");
+        QVERIFY(table.problems[0].message.endsWith(QLatin1Char('.')));
+    }
+
+    void writtenTablesReadBack() {
+        QRandomGenerator random(3);
+        for (int round = 0; round < 200; ++round) {
+            std::vector<ifs::WeightedMap<2>> rows;
+            for (int i = random.bounded(1, 5); i > 0; --i) {
+                ifs::WeightedMap<2> row;
+                const auto number = [&] {
+                    return (random.bounded(2.0) - 1) * std::pow(10.0, random.bounded(-30, 30));
+                };
+                row.map = ifs::affineMap(number(), number(), number(), number(), number(), number());
+                if (random.bounded(2) == 0) row.weight = number();
+                rows.push_back(row);
+            }
+            const io::Table table = io::readTable(io::writeTable(rows));
+            QVERIFY(table.problems.isEmpty());
+            QVERIFY(table.rows == rows);
+        }
+    }
+
+    // Whatever the user's language, a number is written with a point and reads back as the same bits.
+    void numbersIgnoreTheLocale() {
+        QLocale::setDefault(QLocale(QLocale::German));
+        QCOMPARE(io::formatNumber(1234.5), QByteArray("1234.5"));
+        QCOMPARE(io::parseNumber(u"1234.5"), std::optional(1234.5));
+        QVERIFY(!io::parseNumber(u"1234,5"));
+        for (const char* text : {"", "1/3", "0x10", "inf", "nan", "1e999", "+-1", "--1", "1 2"})
+            QVERIFY2(!io::parseNumber(QString::fromLatin1(text)), text);
+        QRandomGenerator64 random(5);
+        for (int i = 0; i < 10'000; ++i) {
+            const quint64 bits = random.generate64();
+            double value = 0;
+            std::memcpy(&value, &bits, sizeof value);
+            if (!std::isfinite(value)) continue;
+            QCOMPARE(io::parseNumber(QString::fromLatin1(io::formatNumber(value))).value_or(std::nan("")),
+                     value);
+        }
+        for (const double value :
+             {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max(), 1.0 / 3})
+            QVERIFY(*io::parseNumber(QString::fromLatin1(io::formatNumber(value))) == value);
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void largeTablesHaveALimit() {
+        const io::Table table = io::readTable(QStringLiteral("1 2 3 4 5 6\n").repeated(250'001));
+        QCOMPARE(table.rows.size(), std::size_t(250'000));
+        QVERIFY(table.problems.value(0).message.contains(QStringLiteral("250000")));
+    }
+};
+
+QTEST_APPLESS_MAIN(TableReaderTest)
+#include "table_reader_test.moc"

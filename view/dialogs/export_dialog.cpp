@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export_dialog.h"
+
+#include "dialogs/export_size_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+enum Format { Png, Svg };
+
+// The same view in another size: what was on the screen stays in the picture.
+attractor::Camera resized(attractor::Camera camera, const QSize& size) {
+    const double factor = std::min(double(size.width()) / std::max(1, camera.width),
+                                   double(size.height()) / std::max(1, camera.height));
+    camera.pixelsPerUnit *= factor;
+    camera.width = size.width();
+    camera.height = size.height();
+    return camera;
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
+    : QDialog(parent), m_fractal(document->fractal()), m_camera(camera) {
+    setWindowTitle(tr("Export “%1”").arg(m_fractal.name));
+    auto* layout = new QVBoxLayout(this);
+    m_options = new QWidget(this);
+    layout->addWidget(m_options);
+    createFormat();
+    layout->addWidget(createProgress());
+    auto* buttons = new QDialogButtonBox(this);
+    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_close = buttons->addButton(QDialogButtonBox::Close);
+    layout->addStretch();
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::chooseFile);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    m_planTimer.setSingleShot(true);
+    m_planTimer.setInterval(150);
+    connect(&m_planTimer, &QTimer::timeout, this, &ExportDialog::updateSvgPlan);
+    connectOptions();
+    update();
+}
+
+ExportDialog::~ExportDialog() = default;
+
+void ExportDialog::createFormat() {
+    m_format = new QComboBox(m_options);
+    m_format->addItems({tr("PNG: pixels"), tr("SVG: shapes for drawing programs")});
+    m_format->setAccessibleName(tr("Format"));
+    m_size = new ExportSizeEditor({std::max(1, m_camera.width), std::max(1, m_camera.height)}, m_options);
+    m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
+    m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
+    m_triangle = new QCheckBox(tr("Include the &control triangle"), m_options);
+    m_pngOptions = createPngOptions();
+    m_svgOptions = createSvgOptions();
+    auto* form = new QFormLayout(m_options);
+    form->setContentsMargins({});
+    form->addRow(tr("&Format:"), m_format);
+    form->addRow(tr("Size:"), m_size);
+    form->addRow(QString(), m_transparent);
+    form->addRow(QString(), m_triangle);
+    form->addRow(m_pngOptions);
+    form->addRow(m_svgOptions);
+}
+
+QWidget* ExportDialog::createPngOptions() {
+    auto* page = new QWidget(m_options);
+    m_quality = new QComboBox(page);
+    m_quality->addItem(tr("Draft: 25 samples a pixel"), 25);
+    m_quality->addItem(tr("Good: 100 samples a pixel"), 100);
+    m_quality->addItem(tr("Fine: 400 samples a pixel"), 400);
+    m_quality->addItem(tr("Finest: 2000 samples a pixel"), 2000);
+    m_quality->setCurrentIndex(1);
+    m_quality->setAccessibleName(tr("Quality"));
+    m_supersample = new QSpinBox(page);
+    m_supersample->setRange(1, 4);
+    m_supersample->setValue(m_fractal.appearance.supersample);
+    m_supersample->setAccessibleName(tr("Cells along the side of a pixel"));
+    m_memory = new QLabel(page);
+    m_memory->setAccessibleName(tr("Memory needed"));
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins({});
+    form->addRow(tr("&Quality:"), m_quality);
+    form->addRow(tr("&Supersampling:"), m_supersample);
+    form->addRow(tr("Memory:"), m_memory);
+    return page;
+}
+
+QWidget* ExportDialog::createSvgOptions() {
+    auto* page = new QWidget(m_options);
+    m_autoDepth = new QCheckBox(tr("As deep as a pixel &needs"), page);
+    m_autoDepth->setChecked(true);
+    m_depth = new QSpinBox(page);
+    m_depth->setRange(0, 200);
+    m_depth->setAccessibleName(tr("Levels of copies"));
+    m_plan = new QLabel(page);
+    m_plan->setWordWrap(true);
+    m_plan->setMinimumHeight(3 * m_plan->fontMetrics().lineSpacing());
+    m_plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_plan->setAccessibleName(tr("What the picture will be like"));
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins({});
+    form->addRow(tr("&Depth:"), m_depth);
+    form->addRow(QString(), m_autoDepth);
+    form->addRow(m_plan);
+    return page;
+}
+
+QWidget* ExportDialog::createProgress() {
+    auto* page = new QWidget(this);
+    m_message = new QLabel(page);
+    m_message->setWordWrap(true);
+    m_message->setAccessibleName(tr("Result"));
+    m_message->hide();
+    m_progress = new QProgressBar(page);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_progress->hide();
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins({});
+    layout->addWidget(m_message);
+    layout->addWidget(m_progress);
+    return page;
+}
+
+void ExportDialog::connectOptions() {
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
+    connect(m_size, &ExportSizeEditor::changed, this, &ExportDialog::update);
+    connect(m_supersample, &QSpinBox::valueChanged, this, &ExportDialog::update);
+    connect(m_depth, &QSpinBox::valueChanged, this, &ExportDialog::update);
+    connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
+}
+
+bool ExportDialog::isSvg() const {
+    return m_format->currentIndex() == Svg;
+}
+
+document::Fractal ExportDialog::fractalToExport() const {
+    document::Fractal fractal = m_fractal;
+    fractal.appearance.background.alpha = m_transparent->isChecked() ? 0 : 255;
+    if (!isSvg()) fractal.appearance.supersample = m_supersample->value();
+    return fractal;
+}
+
+io::Export ExportDialog::exportNow() const {
+    const attractor::Camera camera = resized(m_camera, m_size->pixels());
+    const auto cage = m_triangle->isChecked() ? io::CageVisibility::Shown : io::CageVisibility::Hidden;
+    if (isSvg()) {
+        const auto depth = m_autoDepth->isChecked() ? std::nullopt : std::optional(m_depth->value());
+        return io::SvgExport{fractalToExport(), camera, {depth, cage}};
+    }
+    io::PngExport picture{fractalToExport(), {}, m_size->dotsPerInch(), cage};
+    picture.request = document::renderRequest(picture.fractal, camera);
+    picture.request.threads = io::threadsOfThisMachine();
+    picture.request.samples =
+        std::uint64_t(camera.width) * std::uint64_t(camera.height) * m_quality->currentData().toULongLong();
+    return picture;
+}
+
+void ExportDialog::update() {
+    const bool plane = document::system2(m_fractal) != nullptr;
+    m_pngOptions->setVisible(!isSvg());
+    m_svgOptions->setVisible(isSvg());
+    m_size->setResolutionVisible(!isSvg());
+    m_depth->setEnabled(!m_autoDepth->isChecked());
+    m_start->setEnabled(plane && !m_job);
+    if (!plane) {
+        m_message->setText(tr("Only plane systems can be exported as a picture."));
+        m_message->show();
+    }
+    if (isSvg()) {
+        m_planTimer.start();
+        return;
+    }
+    const auto png = std::get<io::PngExport>(exportNow());
+    m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png.request)))));
+}
+
+void ExportDialog::updateSvgPlan() {
+    if (!isSvg()) return;
+    const auto svg = std::get<io::SvgExport>(exportNow());
+    const io::SvgPlan plan = io::svgPlan(svg.fractal, svg.camera, svg.format);
+    if (plan.failure) {
+        m_plan->setText(*plan.failure);
+        return;
+    }
+    m_depth->setMaximum(plan.deepest);
+    if (m_autoDepth->isChecked()) {
+        const QSignalBlocker quiet(m_depth);
+        m_depth->setValue(plan.depth);
+    }
+    m_plan->setText(
+        tr("%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels "
+           "from the attractor, and nothing of it is farther from what is drawn.")
+            .arg(QLocale(QLocale::English).toString(qulonglong(plan.references)),
+                 QLocale::c().toString(plan.errorInPixels, 'f', 2)));
+}
+
+void ExportDialog::chooseFile() {
+    const QString suffix = isSvg() ? QStringLiteral("svg") : QStringLiteral("png");
+    const QString filter = isSvg() ? tr("Scalable pictures (*.svg)") : tr("Pictures (*.png)");
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Export Picture"), m_fractal.name + u'.' + suffix, filter);
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += u'.' + suffix;
+    exportTo(path);
+}
+
+void ExportDialog::exportTo(const QString& path) {
+    // Both calls come from the thread of the job, which ends before this dialog does.
+    const auto progress = [this](double fraction) {
+        QMetaObject::invokeMethod(
+            this, [this, fraction] { m_progress->setValue(int(1000 * fraction)); }, Qt::QueuedConnection);
+    };
+    const auto finished = [this, path](const io::ExportOutcome& outcome) {
+        QMetaObject::invokeMethod(
+            this, [this, outcome, path] { finish(outcome, path); }, Qt::QueuedConnection);
+    };
+    setBusy(true);
+    m_job = std::make_unique<io::ExportJob>(exportNow(), path, progress, finished);
+}
+
+void ExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
+    m_job.reset();
+    setBusy(false);
+    m_message->show();
+    if (outcome.stopped) {
+        m_message->setText(tr("The export was stopped; nothing was written."));
+    } else if (outcome.failure) {
+        m_message->setText(*outcome.failure);
+        emit failed(*outcome.failure);
+    } else {
+        m_message->setText(tr("Written to %1.").arg(path));
+        emit exported(path);
+    }
+}
+
+void ExportDialog::setBusy(bool busy) {
+    m_options->setEnabled(!busy);
+    m_start->setEnabled(!busy);
+    m_close->setText(busy ? tr("&Stop") : tr("&Close"));
+    m_progress->setValue(0);
+    m_progress->setVisible(busy);
+    if (busy) m_message->hide();
+}
+
+} // namespace view

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/camera.h"
+#include "document/document.h"
+#include "io/export_job.h"
+
+#include <QDialog>
+#include <QImage>
+#include <QTimer>
+
+#include <memory>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QWidget;
+
+namespace view {
+
+class ExportSizeEditor;
+
+// Exports what the camera shows as PNG or SVG. The work goes on in a thread of the model; the dialog stays
+// responsive, and closing it stops the export.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent = nullptr);
+    ~ExportDialog() override;
+
+    void exportTo(const QString& path); // what the Export button does once a file is chosen
+
+signals:
+    void exported(const QString& path);
+    void failed(const QString& sentence);
+
+private:
+    void createFormat();
+    QWidget* createPngOptions();
+    QWidget* createSvgOptions();
+    QWidget* createProgress();
+    void connectOptions();
+
+    bool isSvg() const;
+    document::Fractal fractalToExport() const;
+    io::Export exportNow() const;
+    void update();
+    void updateSvgPlan();
+    void chooseFile();
+    void finish(const io::ExportOutcome& outcome, const QString& path);
+    void setBusy(bool busy);
+
+    document::Fractal m_fractal; // as it was when the dialog opened, with what the camera showed
+    attractor::Camera m_camera;
+    QComboBox* m_format = nullptr;
+    ExportSizeEditor* m_size = nullptr;
+    QCheckBox* m_transparent = nullptr;
+    QCheckBox* m_triangle = nullptr;
+    QComboBox* m_quality = nullptr;
+    QSpinBox* m_supersample = nullptr;
+    QLabel* m_memory = nullptr;
+    QCheckBox* m_autoDepth = nullptr;
+    QSpinBox* m_depth = nullptr;
+    QLabel* m_plan = nullptr;
+    QWidget* m_options = nullptr;
+    QWidget* m_pngOptions = nullptr;
+    QWidget* m_svgOptions = nullptr;
+    QLabel* m_message = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_close = nullptr;
+    QTimer m_planTimer;
+    std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
+};
+
+// Puts the picture on the clipboard: `shown` as pixels, and the same view as SVG.
+void copyPicture(document::Document* document, const attractor::Camera& camera, const QImage& shown);
+
+} // namespace view

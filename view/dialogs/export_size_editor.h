@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QSize>
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QSpinBox;
+class QToolButton;
+
+namespace view {
+
+// Width and height in pixels, millimetres or inches, the shape locked or free, and the resolution that ties
+// them.
+class ExportSizeEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ExportSizeEditor(const QSize& screen, QWidget* parent = nullptr);
+
+    QSize pixels() const { return m_pixels; }
+    void setPixels(const QSize& size); // as they are, also against the lock
+    double dotsPerInch() const;
+    void setResolutionVisible(bool visible);
+
+signals:
+    void changed();
+
+private:
+    double unitInPixels() const;
+    void showSize();
+    void takeWidth(double width);
+    void takeHeight(double height);
+
+    QSize m_screen;
+    QSize m_pixels;
+    QDoubleSpinBox* m_width;
+    QDoubleSpinBox* m_height;
+    QComboBox* m_unit;
+    QComboBox* m_scale;
+    QToolButton* m_lock;
+    QSpinBox* m_resolution;
+};
+
+} // namespace view

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/print_fractal.h"
+
+#include "io/number.h"
+#include "io/png_export.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QPainter>
+#include <QPrintPreviewDialog>
+#include <QPrinter>
+
+#include <algorithm>
+#include <array>
+
+namespace view {
+
+namespace {
+
+constexpr int columns = 7;
+constexpr double largestShare = 0.62; // of the page for the picture
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("PrintFractal", text);
+}
+
+using Row = std::array<QString, columns>;
+
+std::vector<Row> coefficientRows(const document::System2& system) {
+    std::vector<Row> rows{{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("d"),
+                           QStringLiteral("e"), QStringLiteral("f"), QStringLiteral("p")}};
+    const auto number = [](double value) { return QString::fromLatin1(io::formatNumber(value)); };
+    const auto probabilities = ifs::probabilities(system);
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const auto& map = system.maps[i].map;
+        rows.push_back({number(map.linear(0, 0)), number(map.linear(0, 1)), number(map.linear(1, 0)),
+                        number(map.linear(1, 1)), number(map.translation.x()), number(map.translation.y()),
+                        QString::number(probabilities[i], 'g', 4)});
+    }
+    return rows;
+}
+
+QFont sized(const QPainter& painter, double pixels, bool bold) {
+    QFont font = painter.font();
+    font.setPixelSize(std::max(1, int(pixels)));
+    font.setBold(bold);
+    return font;
+}
+
+// As large as the room allows, smaller when a number is long or the maps are many.
+void paintTable(QPainter& painter, const QRectF& room, const std::vector<Row>& rows) {
+    const double rowHeight = std::min(room.height() / double(rows.size()), room.width() / 40);
+    const double columnWidth = room.width() / columns;
+    double pixels = 0.7 * rowHeight;
+    painter.setFont(sized(painter, pixels, false));
+    double widest = 0;
+    for (const Row& row : rows)
+        for (const QString& text : row)
+            widest = std::max(widest, QFontMetricsF(painter.font()).horizontalAdvance(text));
+    pixels *= std::min(1.0, 0.92 * columnWidth / std::max(widest, 1.0));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        painter.setFont(sized(painter, pixels, i == 0));
+        for (std::size_t j = 0; j < columns; ++j)
+            painter.drawText(QRectF(room.left() + columnWidth * double(j), room.top() + rowHeight * double(i),
+                                    0.96 * columnWidth, rowHeight),
+                             Qt::AlignRight | Qt::AlignVCenter, rows[i][j]);
+    }
+    painter.setPen(QPen(Qt::black, room.width() / 1500));
+    painter.drawLine(QPointF(room.left(), room.top() + rowHeight),
+                     QPointF(room.right(), room.top() + rowHeight));
+}
+
+QImage pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
+    constexpr int longSide = 2400;
+    const double factor = double(longSide) / std::max({1, camera.width, camera.height});
+    camera.width = std::max(1, int(camera.width * factor));
+    camera.height = std::max(1, int(camera.height * factor));
+    camera.pixelsPerUnit *= factor;
+    io::PngExport picture{fractal, document::renderRequest(fractal, camera), {}, io::CageVisibility::Hidden};
+    picture.request.threads = io::threadsOfThisMachine();
+    picture.request.samples = 50ull * std::uint64_t(camera.width) * std::uint64_t(camera.height);
+    return io::drawPicture(picture).image;
+}
+
+} // namespace
+
+void paintPage(QPainter& painter, const QRectF& page, const document::Fractal& fractal,
+               const QImage& picture) {
+    const double line = page.height() / 30;
+    painter.setPen(Qt::black);
+    painter.setFont(sized(painter, 0.7 * line, true));
+    painter.drawText(QRectF(page.topLeft(), QSizeF(page.width(), line)), Qt::AlignLeft | Qt::AlignVCenter,
+                     fractal.name);
+    QSizeF size = picture.size();
+    size.scale(page.width(), largestShare * page.height(), Qt::KeepAspectRatio);
+    const QRectF frame(QPointF(page.left() + (page.width() - size.width()) / 2, page.top() + 1.2 * line),
+                       size);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(frame, picture);
+    if (const auto* system = document::system2(fractal)) {
+        const QRectF room(QPointF(page.left(), frame.bottom() + 0.7 * line), page.bottomRight());
+        paintTable(painter, room, coefficientRows(*system));
+    }
+}
+
+void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent) {
+    const document::Fractal fractal = document->fractal();
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    const QImage picture = pictureFor(fractal, camera);
+    QGuiApplication::restoreOverrideCursor();
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setDocName(fractal.name);
+    QPrintPreviewDialog preview(&printer, parent);
+    preview.setWindowTitle(tr("Print “%1”").arg(fractal.name));
+    QObject::connect(&preview, &QPrintPreviewDialog::paintRequested, &preview, [&](QPrinter* device) {
+        QPainter painter(device);
+        paintPage(painter, QRectF(QPointF(0, 0), device->pageRect(QPrinter::DevicePixel).size()), fractal,
+                  picture);
+    });
+    preview.exec();
+}
+
+} // namespace view
