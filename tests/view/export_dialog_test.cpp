@@ -22,6 +22,16 @@
 
 using namespace view;
 
+namespace {
+
+// Pictures to look at, in the folder that BARYCAGE_KEEP names.
+void keep(const QImage& picture, const char* name) {
+    const QString folder = qEnvironmentVariable("BARYCAGE_KEEP");
+    if (!folder.isEmpty()) QVERIFY(picture.save(folder + u'/' + QLatin1String(name)));
+}
+
+} // namespace
+
 class ExportDialogTest : public QObject {
     Q_OBJECT
 
@@ -59,6 +69,7 @@ void ExportDialogTest::writesPng() {
     const QString path = m_folder.filePath(QStringLiteral("a.png"));
     dialog.exportTo(path);
     QVERIFY(exported.wait(20'000));
+    keep(dialog.grab().toImage(), "export-png.png");
     const QImage picture(path);
     QCOMPARE(picture.size(), QSize(160, 120));
     QCOMPARE(picture.dotsPerMeterX(), 11811);
@@ -89,7 +100,7 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     auto* plan = named<QLabel>(dialog, "What the picture will be like");
     QTRY_VERIFY(plan->text().contains(QStringLiteral("references")));
     const QString automatic = plan->text();
-    dialog.findChildren<QCheckBox*>().constFirst();
+    keep(dialog.grab().toImage(), "export-svg.png");
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("pixel"))) box->setChecked(false);
     named<QSpinBox>(dialog, "Levels of copies")->setValue(2);
@@ -161,8 +172,7 @@ void ExportDialogTest::pageHoldsNamePictureAndTable() {
     QPainter painter(&page);
     paintPage(painter, page.rect(), document.fractal(), picture);
     painter.end();
-    if (const QByteArray keep = qgetenv("BARYCAGE_KEEP"); !keep.isEmpty())
-        page.save(QString::fromLocal8Bit(keep) + QStringLiteral("/page.png"));
+    keep(page, "page.png");
     QCOMPARE(page.pixelColor(210, 150), QColor(Qt::blue));
     const auto ink = [&](int top, int bottom) {
         int dark = 0;
