@@ -12,6 +12,35 @@ namespace attractor {
 namespace {
 // A pass is at most this long, so that a refining picture is seen to refine.
 constexpr std::uint64_t longestPass = 100'000'000;
+
+// Frames that nobody shows any more, kept because fresh memory costs as much time as drawing into it.
+class FramePool : public std::enable_shared_from_this<FramePool> {
+public:
+    Frame take() {
+        const std::lock_guard lock(m_mutex);
+        if (m_spare.empty()) return {};
+        Frame frame = std::move(m_spare.back());
+        m_spare.pop_back();
+        return frame;
+    }
+    // Comes back to the pool when the last owner lets go.
+    std::shared_ptr<const Frame> shared(Frame frame) {
+        return {new Frame(std::move(frame)), [pool = shared_from_this()](Frame* used) {
+                    const std::unique_ptr<Frame> owner(used);
+                    pool->giveBack(std::move(*owner));
+                }};
+    }
+
+private:
+    void giveBack(Frame frame) {
+        const std::lock_guard lock(m_mutex);
+        if (m_spare.size() < 2) m_spare.push_back(std::move(frame));
+    }
+
+    std::mutex m_mutex;
+    std::vector<Frame> m_spare;
+};
+
 } // namespace
 
 struct RenderThread::State {
@@ -29,6 +58,7 @@ struct RenderThread::State {
     void publish(Frame frame, const std::stop_token& stop);
 
     std::function<void()> frameReady;
+    std::shared_ptr<FramePool> frames = std::make_shared<FramePool>();
     std::mutex mutex;
     std::condition_variable wake;
     std::optional<Job> waiting;
@@ -80,7 +110,7 @@ void RenderThread::State::work(Job job, const std::stop_token& stop) {
     std::uint64_t done = 0;
     std::uint64_t pass = first;
     while (rendering->refine(stop, pass)) {
-        publish(rendering->frame(), stop);
+        publish(rendering->frame(frames->take()), stop);
         done += pass;
         if (done >= job.quality || rendering->finished()) return;
         pass = std::min({std::max(done, first), longestPass, job.quality - done});
@@ -88,11 +118,11 @@ void RenderThread::State::work(Job job, const std::stop_token& stop) {
 }
 
 void RenderThread::State::publish(Frame frame, const std::stop_token& stop) {
-    auto shared = std::make_shared<const Frame>(std::move(frame));
+    std::shared_ptr<const Frame> shared = frames->shared(std::move(frame));
     {
         const std::lock_guard lock(mutex);
         if (stop.stop_requested()) return;
-        newest = std::move(shared);
+        newest.swap(shared); // what it replaces is let go after the lock
         if (announced) return;
         announced = true;
     }

@@ -89,7 +89,9 @@ public:
     // milliseconds; the rest of that pass is made up for by the next refine() or frame().
     bool refine(std::stop_token stop = {}, std::uint64_t samples = 0);
     bool finished() const; // nothing more to gain
-    Frame frame() const;   // tone-mapped picture of what has been accumulated
+    // Tone-mapped picture of what has been accumulated. The memory of `reuse`, a frame no longer needed,
+    // serves again.
+    Frame frame(Frame reuse = {}) const;
 
 private:
     struct State;

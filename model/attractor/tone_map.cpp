@@ -70,17 +70,12 @@ void forBlockRows(const CellSums& sums, int side, Wanted wanted, Work work) {
     }
 }
 
-struct Occupancy {
-    double samples = 0;
-    double blocks = 0; // occupied, at the reference number of samples
-};
-
-Occupancy occupancy(const std::vector<std::uint64_t>& blocks, double referenceShare) {
+Occupancy occupancyOf(const std::vector<std::uint64_t>& blocks, double share) {
     Occupancy result;
-    const Rarefied seen(std::min(1.0, referenceShare));
+    const Rarefied seen(std::min(1.0, share));
     for (const std::uint64_t samples : blocks) {
         result.samples += static_cast<double>(samples);
-        result.blocks += seen(samples);
+        result.occupied += seen(samples);
     }
     return result;
 }
@@ -106,8 +101,7 @@ std::vector<std::uint64_t> pixelSamples(const CellSums& sums, int cellsPerPixel,
 
 // The 99.5 percentile relative to the mean, over blocks large enough that the noise of few samples is no part
 // of it.
-double whitePointOf(const CellSums& sums, int cellsPerPixel, double referencePerPixel,
-                    double referenceShare) {
+double whitePointOf(const CellSums& sums, int cellsPerPixel, double referencePerPixel, double share) {
     int side = 1;
     while (side < 16 && referencePerPixel * side * side < 64)
         side *= 2;
@@ -115,11 +109,11 @@ double whitePointOf(const CellSums& sums, int cellsPerPixel, double referencePer
     forBlockRows(
         sums, side * cellsPerPixel, [](int) { return true; },
         [&](const std::vector<std::uint64_t>& row) { blocks.insert(blocks.end(), row.begin(), row.end()); });
-    const Occupancy occupied = occupancy(blocks, referenceShare);
-    const auto rank = std::min(static_cast<std::size_t>(0.005 * occupied.blocks), blocks.size() - 1);
+    const Occupancy occupied = occupancyOf(blocks, share);
+    const auto rank = std::min(static_cast<std::size_t>(0.005 * occupied.occupied), blocks.size() - 1);
     const auto nth = blocks.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(blocks.begin(), nth, blocks.end(), std::greater<>());
-    return std::max(smallestWhitePoint, static_cast<double>(*nth) * occupied.blocks / occupied.samples);
+    return std::max(smallestWhitePoint, static_cast<double>(*nth) * occupied.occupied / occupied.samples);
 }
 
 std::vector<double> lightTable(const Appearance& look, double whitePoint, double densityPerSample,
@@ -185,6 +179,14 @@ double tone(double density, double brightness, double whitePoint, double gamma) 
     return std::clamp(power(ratio, 1 / gamma), 0.0, 1.0);
 }
 
+double referenceShare(double pixels, double samples) {
+    return samples > 0 ? std::min(1.0, 0.5 * pixels / samples) : 1;
+}
+
+Occupancy occupancy(const CellSums& sums, int cellsPerPixel, double share) {
+    return occupancyOf(pixelSamples(sums, cellsPerPixel, 1), share);
+}
+
 Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, int cellsPerPixel,
                           double samples, const std::optional<Exposure>& kept) {
     const CellWindow& window = sums.window();
@@ -200,15 +202,15 @@ Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, in
     Exposure exposure = kept && kept->whitePoint > 0 ? *kept : Exposure{0, 0, 1};
     if (!(found > 0) || !(samples > 0))
         return {1, std::max(smallestWhitePoint, exposure.whitePoint), exposure.gain};
-    const double referenceShare = 0.5 * static_cast<double>(pixels.size()) / found;
-    const Occupancy occupied = occupancy(pixels, referenceShare);
-    exposure.meanDensity = found / occupied.blocks / samples;
+    const double share = referenceShare(static_cast<double>(pixels.size()), found);
+    const Occupancy occupied = occupancyOf(pixels, share);
+    exposure.meanDensity = found / occupied.occupied / samples;
     if (exposure.whitePoint > 0) return exposure;
-    const double referencePerPixel = std::min(1.0, referenceShare) * found / occupied.blocks;
-    exposure.whitePoint = whitePointOf(sums, cellsPerPixel, referencePerPixel, referenceShare);
+    const double referencePerPixel = std::min(1.0, share) * found / occupied.occupied;
+    exposure.whitePoint = whitePointOf(sums, cellsPerPixel, referencePerPixel, share);
     if (cellsPerPixel > 1)
-        exposure.gain = gainOf(sums, appearance, cellsPerPixel, exposure.whitePoint, occupied.blocks / found,
-                               pixels, stride);
+        exposure.gain = gainOf(sums, appearance, cellsPerPixel, exposure.whitePoint,
+                               occupied.occupied / found, pixels, stride);
     return exposure;
 }
 

@@ -20,6 +20,16 @@ double tone(double density, double brightness, double whitePoint, double gamma);
 Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, int cellsPerPixel,
                           double samples, const std::optional<Exposure>& kept = std::nullopt);
 
+// Samples in the pixels of some rows, and how many of these pixels would be occupied if only `share` of the
+// samples had been drawn; sums add up over rows.
+struct Occupancy {
+    double samples = 0;
+    double occupied = 0;
+};
+Occupancy occupancy(const CellSums& sums, int cellsPerPixel, double share);
+// The share of the samples at which occupancy is compared.
+double referenceShare(double pixels, double samples);
+
 struct ToneSettings {
     Appearance appearance;
     int cellsPerPixel = 1;       // a side

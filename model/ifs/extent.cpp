@@ -8,7 +8,7 @@ namespace ifs {
 
 namespace {
 
-constexpr int NodesPerFace = 8'000; // keeps a box and a canonical simplex within one frame
+constexpr int NodesPerFace = 3'000; // keeps a box and a canonical simplex within one frame
 
 template <int Dim> using AxisSupports = std::array<SupportValue<Dim>, 2 * Dim>;
 

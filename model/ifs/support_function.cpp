@@ -17,6 +17,8 @@ namespace {
 
 constexpr double RoundingUnit = 0x1p-53;
 constexpr int ExactMerging = 43; // bits of a state that must agree; the rest is rounding
+constexpr std::size_t ConsideredPerNode = 8; // children that are dropped at once cost less than nodes
+constexpr std::size_t ConsideredPerMap = 40;
 constexpr int TableDepth = 4;
 constexpr std::size_t TableWork = 60'000; // bounds evaluated at most while the container is shrunk
 
@@ -247,8 +249,10 @@ public:
     }
 
     void run(int maxNodes) {
-        while (!m_frontier.empty() && m_frontier.top().bound > m_best + m_tolerance &&
-               m_considered < maxNodes) {
+        const std::size_t maxStates = std::size_t(std::max(maxNodes, 1));
+        const std::size_t maxConsidered =
+            ConsideredPerNode * maxStates + ConsideredPerMap * m_container.offsets.size();
+        while (!isFinished() && m_states.size() < maxStates && m_considered < maxConsidered) {
             const State<Dim> state = m_states[m_frontier.top().state];
             const int parent = int(m_frontier.top().state);
             m_frontier.pop();
@@ -352,7 +356,7 @@ private:
     double m_ceiling = -std::numeric_limits<double>::infinity();
     double m_slack = 0;
     int m_merged = 0;
-    int m_considered = 0;
+    std::size_t m_considered = 0;
     int m_depth = 0;
 };
 

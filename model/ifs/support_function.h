@@ -29,8 +29,8 @@ public:
     // nullopt when the maps are not hyperbolic or eventually contractive.
     static std::optional<SupportFunction> of(std::span<const AffineMap<Dim>> maps);
 
-    // Stops at `tolerance` (absolute, ≥ a few ulps of the size) or after `maxNodes`; either way the error
-    // returned is certified. u need not be unit; u = 0 gives 0.
+    // Stops at `tolerance` (absolute, ≥ a few ulps of the size) or when `maxNodes` words are open; either way
+    // the error returned is certified. u need not be unit; u = 0 gives 0.
     SupportValue<Dim> operator()(const Vector<Dim>& u, double tolerance = 0, int maxNodes = 200'000) const;
 
     // A ⊂ Ball(centre, radius).

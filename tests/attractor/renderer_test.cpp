@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/renderer.h"
 
+#include "attractor/banded_rendering.h"
 #include "attractor/kernels.h"
 #include "attractor/systems.h"
 #include "attractor/tone_map.h"
@@ -172,7 +173,8 @@ private slots:
             const double small = occupiedGrey(render(systems::request(system, 2'000'000, 96, 60)));
             QVERIFY2(std::abs(zoomed / whole - 1) < 0.12,
                      qPrintable(QStringLiteral("%1 %2").arg(whole).arg(zoomed)));
-            QVERIFY2(std::abs(small / whole - 1) < 0.12, qPrintable(QStringLiteral("%1 %2").arg(whole).arg(small)));
+            QVERIFY2(std::abs(small / whole - 1) < 0.12,
+                     qPrintable(QStringLiteral("%1 %2").arg(whole).arg(small)));
         }
     }
 
@@ -380,6 +382,40 @@ private slots:
         }
         request.camera.pixelsPerUnit = scale * 1e17;
         QCOMPARE(render(request).note, RenderNote::TooDeep);
+    }
+
+    void bandsShowNoSeams() {
+        for (const int side : {1, 2}) {
+            RenderRequest request = systems::request(systems::maple(), 2'000'000);
+            request.appearance.supersample = side;
+            BandedRendering banded(request);
+            const auto whole = banded.band(0, 200);
+            QVERIFY(whole.has_value());
+            std::vector<std::uint32_t> joined(whole->size());
+            for (const auto& [first, rows] : {std::pair(130, 70), std::pair(0, 77), std::pair(77, 53)}) {
+                const auto part = banded.band(first, rows);
+                std::copy(part->begin(), part->end(), joined.begin() + first * 320);
+            }
+            QVERIFY(joined == *whole);
+            Frame asWhole;
+            asWhole.pixels = joined;
+            QVERIFY(std::abs(systems::meanGrey(asWhole) / systems::meanGrey(render(request)) - 1) < 0.03);
+            QCOMPARE(banded.rowsWithin(320 * 4 * 10 * static_cast<std::size_t>(side * side + 1)), 10);
+            QCOMPARE(banded.rowsWithin(1), 1);
+        }
+    }
+
+    void aHugePictureNeedsTheMemoryOfABand() {
+        BandedRendering banded(systems::request(systems::sierpinski(), 1'000'000, 30'000, 30'000));
+        QVERIFY(banded.rowsWithin(64U << 20) < 500);
+        const auto band = banded.band(20'000, 8);
+        QVERIFY(band.has_value());
+        QCOMPARE(band->size(), std::size_t{8 * 30'000});
+        QVERIFY(std::any_of(band->begin(), band->end(),
+                            [](std::uint32_t pixel) { return systems::grey(pixel) > 0; }));
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(!banded.band(0, 8, stop.get_token()));
     }
 
     void toneIsMonotonicAndNormalised() {

@@ -6,6 +6,7 @@
 #include "document/fractal.h"
 #include "render_bridge.h"
 
+#include <QAccessible>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -252,6 +253,24 @@ private slots:
         key(QEvent::KeyRelease, false);
         QCOMPARE(steps(), 1);
         QVERIFY((vertices()[0] - before - view::worldOffset(m_canvas->camera(), {0, 10})).norm() < 1e-12);
+    }
+
+    void screenReadersSeeTheHandles() {
+        QAccessible::setActive(true);
+        QAccessibleInterface* canvas = QAccessible::queryAccessibleInterface(m_canvas.get());
+        QVERIFY(canvas);
+        QCOMPARE(canvas->childCount(), 7);
+        QCOMPARE(canvas->child(1)->text(QAccessible::Name), QStringLiteral("Vertex 2"));
+        QVERIFY(canvas->child(1)->text(QAccessible::Value).startsWith(QStringLiteral("x ")));
+        QCOMPARE(canvas->child(1)->rect().center() - QPoint(-1, -1),
+                 m_canvas->viewport()->mapToGlobal(vertex(1)));
+        QTest::keyClick(m_canvas.get(), Qt::Key_Tab);
+        QVERIFY(canvas->child(0)->state().focused);
+        QVERIFY(!canvas->child(1)->state().focused);
+        const QString before = canvas->child(0)->text(QAccessible::Value);
+        QTest::keyClick(m_canvas.get(), Qt::Key_Right, Qt::ShiftModifier);
+        QVERIFY(canvas->child(0)->text(QAccessible::Value) != before);
+        QCOMPARE(canvas->indexOfChild(canvas->child(2)), 2);
     }
 
     void threeClicksDefineTheTriangle() {

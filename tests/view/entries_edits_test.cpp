@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "io/fractint_reader.h"
+#include "io/fractint_writer.h"
 #include "panels/entries_edits.h"
 
 #include <QTest>
@@ -73,6 +75,7 @@ private slots:
     void nameProblems_data();
     void nameProblems();
     void everyUniqueNameIsPossible();
+    void savedFilesReadBack();
 };
 
 void EntriesEditsTest::insertedBehind() {
@@ -217,6 +220,44 @@ void EntriesEditsTest::everyUniqueNameIsPossible() {
         const QString unique = document::uniqueName(file, name);
         QVERIFY2(!view::nameProblem(file, EntryId::None, unique), qPrintable(unique));
         if (!view::nameProblem(file, EntryId::None, name)) QCOMPARE(unique, name);
+    }
+}
+
+// Whatever is done to the list, the saved file holds just these entries in this order, each as it was.
+void EntriesEditsTest::savedFilesReadBack() {
+    const QByteArray text = "; The head of the file.\n\n"
+                            "one { ; first\n  .5 0 0 .5 0 0 .5 ; left\n  .5 0 0 .5 .5 0 .5\n}\n"
+                            "; about two\ntwo {\n  0.50 0 0 .5 0 0 .5\n  .5 0 0 .5 0 .5 .5 }\n\n"
+                            "bad {\n  one two\n}\n"
+                            "last {\n  .25 0 0 .25 0 0 1\n}";
+    Entry made = readEntry(1);
+    made.source.reset();
+    std::mt19937 random(23);
+    for (int round = 0; round < 300; ++round) {
+        FractalFile file = io::readFractint(text);
+        QCOMPARE(file.entries.size(), 4);
+        for (auto edits = random() % 5; edits > 0 && !file.entries.isEmpty(); --edits) {
+            const auto any = [&] {
+                return file.entries[static_cast<qsizetype>(random() % file.entries.size())].id;
+            };
+            switch (random() % 4) {
+            case 0:
+                file = view::removed(file, {any()});
+                break;
+            case 1:
+                file = view::inserted(file, {made}, any()).file;
+                break;
+            default:
+                file = view::moved(file, {any(), any()}, random() % 4 ? any() : EntryId::None);
+                break;
+            }
+        }
+        const QByteArray written = io::writeFractint(file);
+        const FractalFile back = io::readFractint(written);
+        QVERIFY2(names(back) == names(file), written.constData());
+        QVERIFY2(written.contains("; The head of the file."), written.constData());
+        for (qsizetype i = 0; i < file.entries.size(); ++i)
+            QVERIFY2(back.entries[i].fractal->system == file.entries[i].fractal->system, written.constData());
     }
 }
 

@@ -8,6 +8,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QLabel>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
@@ -49,6 +50,20 @@ private slots:
         m_panel->table()->setFocus();
         QTest::keyClicks(m_panel->table(), QStringLiteral("3"));
         QCOMPARE(systemOf(*m_document).maps[2].map.translation.x(), 3.0);
+    }
+
+    void theWindowDoesNotTakeTheDigits() {
+        int stolen = 0;
+        QShortcut shortcut(QKeySequence(Qt::Key_1), m_panel.get(), [&] { ++stolen; });
+        QShortcut copy(QKeySequence::Copy, m_panel.get(), [&] { ++stolen; });
+        m_panel->table()->setCurrentIndex(m_panel->model()->index(2, MapsModel::F));
+        m_panel->table()->setFocus();
+        QGuiApplication::clipboard()->clear();
+        QTest::keyClick(m_panel->table(), Qt::Key_C, Qt::ControlModifier);
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("0.65\t0.29")));
+        QTest::keyClick(m_panel->table(), Qt::Key_1);
+        QCOMPARE(systemOf(*m_document).maps[2].map.translation.y(), 1.0);
+        QCOMPARE(stolen, 0);
     }
 
     void escapeRestores() {

@@ -222,11 +222,7 @@ QCursor CageTool::cursor(const Pointer& pointer) const {
 void CageTool::walk(int step) {
     if (!m_scene->cage()) return;
     if (m_state == State::Nudging) end();
-    std::vector<CanvasPart> parts;
-    for (std::size_t i = 0; i < m_scene->cage()->current.size(); ++i)
-        parts.push_back({Kind::Vertex, int(i)});
-    for (const Kind kind : {Kind::Inside, Kind::Pivot, Kind::Rotate, Kind::Scale})
-        parts.push_back({kind, 0});
+    const std::vector<CanvasPart> parts = m_scene->handles();
     const auto count = std::ptrdiff_t(parts.size());
     const auto found = std::ranges::find(parts, m_scene->focused());
     std::ptrdiff_t place = step > 0 ? -1 : count;
@@ -252,6 +248,7 @@ bool CageTool::keyRelease(const QKeyEvent& event) {
 void CageTool::nudge(const CanvasPart& part, const QPointF& way, Qt::KeyboardModifiers modifiers) {
     if (part.kind == Kind::Pivot) {
         m_scene->setPivot(m_scene->pivot() + worldOffset(m_scene->camera(), way * pace(modifiers)));
+        emit m_scene->focusMoved();
         return;
     }
     if (m_state == State::Idle) {

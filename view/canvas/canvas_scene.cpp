@@ -30,6 +30,12 @@ Radii radii(Reach reach) {
     return reach == Reach::Touch ? Radii{20, 14} : Radii{11, 6};
 }
 
+QString coordinates(const attractor::Camera& camera, const ifs::Vector<2>& point) {
+    // As many digits as a pixel is worth.
+    const int digits = std::clamp(int(std::ceil(std::log10(camera.pixelsPerUnit))) + 1, 0, 15);
+    return QStringLiteral("x %1, y %2").arg(point.x(), 0, 'f', digits).arg(point.y(), 0, 'f', digits);
+}
+
 double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
     const QPointF along = b - a;
     const double squared = QPointF::dotProduct(along, along);
@@ -185,6 +191,56 @@ QPointF CanvasScene::positionOf(const CanvasPart& part) const {
     return m_gizmoLayout.pivot;
 }
 
+std::vector<CanvasPart> CanvasScene::handles() const {
+    std::vector<CanvasPart> parts;
+    if (!m_cage) return parts;
+    for (std::size_t i = 0; i < m_cage->current.size(); ++i)
+        parts.push_back({Kind::Vertex, int(i)});
+    for (const Kind kind : {Kind::Inside, Kind::Pivot, Kind::Rotate, Kind::Scale})
+        parts.push_back({kind, 0});
+    return parts;
+}
+
+QString CanvasScene::nameOf(const CanvasPart& part) const {
+    switch (part.kind) {
+    case Kind::None:
+        break;
+    case Kind::Vertex:
+        return tr("Vertex %1").arg(part.index + 1);
+    case Kind::Edge:
+        return tr("Edge from vertex %1").arg(part.index + 1);
+    case Kind::Inside:
+        return tr("The whole cage");
+    case Kind::Pivot:
+        return tr("Pivot");
+    case Kind::Rotate:
+        return tr("Rotate handle");
+    case Kind::Scale:
+        return tr("Scale handle");
+    }
+    return {};
+}
+
+QString CanvasScene::placeOf(const CanvasPart& part) const {
+    switch (part.kind) {
+    case Kind::Vertex:
+        return m_cage ? coordinates(m_camera, m_cage->current[std::size_t(part.index)]) : QString();
+    case Kind::Pivot:
+        return coordinates(m_camera, pivot());
+    case Kind::Edge:
+        return tr("the arrow keys move both its ends");
+    case Kind::Inside:
+        return tr("the arrow keys move it");
+    case Kind::Rotate:
+        return tr("the arrow keys turn the cage by one degree");
+    case Kind::Scale:
+        return tr("the arrow keys scale the cage by one percent");
+    case Kind::None:
+        break;
+    }
+    return {};
+}
+
 void CanvasScene::setHovered(CanvasPart part) {
     if (m_hovered == part) return;
     m_hovered = part;
@@ -199,7 +255,7 @@ void CanvasScene::setPressed(CanvasPart part) {
 void CanvasScene::setFocused(CanvasPart part) {
     m_focused = part;
     mark();
-    emit focusMoved();
+    emit focusChanged();
 }
 
 void CanvasScene::holdKnobAt(const std::optional<QPointF>& position) {

@@ -51,6 +51,9 @@ public:
     // What a press would take hold of: from the geometry, whatever has been painted.
     CanvasPart partAt(const QPointF& position, Reach reach) const;
     QPointF positionOf(const CanvasPart& part) const;
+    std::vector<CanvasPart> handles() const; // those the keyboard walks through, in that order
+    QString nameOf(const CanvasPart& part) const;
+    QString placeOf(const CanvasPart& part) const; // coordinates, or what the arrow keys do
 
     CanvasPart hovered() const { return m_hovered; }
     CanvasPart pressed() const { return m_pressed; }
@@ -80,7 +83,8 @@ public:
     void setCageVisible(bool visible); // off while another triangle is being defined
 
 signals:
-    void focusMoved(); // another part, or the same elsewhere
+    void focusChanged();
+    void focusMoved(); // the part in focus is elsewhere
 
 private:
     void follow(const document::Change& change);

@@ -4,6 +4,7 @@
 #include "canvas/attractor_item.h"
 #include "canvas/cage_actions.h"
 #include "canvas/cage_tool.h"
+#include "canvas/canvas_accessible.h"
 #include "canvas/canvas_geometry.h"
 #include "canvas/canvas_menu.h"
 #include "canvas/canvas_scene.h"
@@ -75,12 +76,6 @@ QPointF arrow(int key) {
     }
 }
 
-QString coordinates(const attractor::Camera& camera, const ifs::Vector<2>& point) {
-    // As many digits as a pixel is worth.
-    const int digits = std::clamp(int(std::ceil(std::log10(camera.pixelsPerUnit))) + 1, 0, 15);
-    return QStringLiteral("x %1, y %2").arg(point.x(), 0, 'f', digits).arg(point.y(), 0, 'f', digits);
-}
-
 } // namespace
 
 CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidget* parent)
@@ -90,6 +85,7 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
       m_scene(new CanvasScene(document, this)),
       m_cageTool(new CageTool(m_scene)),
       m_defineTool(new DefineTool(m_scene)) {
+    installCanvasAccessibility();
     setScene(m_scene);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -110,7 +106,14 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
 
     connect(document, &document::Document::changed, this, &CanvasView::followDocument);
     connect(bridge, &RenderBridge::frameChanged, this, [this] { m_scene->setFrame(m_bridge->frame()); });
-    connect(m_scene, &CanvasScene::focusMoved, this, &CanvasView::describeFocus);
+    connect(m_scene, &CanvasScene::focusChanged, this, [this] {
+        describeFocus();
+        announceFocus(*this);
+    });
+    connect(m_scene, &CanvasScene::focusMoved, this, [this] {
+        describeFocus();
+        announceMotion(*this);
+    });
     for (CanvasTool* tool : {static_cast<CanvasTool*>(m_cageTool), static_cast<CanvasTool*>(m_defineTool)}) {
         connect(tool, &CanvasTool::message, this, &CanvasView::message);
         connect(tool, &CanvasTool::cursorChanged, this, &CanvasView::refreshCursor);
@@ -580,32 +583,8 @@ bool CanvasView::focusNextPrevChild(bool next) {
 
 void CanvasView::describeFocus() {
     const CanvasPart part = m_scene->focused();
-    QString sentence;
-    switch (part.kind) {
-    case CanvasPart::Kind::None:
-        return;
-    case CanvasPart::Kind::Vertex:
-        sentence = tr("Vertex %1: %2")
-                       .arg(part.index + 1)
-                       .arg(coordinates(camera(), m_scene->cage()->current[std::size_t(part.index)]));
-        break;
-    case CanvasPart::Kind::Edge:
-        sentence = tr("Edge from vertex %1").arg(part.index + 1);
-        break;
-    case CanvasPart::Kind::Inside:
-        sentence = tr("The whole cage: the arrow keys move it.");
-        break;
-    case CanvasPart::Kind::Pivot:
-        sentence = tr("Pivot: %1").arg(coordinates(camera(), m_scene->pivot()));
-        break;
-    case CanvasPart::Kind::Rotate:
-        sentence = tr("Rotate handle: the arrow keys turn the cage by one degree.");
-        break;
-    case CanvasPart::Kind::Scale:
-        sentence = tr("Scale handle: the arrow keys scale the cage by one percent.");
-        break;
-    }
-    emit message(sentence);
+    if (part.kind != CanvasPart::Kind::None)
+        emit message(tr("%1: %2").arg(m_scene->nameOf(part), m_scene->placeOf(part)));
 }
 
 } // namespace view

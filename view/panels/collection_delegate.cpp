@@ -64,7 +64,7 @@ void CollectionDelegate::paintHeading(QPainter* painter, const QStyleOptionViewI
 
 void CollectionDelegate::paintEntry(QPainter* painter, QStyleOptionViewItem option,
                                     const QModelIndex& index) const {
-    option.index = index;
+    option.showDecorationSelected = true; // behind picture and name alike
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
 

@@ -77,6 +77,7 @@ void EntriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
                             const QModelIndex& index) const {
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
+    option.showDecorationSelected = true; // the whole row, whatever the style prefers
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
 

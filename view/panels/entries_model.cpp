@@ -218,7 +218,10 @@ QString EntriesModel::subtitle(const Entry& entry) const {
         break;
     }
     const auto maps = static_cast<int>(mapCount(*entry.fractal));
-    return maps == 1 ? tr("1 map") : tr("%n maps", nullptr, maps);
+    const QString count = maps == 1 ? tr("1 map") : tr("%n maps", nullptr, maps);
+    const auto key = static_cast<Thumbnails::Key>(entry.id);
+    const bool nothing = m_thumbnails->thumbnail(key, entry.fractal).state == Thumbnail::State::NoAttractor;
+    return nothing ? tr("%1, no attractor").arg(count) : count;
 }
 
 QString EntriesModel::toolTip(const Entry& entry) const {

@@ -4,6 +4,7 @@
 #include "icon.h"
 #include "io/table_reader.h"
 #include "panels/cage_edits.h"
+#include "panels/focus_shortcuts.h"
 #include "panels/map_shape_editor.h"
 #include "panels/maps_delegate.h"
 #include "panels/maps_row_header.h"
@@ -13,6 +14,7 @@
 #include <QColorDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollBar>
@@ -242,7 +244,20 @@ QWidget* MapsPanel::makeTable() {
         menu.addAction(m_bake);
         menu.exec(m_table->viewport()->mapToGlobal(place));
     });
+    new FocusShortcuts(m_table);
+    m_table->installEventFilter(this);
     return m_table;
+}
+
+// A digit typed on a cell starts its edit, whatever the window does with that key.
+bool MapsPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_table && event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+        if (plain && key->text().size() == 1 && QStringLiteral("0123456789+-.").contains(key->text()))
+            event->accept();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 QWidget* MapsPanel::makeNotice() {

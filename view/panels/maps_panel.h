@@ -48,6 +48,9 @@ signals:
     void message(const QString& text); // a sentence for the status bar
     void selectionChanged();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     QAction* action(const QString& text, const QString& icon, const QString& shortcut, const QString& tip,
                     void (MapsPanel::*slot)());

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/picture.h"
+
+#include "attractor/arithmetic.h"
+#include "attractor/linear_light.h"
+#include "attractor/preattractor.h"
+#include "attractor/splat.h"
+#include "attractor/tone_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace attractor {
+
+namespace {
+
+constexpr std::uint64_t mostPerSampleSet = 1U << 24;           // more samples are drawn from a fresh set
+constexpr std::uint64_t mostUninstanced = 2 * SampleSet::size; // the same where there is but one word
+constexpr std::uint64_t samplesPerJob = 1U << 16;              // between two looks at the stop token
+constexpr std::size_t addressColours = 1024;
+
+ColourCell colourCell(const Rgba& colour) {
+    const auto channel = [](std::uint8_t code) {
+        return static_cast<std::uint32_t>(linearLight(code) * 4095 + 0.5);
+    };
+    return {1, channel(colour.red), channel(colour.green), channel(colour.blue)};
+}
+
+double unitInterval(std::uint64_t random) {
+    return static_cast<double>(random >> 11) * 0x1p-53;
+}
+
+int wordsFor(std::uint64_t samples) {
+    return static_cast<int>(std::clamp<std::uint64_t>(samples / 8192, 128, 4096));
+}
+
+// The affine map that serves for the cage: exactly its own with three vertices.
+ifs::AffineMap<2> affinePart(const std::optional<ifs::ControlCage<2>>& cage) {
+    if (!cage || !ifs::isValid(*cage) || cage->rest.size() != 3) return {};
+    return ifs::displayMap(*cage);
+}
+
+} // namespace
+
+void Picture::start(RenderRequest newRequest) {
+    const bool sameSystem = system.maps.size() > 0 && newRequest.system == request.system;
+    request = std::move(newRequest);
+    request.threads = std::clamp(request.threads, 1, 256);
+    request.appearance.supersample = std::clamp(request.appearance.supersample, 1, 4);
+    if (!sameSystem) system = attractor::drawable(request.system);
+    const Camera& camera = request.camera;
+    drawable = !system.maps.empty() && camera.width > 0 && camera.height > 0 && camera.pixelsPerUnit > 0 &&
+               std::isfinite(camera.pixelsPerUnit) && camera.centre.allFinite();
+    projection = attractor::projection(camera, affinePart(request.cage), request.appearance.supersample);
+    iterations = request.algorithm == Algorithm::Deterministic
+                     ? affordableIterations(system.maps.size(), request.iterations)
+                     : 0;
+    note = placementNote();
+    if (!workers || workers->size() != static_cast<std::size_t>(request.threads))
+        workers = std::make_unique<Workers>(static_cast<std::size_t>(request.threads));
+    makeColours();
+    cut.reset();
+    passes = 0;
+    exposure.reset();
+    milliseconds = 0;
+}
+
+void Picture::rewind(int firstRow, int endRow) {
+    const int side = request.appearance.supersample;
+    const int width = std::max(0, projection.grid.width);
+    const CellWindow window{width, firstRow * side, std::max(firstRow, endRow) * side};
+    sums.reset(coloured() ? CellKind::Colour : CellKind::Count, window, workers->size());
+    orbit.reset();
+    jobs.clear();
+    nextJob = 0;
+    sampleSets = 0;
+    sinceCarry = 0;
+    remaining = 0;
+    drawn = 0;
+    overAttractor = 0;
+}
+
+RenderNote Picture::placementNote() const {
+    if (system.note != RenderNote::None) return system.note;
+    if (request.algorithm == Algorithm::Deterministic && iterations < request.iterations)
+        return RenderNote::FewerIterations;
+    const ifs::Vector<2> stretch = ifs::singularValues<2>(projection.cage.linear);
+    if (!(stretch[1] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
+    // Beyond this the camera's own centre has no digits left for a pixel.
+    const double farthest =
+        std::max(request.camera.centre.cwiseAbs().maxCoeff(), system.halfExtent.maxCoeff());
+    return request.camera.pixelsPerUnit * farthest * 0x1p-53 > 0.5 ? RenderNote::TooDeep : RenderNote::None;
+}
+
+void Picture::makeColours() {
+    colours.clear();
+    const Appearance& look = request.appearance;
+    if (look.colourBy == ColourBy::Map) {
+        for (const std::size_t place : system.index)
+            colours.push_back(colourCell(mapColour(look, request.system.maps[place].id, place)));
+    } else if (look.colourBy == ColourBy::Address) {
+        for (std::size_t i = 0; i < addressColours; ++i)
+            colours.push_back(
+                colourCell(colourAt(look.palette, (static_cast<double>(i) + 0.5) / addressColours)));
+    }
+}
+
+const ColourCell& Picture::colourOf(std::uint32_t map, double addressCoordinate) const {
+    if (request.appearance.colourBy == ColourBy::Map) return colours[map];
+    const auto at = static_cast<std::size_t>(addressCoordinate * static_cast<double>(addressColours));
+    return colours[std::min(at, addressColours - 1)];
+}
+
+bool Picture::finished() const {
+    if (!drawable) return true;
+    if (request.algorithm == Algorithm::ChaosGame) return drawn >= request.samples;
+    return cut && cut->words.empty();
+}
+
+bool Picture::complete(const std::stop_token& stop) {
+    if (!drawable) return true;
+    switch (request.algorithm) {
+    case Algorithm::ChaosGame:
+        return completeOrbit(stop);
+    case Algorithm::Deterministic:
+        return completePreattractor(stop);
+    default:
+        return completeDensity(stop);
+    }
+}
+
+bool Picture::completeDensity(const std::stop_token& stop) {
+    if (!cut) {
+        CutSettings settings;
+        settings.words = wordsFor(request.samples);
+        settings.seed = request.seed;
+        if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
+        if (request.appearance.colourBy == ColourBy::Address)
+            for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
+                ++settings.minDepth;
+        if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;
+        AddressCut fresh = addressCut(system, projection, settings, stop);
+        if (stop.stop_requested()) return false;
+        cut = std::move(fresh);
+    }
+    if (cut->words.empty()) {
+        remaining = 0;
+        return true;
+    }
+    while (true) {
+        runJobs(stop);
+        if (nextJob < jobs.size()) return false;
+        if (remaining == 0) return true;
+        planSampleSet();
+    }
+}
+
+// Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
+// exact.
+void Picture::planSampleSet() {
+    const std::uint64_t number =
+        std::min(remaining, system.meanLogarithm < 0 ? mostPerSampleSet : mostUninstanced);
+    if (sinceCarry + number >= std::uint64_t{1} << 32) {
+        sums.carryOverCounts();
+        sinceCarry = 0;
+    }
+    drawSamples(system, request.seed, sampleSets, samples);
+    const double perMeasure = static_cast<double>(number) / cut->probability;
+    double sum = unitInterval(mixed(mixed(request.seed) ^ sampleSets));
+    std::uint64_t before = 0;
+    counts.clear();
+    for (const Word& word : cut->words) {
+        sum += word.probability * perMeasure;
+        const auto after = static_cast<std::uint64_t>(sum);
+        counts.push_back(after - before);
+        before = after;
+    }
+    planJobs();
+    overAttractor += perMeasure;
+    drawn += before;
+    sinceCarry += before;
+    remaining -= number;
+    ++sampleSets;
+}
+
+void Picture::planJobs() {
+    jobs.clear();
+    nextJob = 0;
+    Job job;
+    std::uint64_t planned = 0;
+    const auto close = [&](std::size_t end) {
+        job.endWord = static_cast<std::uint32_t>(end);
+        if (job.endWord > job.firstWord) jobs.push_back(job);
+        job.firstWord = job.endWord;
+        planned = 0;
+    };
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        if (counts[k] > samplesPerJob) {
+            close(k);
+            for (std::uint64_t rest = counts[k]; rest > 0; rest -= std::min(rest, samplesPerJob))
+                jobs.push_back({job.firstWord, job.firstWord + 1, std::min(rest, samplesPerJob)});
+            ++job.firstWord;
+            continue;
+        }
+        planned += counts[k];
+        if (planned >= samplesPerJob) close(k + 1);
+    }
+    close(counts.size());
+}
+
+void Picture::runJobs(const std::stop_token& stop) {
+    if (nextJob >= jobs.size()) return;
+    workers->run([&](std::size_t thread) {
+        while (!stop.stop_requested()) {
+            const std::size_t job = nextJob.fetch_add(1);
+            if (job >= jobs.size()) return;
+            runJob(jobs[job], thread);
+        }
+    });
+    nextJob = std::min(nextJob.load(), jobs.size());
+}
+
+void Picture::runJob(const Job& job, std::size_t thread) {
+    for (std::uint32_t k = job.firstWord; k < job.endWord; ++k) {
+        const Word& word = cut->words[k];
+        const std::uint64_t count = job.part > 0 ? job.part : counts[k];
+        if (!coloured()) {
+            splat(word, samples, count, sums.window(), sums.counts(thread));
+        } else if (splat(word, samples, count, sums.window(), colourOf(word.firstMap, word.addressCoordinate),
+                         sums.colours(thread))) {
+            sums.carryOverColours(thread);
+        }
+    }
+}
+
+bool Picture::completeOrbit(const std::stop_token& stop) {
+    if (!orbit) orbit.emplace(system, request.seed);
+    remaining = std::min(remaining, request.samples - std::min(request.samples, drawn));
+    while (remaining > 0) {
+        if (stop.stop_requested()) return false;
+        const std::uint64_t run = std::min<std::uint64_t>(remaining, 8192);
+        if (sinceCarry + run >= std::uint64_t{1} << (coloured() ? 20 : 32)) {
+            coloured() ? sums.carryOverColours(0) : sums.carryOverCounts();
+            sinceCarry = 0;
+        }
+        for (std::uint64_t n = 0; n < run; ++n)
+            plot(orbit->next());
+        sinceCarry += run;
+        drawn += run;
+        remaining -= run;
+    }
+    return true;
+}
+
+void Picture::plot(const Orbit::Point& point) {
+    const ifs::Vector<2> offset = projection.cage(point.x) - projection.centre;
+    const double column = projection.scale(0, 0) * offset.x() + projection.grid.width / 2.0;
+    const double row = projection.scale(1, 1) * offset.y() + projection.grid.height / 2.0;
+    const CellWindow& window = sums.window();
+    if (!(column >= 0 && column < window.width && row >= window.firstRow && row < window.endRow)) return;
+    const std::size_t cell = static_cast<std::size_t>(static_cast<int>(row) - window.firstRow) *
+                                 static_cast<std::size_t>(window.width) +
+                             static_cast<std::size_t>(column);
+    if (!coloured()) {
+        ++sums.counts(0)[cell];
+        return;
+    }
+    const ColourCell& colour = colourOf(point.lastMap, point.addressCoordinate);
+    ColourCell& sum = sums.colours(0)[cell];
+    sum.samples += 1;
+    sum.red += colour.red;
+    sum.green += colour.green;
+    sum.blue += colour.blue;
+}
+
+std::vector<ifs::Vector<2>> Picture::restPolygon() const {
+    if (request.cage && ifs::isValid(*request.cage)) return request.cage->rest;
+    const ifs::Vector<2> low = system.centre - system.halfExtent;
+    const ifs::Vector<2> high = system.centre + system.halfExtent;
+    return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+bool Picture::completePreattractor(const std::stop_token& stop) {
+    if (remaining == 0) return true;
+    sums.reset(sums.kind(), sums.window(), workers->size());
+    const Preattractor job{system, restPolygon(), iterations};
+    const auto colour = [this](std::uint32_t map, double place) {
+        return coloured() ? colourOf(map, place) : ColourCell{};
+    };
+    if (!job.draw(projection, colour, sums, stop)) return false;
+    remaining = 0;
+    return true;
+}
+
+Frame Picture::frame(Frame reuse) {
+    Frame result;
+    result.pixels = std::move(reuse.pixels);
+    result.revision = request.revision;
+    result.camera = request.camera;
+    result.samples = drawn;
+    result.measure = cut ? cut->probability : 1;
+    result.passes = passes;
+    result.iterations = iterations;
+    result.note = note;
+    result.milliseconds = milliseconds;
+    const auto width = static_cast<std::size_t>(std::max(0, request.camera.width));
+    const auto height = static_cast<std::size_t>(std::max(0, request.camera.height));
+    result.pixels.resize(width * height);
+    if (width * height == 0) return result;
+    measureExposure();
+    result.exposure = *exposure;
+    tonePixels(result.pixels);
+    return result;
+}
+
+void Picture::measureExposure() {
+    if (request.algorithm == Algorithm::Deterministic)
+        exposure = Exposure{1, 16, 1};                               // what one image covers has density 1
+    if (request.algorithm == Algorithm::ChaosGame) exposure.reset(); // few points at first tell little
+    if (!exposure)
+        exposure = measuredExposure(sums, request.appearance, request.appearance.supersample,
+                                    samplesOverAttractor(), request.exposure);
+}
+
+void Picture::tonePixels(std::span<std::uint32_t> pixels) {
+    const bool deterministic = request.algorithm == Algorithm::Deterministic;
+    const int side = request.appearance.supersample;
+    ToneSettings settings{request.appearance, side, 0, exposure->whitePoint, exposure->gain};
+    if (deterministic)
+        settings.densityPerSample = 1;
+    else if (samplesOverAttractor() > 0)
+        settings.densityPerSample = side * side / (samplesOverAttractor() * exposure->meanDensity);
+    const ToneMap toneMap(settings, deterministic ? 1U << 20 : drawn);
+    const int rows = (sums.window().endRow - sums.window().firstRow) / side;
+    workers->run([&](std::size_t thread) {
+        const auto bound = [&](std::size_t part) {
+            return static_cast<int>(static_cast<std::size_t>(rows) * part / workers->size());
+        };
+        toneMap.apply(sums, bound(thread), bound(thread + 1), pixels);
+    });
+}
+
+} // namespace attractor

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: MIT
+// Prints the targets table of docs/performance.md as ratios of times measured in this run, and writes them as
+// one flat JSON object. barycage_bench [--quick] [--json FILE] [Google Benchmark's own options]
+#include "attractor/address_cut.h"
+#include "attractor/cell_sums.h"
+#include "attractor/chaos_game.h"
+#include "attractor/kernels.h"
+#include "attractor/render_thread.h"
+#include "attractor/renderer.h"
+#include "attractor/splat.h"
+#include "attractor/systems.h"
+#include "attractor/tone_map.h"
+#include "bench/plain_rivals.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <random>
+#include <sstream>
+
+using namespace attractor;
+
+namespace {
+
+constexpr std::uint64_t tenMillion = 10'000'000;
+
+struct Case {
+    std::string name;
+    RenderRequest request;
+    DrawableSystem drawable;
+    rivals::Points points;
+};
+
+ifs::IteratedFunctionSystem<2> randomSystem(int maps) {
+    std::mt19937 random(32);
+    std::uniform_real_distribution<double> u(-1, 1);
+    ifs::IteratedFunctionSystem<2> result;
+    for (int i = 0; i < maps; ++i)
+        ifs::append<2>(result, ifs::affineMap(0.3 * u(random), 0.2 * u(random), 0.2 * u(random),
+                                              0.3 * u(random), u(random), u(random)));
+    return result;
+}
+
+std::vector<Case>& cases() {
+    static std::vector<Case> all = [] {
+        std::vector<Case> result;
+        for (const auto& [name, system] :
+             {std::pair<std::string, ifs::IteratedFunctionSystem<2>>{"sierpinski", systems::sierpinski()},
+              {"fern", systems::fern()},
+              {"maple", systems::maple()},
+              {"flower", systems::flower()},
+              {"random32", randomSystem(32)}}) {
+            Case c{name, systems::request(system, tenMillion, 1920, 1080), drawable(system), {}};
+            c.request.appearance = Appearance{};
+            c.request.exposure = Exposure{0, 5, 1};
+            result.push_back(std::move(c));
+        }
+        return result;
+    }();
+    return all;
+}
+
+// A drag: every frame has another cage, so nothing but the system stays.
+RenderRequest dragged(RenderRequest request, int frame) {
+    const double shift = 1e-3 * (frame % 100);
+    request.cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1 + shift, 0}, {shift, 1}}};
+    return request;
+}
+
+void addBenchmarks(Case& c) {
+    const auto add = [&](const std::string& what, auto work) {
+        benchmark::RegisterBenchmark((what + "/" + c.name).c_str(),
+                                     [work](benchmark::State& state) mutable { work(state); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime();
+    };
+    const std::size_t cells = 1920 * 1080;
+    add("orbit_scalar", [&c](benchmark::State& state) {
+        std::vector<double> xy(2 * SampleSet::size);
+        for (auto _ : state) {
+            rivals::scalarOrbit(c.drawable, xy);
+            benchmark::DoNotOptimize(xy.data());
+        }
+    });
+    add("orbit_engine", [&c](benchmark::State& state) {
+        SampleSet samples;
+        std::uint64_t pass = 0;
+        for (auto _ : state) {
+            drawSamples(c.drawable, 1, ++pass, samples);
+            benchmark::DoNotOptimize(samples.x.data());
+        }
+    });
+    add("grid_plain", [&c, cells](benchmark::State& state) {
+        std::vector<std::uint32_t> counts(cells);
+        for (auto _ : state)
+            rivals::chaosIntoGrid(c.drawable, c.request.camera, tenMillion, counts);
+    });
+    const auto engineGrid = [](Rendering& rendering, const RenderRequest& request) {
+        rendering.restart(request);
+        rendering.refine();
+    };
+    add("grid_engine", [&c, engineGrid](benchmark::State& state) {
+        Rendering rendering(c.request);
+        int frame = 0;
+        for (auto _ : state)
+            engineGrid(rendering, dragged(c.request, ++frame));
+    });
+    add("redraw_scalar", [&c, cells](benchmark::State& state) {
+        if (c.points.xy.empty()) c.points = rivals::storedPoints(c.drawable, tenMillion);
+        std::vector<std::uint32_t> counts(cells);
+        std::vector<std::uint32_t> pixels(cells);
+        std::vector<std::uint32_t> palette(kernels::toneIndex(tenMillion) + 1, 7);
+        for (auto _ : state) {
+            std::fill(counts.begin(), counts.end(), 0U);
+            rivals::redrawStored(c.points, c.request.camera, counts);
+            const std::uint32_t* pointer = counts.data();
+            kernels::mapTones({&pointer, 1}, cells, palette.data(), pixels.data());
+        }
+    });
+    add("read", [](benchmark::State& state) {
+        const std::vector<std::uint32_t> data(tenMillion, 3);
+        for (auto _ : state) {
+            std::uint32_t sum = 0;
+            for (const std::uint32_t value : data)
+                sum += value;
+            benchmark::DoNotOptimize(sum);
+        }
+    });
+    for (const int threads : {1, 2})
+        add("redraw" + std::to_string(threads), [&c, threads, engineGrid](benchmark::State& state) {
+            RenderRequest request = c.request;
+            request.threads = threads;
+            Rendering rendering(request);
+            Frame shown;
+            int frame = 0;
+            for (auto _ : state) {
+                engineGrid(rendering, dragged(request, ++frame));
+                shown = rendering.frame(std::move(shown));
+            }
+        });
+    add("edit", [&c, engineGrid](benchmark::State& state) {
+        Rendering rendering(c.request);
+        Frame shown;
+        int frame = 0;
+        for (auto _ : state) {
+            RenderRequest request = c.request;
+            request.system.maps[0].map.translation.x() += 1e-5 * ++frame;
+            engineGrid(rendering, request);
+            shown = rendering.frame(std::move(shown));
+        }
+    });
+    const auto splatBench = [&c](double zoom, bool sameDensity) {
+        return [&c, zoom, sameDensity](benchmark::State& state) {
+            Camera camera = c.request.camera;
+            camera.pixelsPerUnit *= zoom;
+            if (zoom > 1) camera.centre = c.drawable.centre;
+            CutSettings settings;
+            settings.words = 1024;
+            const AddressCut cut = addressCut(c.drawable, projection(camera, {}, 1), settings);
+            SampleSet samples;
+            drawSamples(c.drawable, 1, 0, samples);
+            CellSums sums;
+            sums.reset(CellKind::Count, {1920, 0, 1080}, 1);
+            const double perMeasure = tenMillion / (sameDensity || cut.words.empty() ? 1 : cut.probability);
+            for (auto _ : state)
+                for (const Word& word : cut.words)
+                    splat(word, samples, static_cast<std::uint64_t>(word.probability * perMeasure),
+                          sums.window(), sums.counts(0));
+        };
+    };
+    add("splat", splatBench(1, true));
+    add("splat_zoom_out", splatBench(12.0 / 1080, true));
+    add("splat_zoom16", splatBench(16, true));
+    add("tone", [&c, cells](benchmark::State& state) {
+        Rendering rendering(c.request);
+        rendering.refine();
+        CellSums sums;
+        sums.reset(CellKind::Count, {1920, 0, 1080}, 1);
+        const ToneMap toneMap({c.request.appearance, 1, 1e-1, 5, 1}, tenMillion);
+        std::vector<std::uint32_t> pixels(cells);
+        std::mt19937 random(1);
+        SampleSet samples;
+        drawSamples(c.drawable, 1, 0, samples);
+        const AddressCut cut = addressCut(c.drawable, projection(c.request.camera, {}, 1), {});
+        for (const Word& word : cut.words)
+            splat(word, samples, static_cast<std::uint64_t>(word.probability * tenMillion), sums.window(),
+                  sums.counts(0));
+        std::vector<std::uint32_t> cleared(cells);
+        for (auto _ : state) {
+            toneMap.apply(sums, 0, 1080, pixels);
+            std::fill(cleared.begin(), cleared.end(), 0U);
+            benchmark::DoNotOptimize(cleared.data());
+        }
+    });
+    add("memcpy", [cells](benchmark::State& state) {
+        const std::vector<std::uint32_t> from(cells, 5);
+        std::vector<std::uint32_t> to(cells);
+        for (auto _ : state) {
+            std::memcpy(to.data(), from.data(), cells * sizeof(std::uint32_t));
+            benchmark::DoNotOptimize(to.data());
+        }
+    });
+}
+
+// Keeps the shortest time of every benchmark's repetitions, in milliseconds.
+class Shortest : public benchmark::BenchmarkReporter {
+public:
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs) {
+            if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+            const std::string name = run.run_name.function_name;
+            const double time = run.GetAdjustedRealTime();
+            const auto [entry, fresh] = times.emplace(name, time);
+            entry->second = std::min(entry->second, time);
+        }
+    }
+    std::map<std::string, double> times;
+};
+
+double residentMegabytes() {
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    while (status >> word)
+        if (word == "VmRSS:") {
+            double kilobytes = 0;
+            status >> kilobytes;
+            return kilobytes / 1024;
+        }
+    return 0;
+}
+
+double engineMemory(std::uint64_t samples) {
+    const double before = residentMegabytes();
+    RenderRequest request = systems::request(systems::maple(), tenMillion, 1920, 1080);
+    request.threads = 2;
+    Rendering rendering(request);
+    Frame frame;
+    for (std::uint64_t done = 0; done < samples; done += std::max(tenMillion, samples / 4)) {
+        rendering.refine({}, std::max(tenMillion, samples / 4));
+        frame = rendering.frame(std::move(frame));
+    }
+    return residentMegabytes() - before;
+}
+
+struct Latency {
+    double p50 = 0;
+    double p99 = 0;
+};
+
+// From a mouse event's request to the finished frame in the hands of the window, two threads.
+Latency dragLatency(const RenderRequest& base, std::uint64_t samples, int events) {
+    std::mutex mutex;
+    std::condition_variable ready;
+    bool arrived = false;
+    RenderThread thread([&] {
+        const std::lock_guard lock(mutex);
+        arrived = true;
+        ready.notify_one();
+    });
+    std::vector<double> times;
+    for (int event = 0; event < events; ++event) {
+        RenderRequest request = dragged(base, event);
+        request.samples = samples;
+        request.threads = 2;
+        const auto begin = std::chrono::steady_clock::now();
+        thread.submit(std::move(request), samples);
+        {
+            std::unique_lock lock(mutex);
+            ready.wait(lock, [&] { return arrived; });
+            arrived = false;
+        }
+        benchmark::DoNotOptimize(thread.newestFrame());
+        times.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    }
+    std::sort(times.begin(), times.end());
+    return {times[times.size() / 2], times[times.size() * 99 / 100]};
+}
+
+// 8-bit grey against a chaos game of `reference` points, after one second of refinement on two threads.
+double refinementPsnr(const Case& c, std::size_t reference) {
+    RenderRequest request = c.request;
+    request.appearance.colourBy = ColourBy::Plain;
+    request.appearance.plain = {255, 255, 255, 255};
+    request.appearance.background = {0, 0, 0, 255};
+    request.threads = 2;
+    Rendering rendering(request);
+    const auto begin = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(1))
+        rendering.refine({}, 20'000'000);
+    const Frame frame = rendering.frame();
+    std::vector<std::uint32_t> counts(frame.pixels.size());
+    rivals::chaosIntoGrid(c.drawable, c.request.camera, reference, counts);
+    double squares = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double density = counts[i] / static_cast<double>(reference) / frame.exposure.meanDensity;
+        const double expected = std::floor(255 * tone(density, request.appearance.brightness,
+                                                      frame.exposure.whitePoint, request.appearance.gamma) +
+                                           0.5);
+        const double difference = expected - static_cast<double>(frame.pixels[i] & 255U);
+        squares += difference * difference;
+    }
+    return 10 * std::log10(255.0 * 255.0 * static_cast<double>(counts.size()) / squares);
+}
+
+struct Metric {
+    std::string name;
+    double value = 0;
+    std::string target;
+};
+
+std::vector<Metric> ratios(const std::map<std::string, double>& times) {
+    std::vector<Metric> metrics;
+    const bool wide = simdName() == "avx512";
+    for (const Case& c : cases()) {
+        const auto time = [&](const char* what) {
+            const auto found = times.find(what + ("/" + c.name));
+            return found == times.end() ? std::nan("") : found->second;
+        };
+        const auto add = [&](const char* name, double value, const char* target) {
+            metrics.push_back({std::string(name) + "." + c.name, value, target});
+        };
+        add("chaos_game.vs_scalar_f64", time("orbit_scalar") / time("orbit_engine"),
+            wide ? ">= 30" : ">= 15");
+        add("chaos_game.vs_plain", time("grid_plain") / time("grid_engine"), wide ? ">= 5" : ">= 1.5");
+        add("redraw.vs_scalar", time("redraw_scalar") / time("redraw1"), wide ? ">= 5" : ">= 1.5");
+        add("redraw.vs_read", time("splat") / time("read"), wide ? "<= 3.5" : "<= 7");
+        add("redraw.threads2", time("redraw1") / time("redraw2"), ">= 1.75");
+        add("redraw.zoom_out", time("splat_zoom_out") / time("splat"), "<= 1.3");
+        add("redraw.zoom16", time("splat_zoom16") / time("splat"), "<= 0.05");
+        add("tone_map.vs_memcpy", time("tone") / time("memcpy"), "<= 1.1");
+        add("edit.vs_redraw", time("edit") / time("redraw1"), "<= 1.6");
+        add("redraw.ms", time("redraw1"), "reported");
+    }
+    const auto found = [&](const char* name) { return times.contains(name) ? times.at(name) : std::nan(""); };
+    metrics.push_back(
+        {"chaos_game.many_maps", found("orbit_engine/random32") / found("orbit_engine/maple"), "<= 1.1"});
+    return metrics;
+}
+
+void addWholeEngine(std::vector<Metric>& metrics, bool quick) {
+    metrics.push_back({"memory.mb.1e7", engineMemory(tenMillion), "< 64"});
+    metrics.push_back({"memory.mb.1e9", engineMemory(quick ? 10 * tenMillion : 100 * tenMillion), "< 64"});
+    const Case& fern = cases()[1];
+    const Case& maple = cases()[2];
+    for (const auto& [label, samples] : {std::pair<const char*, std::uint64_t>{"1e6", 1'000'000},
+                                         {"1e7", tenMillion},
+                                         {"1e8", 10 * tenMillion}}) {
+        const Latency latency = dragLatency(maple.request, samples, quick ? 40 : 200);
+        metrics.push_back({std::string("drag.latency_ms.p50.") + label, latency.p50, "reported"});
+        metrics.push_back({std::string("drag.latency_ms.p99.") + label, latency.p99,
+                           samples == tenMillion ? "< 16.7" : "reported"});
+    }
+    const std::size_t reference = quick ? 200'000'000 : 1'000'000'000;
+    metrics.push_back({"refine.psnr_db.fern", refinementPsnr(fern, reference), ">= 40"});
+    metrics.push_back({"refine.psnr_db.maple", refinementPsnr(maple, reference), ">= 40"});
+}
+
+void writeJson(const std::vector<Metric>& metrics, const std::string& path) {
+    std::ofstream file(path);
+    file << "{\n";
+    for (std::size_t i = 0; i < metrics.size(); ++i) {
+        file << "  \"" << metrics[i].name << "\": ";
+        std::isfinite(metrics[i].value) ? file << metrics[i].value : file << "null";
+        file << (i + 1 < metrics.size() ? ",\n" : "\n");
+    }
+    file << "}\n";
+    if (!file) std::cerr << "Could not write " << path << ".\n";
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    bool quick = false;
+    std::string json = BARYCAGE_BENCH_JSON;
+    std::vector<char*> rest{argv[0]};
+    for (int i = 1; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--quick") == 0)
+            quick = true;
+        else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
+            json = argv[++i];
+        else
+            rest.push_back(argv[i]);
+    }
+    std::string repetitions = quick ? "--benchmark_repetitions=2" : "--benchmark_repetitions=7";
+    std::string minTime = quick ? "--benchmark_min_time=0.05" : "--benchmark_min_time=0.2";
+    rest.insert(rest.begin() + 1, {repetitions.data(), minTime.data()});
+    int count = static_cast<int>(rest.size());
+    benchmark::Initialize(&count, rest.data());
+    if (benchmark::ReportUnrecognizedArguments(count, rest.data())) return 2;
+    std::vector<Metric> whole;
+    addWholeEngine(whole, quick);
+    for (Case& c : cases())
+        addBenchmarks(c);
+    Shortest shortest;
+    benchmark::RunSpecifiedBenchmarks(&shortest);
+    std::vector<Metric> metrics = ratios(shortest.times);
+    metrics.insert(metrics.end(), whole.begin(), whole.end());
+    std::printf("instruction set: %s\n%-42s %10s   %s\n", simdName().c_str(), "metric", "value", "target");
+    for (const Metric& metric : metrics)
+        std::printf("%-42s %10.3f   %s\n", metric.name.c_str(), metric.value, metric.target.c_str());
+    writeJson(metrics, json);
+    return 0;
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/canonical_systems.h"
+#include "ifs/support_function.h"
+
+#include <QtTest>
+
+using namespace ifs;
+using namespace canonical;
+
+namespace {
+
+using Points = std::vector<Vector<2>>;
+
+ConvexHull hullOf(const Maps2& maps, double tolerance) {
+    return convexHull(*SupportFunction<2>::of(maps), tolerance);
+}
+double perimeter(const Points& polygon) {
+    double result = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+        result += (polygon[(k + 1) % polygon.size()] - polygon[k]).norm();
+    return result;
+}
+// The same counter-clockwise polygon, whichever vertex comes first.
+bool equal(const Points& found, Points expected, double tolerance) {
+    for (std::size_t turn = 0; turn < expected.size(); ++turn) {
+        if (std::ranges::equal(found, expected, [=](const Vector<2>& p, const Vector<2>& q) {
+                return (p - q).norm() <= tolerance;
+            }))
+            return true;
+        std::rotate(expected.begin(), expected.begin() + 1, expected.end());
+    }
+    return false;
+}
+// How far x is outside the polygon, measured across its edges.
+double outside(const Points& polygon, const Vector<2>& x) {
+    double result = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vector<2> edge = polygon[(k + 1) % polygon.size()] - polygon[k], offset = x - polygon[k];
+        result = std::max(result, (edge.y() * offset.x() - edge.x() * offset.y()) / edge.norm());
+    }
+    return result;
+}
+
+} // namespace
+
+class ConvexHullTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void exactPolygons() {
+        QVERIFY(equal(hullOf(sierpinskiRight(), 0).vertices, {{0, 0}, {1, 0}, {0, 1}}, 1e-12));
+        const auto curve = hullOf(koch(), 0);
+        QVERIFY(equal(curve.vertices, {{0, 0}, {1, 0}, {.5, std::sqrt(3) / 6}}, 1e-12));
+        QVERIFY(std::abs(curve.area - std::sqrt(3) / 12) < 1e-12);
+        const auto octagon = hullOf(levy(), 0);
+        QVERIFY(equal(octagon.vertices,
+                      {{1.5, .5}, {1, 1}, {0, 1}, {-.5, .5}, {-.5, 0}, {-.25, -.25}, {1.25, -.25}, {1.5, 0}},
+                      1e-12));
+        QVERIFY(std::abs(octagon.area - 35. / 16) < 1e-12);
+        QVERIFY(std::abs(perimeter(octagon.vertices) - 3.5 - 1.5 * std::sqrt(2)) < 1e-12);
+        const auto decagon = hullOf(heighway(), 0);
+        QVERIFY(equal(decagon.vertices,
+                      {{7. / 6, 0},
+                       {5. / 6, .5},
+                       {2. / 3, 2. / 3},
+                       {0, 2. / 3},
+                       {-1. / 3, 1. / 3},
+                       {-1. / 3, 0},
+                       {-1. / 6, -1. / 6},
+                       {2. / 3, -1. / 3},
+                       {1, -1. / 3},
+                       {7. / 6, -1. / 6}},
+                      1e-12));
+        QVERIFY(std::abs(decagon.area - 7. / 6) < 1e-12);
+        const auto twins = hullOf(twin(), 0);
+        QVERIFY(equal(twins.vertices,
+                      {{4. / 3, 0},
+                       {2. / 3, 2. / 3},
+                       {0, 2. / 3},
+                       {-1. / 3, 1. / 3},
+                       {-1. / 3, 0},
+                       {1. / 3, -2. / 3},
+                       {1, -2. / 3},
+                       {4. / 3, -1. / 3}},
+                      1e-12));
+        for (const auto& hull : {curve, octagon, decagon, twins})
+            QVERIFY(hull.error <= 1e-10);
+    }
+
+    void knownAreas() {
+        const auto tree = hullOf(maple(), 1e-12);
+        QVERIFY(std::abs(tree.area - 35.754947908201) < 1e-10);
+        QVERIFY(std::abs(perimeter(tree.vertices) - 22.338540357728) < 1e-10);
+        QVERIFY(tree.error <= 1e-10);
+        const auto arch = hullOf(flower(), 1e-8);
+        QVERIFY(std::abs(arch.area - 6.73505893) < 1e-7);
+        QVERIFY(std::abs(perimeter(arch.vertices) - 10.9600958) < 1e-6);
+        const auto leaf = hullOf(fern(), 1e-4);
+        QVERIFY(std::abs(leaf.area - 31.31250) < 2e-3);
+        QVERIFY(std::abs(perimeter(leaf.vertices) - 23.69498) < 2e-3);
+    }
+
+    void verticesOfMaple() {
+        const auto vertices = hullOf(maple(), 1e-12).vertices;
+        const Points listed{
+            {3.3442144495405580, 0.3195607551473931},  {3.2287032507195057, 1.7405960934671075},
+            {2.0446678609049159, 4.0323158811861332},  {-1.7529254544172583, 4.3551003115451404},
+            {-3.3000939564735311, 1.6665529554982757}, {-0.1148640517020626, -3.1730509611301708},
+            {3.0772449473575674, -0.3266784748003194}, {3.3434299800731399, 0.2568751496483599}};
+        for (const auto& point : listed)
+            QVERIFY(std::ranges::any_of(vertices,
+                                        [&](const Vector<2>& v) { return (v - point).norm() < 1e-11; }));
+        const Vector<2> top(7. / 39, 350. / 69); // vertices accumulate there
+        QVERIFY(std::ranges::any_of(vertices, [&](const Vector<2>& v) { return (v - top).norm() < 1e-6; }));
+    }
+
+    void certificateHoldsForTheOrbit() {
+        Random random(1);
+        for (int n = 0; n < 300; ++n) {
+            const auto maps = randomContractions<2>(random, 2 + int(random() % 4));
+            const auto support = *SupportFunction<2>::of(maps);
+            const double tolerance = 1e-4 * support.radius(), s = support.contractivity();
+            const auto hull = convexHull(support, tolerance);
+            QVERIFY(hull.error <= tolerance * (1 + 2 * s / (1 - s)) + 1e-10);
+            if (hull.vertices.size() < 3) continue;
+            for (const auto& x : orbit<2>(maps, 300, random))
+                QVERIFY(outside(hull.vertices, x) <= hull.error + 1e-12 * support.radius());
+        }
+    }
+
+    void longOrbitStaysInside() {
+        Random random(2);
+        const auto hull = hullOf(maple(), 1e-12);
+        for (const auto& x : orbit<2>(maple(), 1'000'000, random))
+            QVERIFY(outside(hull.vertices, x) <= hull.error);
+    }
+
+    void pointsAndSegments() {
+        const auto point = hullOf({affineMap(.5, 0, 0, .5, 1, 2)}, 0);
+        QCOMPARE(point.vertices.size(), std::size_t(1));
+        QCOMPARE(point.area, 0.0);
+        const auto segment = hullOf({affineMap(.5, 0, 0, .5, 0, 0), affineMap(.5, 0, 0, .5, 1, 1)}, 0);
+        QVERIFY(equal(segment.vertices, {{0, 0}, {2, 2}}, 1e-12));
+        QVERIFY(segment.error < 1e-10);
+    }
+
+    void eventuallyContractiveSystem() {
+        Random random(3);
+        const auto support = *SupportFunction<2>::of(eventual());
+        const auto hull = convexHull(support, 1e-6);
+        QVERIFY(std::isfinite(hull.error) && hull.error < 1e-2);
+        for (const auto& x : orbit<2>(eventual(), 10'000, random))
+            QVERIFY(outside(hull.vertices, x) <= std::min(hull.error, 1.1e-6));
+    }
+};
+
+QTEST_APPLESS_MAIN(ConvexHullTest)
+#include "convex_hull_test.moc"

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/canonical_systems.h"
+#include "ifs/dimension.h"
+
+#include <QtTest>
+
+#include <numeric>
+
+using namespace ifs;
+using namespace canonical;
+
+namespace {
+
+bool near(const std::optional<double>& a, double b, double tolerance) {
+    return a && std::abs(*a - b) <= tolerance;
+}
+double moran(std::vector<double> ratios) {
+    return moranDimension(ratios).value_or(-1);
+}
+
+} // namespace
+
+class DimensionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void moranOracles() {
+        QVERIFY(near(moran({.5, .5, .5}), 1.584962500721156, 1e-12));
+        QVERIFY(near(moran({1. / 3, 1. / 3, 1. / 3, 1. / 3}), 1.261859507142915, 1e-12));
+        QVERIFY(near(moran({.5, 1. / 3, .25}), 1.082131498140418, 1e-12));
+        QVERIFY(near(moran({.5, .25}), 0.694241913630617, 1e-12));
+        QCOMPARE(moran({.5}), 0.0);
+        QVERIFY(near(moran(std::vector<double>(1000, .999)), std::log(1000) / -std::log(.999), 1e-8));
+        const std::vector<double> none, one{1.0, .5}, zero{.5, 0}, bad{NaN, .5};
+        for (const auto& ratios : {none, one, zero, bad})
+            QVERIFY(!moranDimension(ratios));
+    }
+
+    void similaritySystems() {
+        QVERIFY(near(similarityDimension<2>(koch()), 1.261859507142915, 1e-12));
+        QVERIFY(near(similarityDimension<2>(flower()), 1.192493117800738, 1e-12));
+        for (const auto& maps : {levy(), twin(), heighway()}) {
+            QVERIFY(near(similarityDimension<2>(maps), 2, 1e-12));
+            QVERIFY(near(affinityDimension(maps), 2, 2e-6));
+        }
+        QVERIFY(near(similarityDimension<3>(tetrahedron()), 2, 1e-12));
+        QVERIFY(near(similarityDimension<3>(cube()), 3, 1e-12));
+        QVERIFY(!similarityDimension<2>(maple()) && !similarityDimension<2>(fern()));
+        QVERIFY(!similarityDimension<3>(fern3()) && !similarityDimension<2>({}));
+    }
+
+    // Not the norms but the common form of the maps tells, so a change of coordinates hides nothing.
+    void similaritySystemsInAnyCoordinates() {
+        Random random(1);
+        for (int n = 0; n < 200; ++n) {
+            const AffineMap<2> t{randomWellConditioned<2>(random), {1, 2}};
+            for (const auto& maps : {koch(), flower(), twin(), sierpinskiRight()}) {
+                const auto there = mapsOf(*conjugate(t, canonical::system<2>(maps)));
+                QVERIFY(near(similarityDimension<2>(there), *similarityDimension<2>(maps), 1e-9));
+            }
+        }
+    }
+
+    void affinityOracles() {
+        QVERIFY(near(affinityDimension(fern()), 1.834896, 2e-6));
+        QVERIFY(near(affinityDimension(maple()), 2.036330, 2e-6));
+        // Boxes of 1/3 × 1/2: three of them, one norm and one determinant, φ^t = (1/2)(1/3)^(t−1).
+        const Maps2 carpet{affineMap(1. / 3, 0, 0, .5, 0, 0), affineMap(1. / 3, 0, 0, .5, 1. / 3, 0),
+                           affineMap(1. / 3, 0, 0, .5, 2. / 3, .5)};
+        QVERIFY(near(affinityDimension(carpet), 1 + std::log(1.5) / std::log(3), 1e-5));
+        QCOMPARE(affinityDimension(Maps2{maple()[0]}).value_or(-1), 0.0);
+        QVERIFY(!affinityDimension({}));
+        QVERIFY(!affinityDimension(Maps2{affineMap(1, 0, 0, 1, 0, 0), maple()[0]}));
+        const Maps2 points(3, affineMap(0, 0, 0, 0, 1, 2));
+        QVERIFY(near(affinityDimension(points), 0, 1e-6));
+    }
+
+    void singularValueFunctionJoinsItsPieces() {
+        const Matrix<2> m = maple()[2].linear;
+        QVERIFY(near(singularValueFunction<2>(m, 0), 1, 0));
+        QVERIFY(near(singularValueFunction<2>(m, 1), spectralNorm<2>(m), 1e-15));
+        QVERIFY(near(singularValueFunction<2>(m, 2), 0.399, 1e-15));
+        QVERIFY(near(singularValueFunction<2>(m, 4), 0.399 * 0.399, 1e-15));
+        const Vector<3> sigma = singularValues<3>(fern3()[2].linear);
+        QVERIFY(near(singularValueFunction<3>(fern3()[2].linear, 2.5),
+                     sigma[0] * sigma[1] * std::sqrt(sigma[2]), 1e-14));
+    }
+
+    void dimensionRule() {
+        for (const double p : dimensionWeights<2>(sierpinskiRight()))
+            QVERIFY(near(p, 1. / 3, 1e-12));
+        const double d = *similarityDimension<2>(flower());
+        const auto p = dimensionWeights<2>(flower());
+        QVERIFY(near(p[0], std::pow(std::sqrt(0.3109), d), 1e-10));
+        const auto capped = dimensionWeights<2>(maple()), determinants = determinantWeights<2>(maple());
+        for (std::size_t i = 0; i < 4; ++i)
+            QVERIFY(near(capped[i], determinants[i], 1e-12));
+        const auto inSpace = dimensionWeights<3>(fern3());
+        QVERIFY(near(std::accumulate(inSpace.begin(), inSpace.end(), 0.0), 1, 1e-14));
+        QVERIFY(dimensionWeights<2>({}).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(DimensionTest)
+#include "dimension_test.moc"
