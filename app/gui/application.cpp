@@ -19,12 +19,15 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     setDesktopFileName(resources::applicationId());
     setWindowIcon(QIcon(QStringLiteral(":/icons/barycage.svg")));
 
+    const QString folder = QStringLiteral(":/translations");
     auto* own = new QTranslator(this);
-    if (own->load(QLocale(), QStringLiteral("barycage"), QStringLiteral("_"),
-                  QStringLiteral(":/translations")))
-        installTranslator(own);
+    if (!own->load(QLocale(), QStringLiteral("barycage"), QStringLiteral("_"), folder) &&
+        !own->load(QStringLiteral("barycage_en"), folder))
+        return;
+    installTranslator(own);
+    // The buttons of the toolkit speak the language of the rest.
     auto* toolkit = new QTranslator(this);
-    if (toolkit->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
+    if (toolkit->load(QLocale(own->language()), QStringLiteral("qtbase"), QStringLiteral("_"),
                       QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         installTranslator(toolkit);
 }
