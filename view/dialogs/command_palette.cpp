@@ -78,6 +78,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     column->addWidget(m_search);
     column->addWidget(m_list);
     resize(520, 380);
+    m_search->setFocus();
 
     connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::filter);
     connect(m_search, &QLineEdit::returnPressed, this, &CommandPalette::run);
