@@ -584,8 +584,9 @@ bool CanvasView::focusNextPrevChild(bool next) {
 }
 
 void CanvasView::describeFocus() {
+    // While a part is dragged the read-out of the pointer says where it is.
     const CanvasPart part = m_scene->focused();
-    if (part.kind != CanvasPart::Kind::None)
+    if (part.kind != CanvasPart::Kind::None && m_holding == Holding::Nothing)
         emit message(tr("%1: %2").arg(m_scene->nameOf(part), m_scene->placeOf(part)));
 }
 
