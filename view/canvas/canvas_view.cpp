@@ -266,7 +266,7 @@ void CanvasView::setOverlaysVisible(bool visible) {
     cancelGesture();
     m_scene->setOverlaysVisible(visible);
     refreshCursor();
-    if (!visible) emit message(tr("Only the picture is shown. Press H to see the cage again."));
+    emit message(visible ? QString() : tr("Only the picture is shown. Press H to see the cage again."));
     emit overlaysVisibleChanged(visible);
 }
 
