@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
 
+#include "dialogs/save_file_dialog.h"
 #include "io/fractint_reader.h"
 #include "panels/analysis_panel.h"
 #include "panels/appearance_panel.h"
@@ -256,10 +257,9 @@ bool MainWindow::save() {
 bool MainWindow::saveAs() {
     const QString suggestion =
         m_file.path().isEmpty() ? m_document.fractal().name + QStringLiteral(".ifs") : m_file.path();
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Save As"), suggestion, tr("Fractint collections (*.ifs)"));
+    const QString path = view::chooseFileToSave(this, tr("Save As"), suggestion,
+                                                tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
     if (path.isEmpty()) return false;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".ifs");
     if (const io::Failure failure = m_file.saveAs(path)) {
         fail(tr("%1 was not saved").arg(QFileInfo(path).fileName()), *failure);
         return false;
