@@ -90,6 +90,7 @@ void StatusLine::clearPointer() {
 }
 
 void StatusLine::showVerdict(const document::Fractal& fractal) {
+    if (!document::system2(fractal)) m_frame->clear(); // nothing is drawn of it
     if (const auto* plane = document::system2(fractal))
         m_verdict->setText(verdictText(ifs::classify<2>(ifs::activeMaps(*plane).maps)));
     else if (document::dimension(fractal) == 3)
