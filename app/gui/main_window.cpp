@@ -15,6 +15,7 @@
 #include "recent_files.h"
 #include "status_line.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -304,7 +305,11 @@ void MainWindow::say(const QString& sentence) {
 }
 
 void MainWindow::fail(const QString& title, const QString& sentence) {
-    QMessageBox::critical(this, title, sentence);
+    auto* box = new QMessageBox(QMessageBox::Critical, QApplication::applicationDisplayName(), title + u'.',
+                                QMessageBox::Ok, this);
+    box->setInformativeText(sentence);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

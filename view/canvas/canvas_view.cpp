@@ -95,6 +95,8 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
+    setAcceptDrops(false); // a file dropped here is the window's business
+    viewport()->setAcceptDrops(false);
     viewport()->setMouseTracking(true);
     viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
     viewport()->setCursor(Qt::CrossCursor);
