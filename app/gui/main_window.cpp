@@ -162,6 +162,13 @@ void MainWindow::openFirstPicture() {
         if (entry.fractal->name == QLatin1String("maple")) maple = entry.id;
     m_file.startFrom(std::move(file), maple);
     m_canvas->fit();
+    const QString seen = QStringLiteral("hints/firstDrag");
+    if (!QSettings().value(seen, false).toBool()) {
+        m_canvas->setHint(tr(
+            "Take the maple by a corner and pull. Or press D and define another triangle by three clicks."));
+        connect(m_canvas, &view::CanvasView::hintDismissed, this,
+                [seen] { QSettings().setValue(seen, true); });
+    }
 }
 
 void MainWindow::openPath(const QString& path) {

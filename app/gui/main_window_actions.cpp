@@ -165,10 +165,14 @@ void MainWindow::createViewActions() {
     command(m_viewMenu, QStringLiteral("zoom-reset"), tr("&100 %"), QKeySequence(tr("1")),
             tr("Show one unit as one hundred pixels"), [this] { m_canvas->resetZoom(); });
     m_viewMenu->addSeparator();
-    toggle(m_viewMenu, QStringLiteral("grid"), tr("&Grid"), QKeySequence(tr("G")), tr("Show the grid"),
-           QStringLiteral("canvas/grid"), true, &view::CanvasView::setGridVisible);
-    toggle(m_viewMenu, QStringLiteral("axes"), tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"),
-           QStringLiteral("canvas/axes"), true, &view::CanvasView::setAxesVisible);
+    QAction* grid =
+        toggle(m_viewMenu, QStringLiteral("grid"), tr("&Grid"), QKeySequence(tr("G")), tr("Show the grid"),
+               QStringLiteral("canvas/grid"), true, &view::CanvasView::setGridVisible);
+    connect(m_canvas, &view::CanvasView::gridVisibleChanged, grid, &QAction::setChecked);
+    QAction* axes =
+        toggle(m_viewMenu, QStringLiteral("axes"), tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"),
+               QStringLiteral("canvas/axes"), true, &view::CanvasView::setAxesVisible);
+    connect(m_canvas, &view::CanvasView::axesVisibleChanged, axes, &QAction::setChecked);
     QAction* down = command(m_viewMenu, QStringLiteral("y-axis"), tr("&Y Axis Down"), QKeySequence(tr("Y")),
                             tr("Let y grow downwards, as in window coordinates"), [] {});
     down->setCheckable(true);

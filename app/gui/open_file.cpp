@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "open_file.h"
 
+#include "io/collection_reader.h"
 #include "io/fractint_reader.h"
 #include "io/fractint_writer.h"
 #include "recent_files.h"
@@ -34,10 +35,15 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
 io::Failure OpenFile::open(const QString& path) {
     io::Loaded loaded = io::loadFile(path);
     if (loaded.failure) return loaded.failure;
-    document::FractalFile file = io::readFractint(loaded.bytes);
-    if (file.entries.isEmpty() && !file.problems.isEmpty()) return file.problems.first().message;
-    m_document->setFile(std::move(file));
-    remember(path, loaded.bytes);
+    io::Collection collection = io::readCollection(loaded.bytes);
+    if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
+        return collection.file.problems.first().message;
+    m_document->setFile(std::move(collection.file));
+    // What was taken out of another format has no .ifs file to be saved to yet.
+    if (collection.format == QLatin1String("fractint"))
+        remember(path, loaded.bytes);
+    else
+        remember({}, {});
     recent_files::add(path);
     return std::nullopt;
 }

@@ -53,6 +53,26 @@ kernels::Lanes freshLanes(std::uint64_t seed, std::uint64_t pass) {
     return lanes;
 }
 
+struct Range {
+    float low = 0;
+    float high = 0;
+};
+
+Range range(const std::vector<float>& values) {
+    constexpr std::size_t width = 16; // as many extremes side by side as the longest vector holds
+    std::array<float, width> low{};
+    std::array<float, width> high{};
+    std::copy_n(values.begin(), width, low.begin());
+    high = low;
+    for (std::size_t i = width; i < SampleSet::size; i += width)
+        for (std::size_t k = 0; k < width; ++k) {
+            const float value = values[i + k];
+            low[k] = value < low[k] ? value : low[k];
+            high[k] = value > high[k] ? value : high[k];
+        }
+    return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
+}
+
 void repeatBeginning(std::vector<float>& values) {
     std::copy_n(values.begin(), SampleSet::size, values.begin() + SampleSet::size);
     std::copy_n(values.begin(), kernels::chunk, values.end() - kernels::chunk);
@@ -116,12 +136,12 @@ void drawSamples(const DrawableSystem& system, std::uint64_t seed, std::uint64_t
     kernels::iterate(lanes, tables, SampleSet::size / SampleSet::lanes, samples.x.data(), samples.y.data());
     repeatBeginning(samples.x);
     repeatBeginning(samples.y);
-    const auto [lowX, highX] = std::minmax_element(samples.x.begin(), samples.x.end());
-    const auto [lowY, highY] = std::minmax_element(samples.y.begin(), samples.y.end());
-    samples.lowX = *lowX;
-    samples.highX = *highX;
-    samples.lowY = *lowY;
-    samples.highY = *highY;
+    const Range x = range(samples.x);
+    const Range y = range(samples.y);
+    samples.lowX = x.low;
+    samples.highX = x.high;
+    samples.lowY = y.low;
+    samples.highY = y.high;
 }
 
 Orbit::Orbit(const DrawableSystem& system, std::uint64_t seed)

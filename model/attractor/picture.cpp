@@ -34,10 +34,30 @@ int wordsFor(std::uint64_t samples) {
     return static_cast<int>(std::clamp<std::uint64_t>(samples / 8192, 128, 4096));
 }
 
-// The affine map that serves for the cage: exactly its own with three vertices.
+// The affine map that serves for the cage: its own with three vertices, with more the one that misses the
+// current vertices least.
 ifs::AffineMap<2> affinePart(const std::optional<ifs::ControlCage<2>>& cage) {
-    if (!cage || !ifs::isValid(*cage) || cage->rest.size() != 3) return {};
-    return ifs::displayMap(*cage);
+    if (!cage || !ifs::isValid(*cage)) return {};
+    if (cage->rest.size() == 3) return ifs::displayMap(*cage);
+    if (cage->rest == cage->current) return {};
+    const double share = 1.0 / static_cast<double>(cage->rest.size());
+    ifs::Vector<2> restMean = ifs::Vector<2>::Zero();
+    ifs::Vector<2> currentMean = ifs::Vector<2>::Zero();
+    for (std::size_t j = 0; j < cage->rest.size(); ++j) {
+        restMean += share * cage->rest[j];
+        currentMean += share * cage->current[j];
+    }
+    ifs::Matrix<2> moments = ifs::Matrix<2>::Zero();
+    ifs::Matrix<2> mixedMoments = ifs::Matrix<2>::Zero();
+    for (std::size_t j = 0; j < cage->rest.size(); ++j) {
+        const ifs::Vector<2> rest = cage->rest[j] - restMean;
+        moments += rest * rest.transpose();
+        mixedMoments += (cage->current[j] - currentMean) * rest.transpose();
+    }
+    const auto inverse = ifs::inverse<2>({moments, ifs::Vector<2>::Zero()});
+    if (!inverse) return {};
+    const ifs::Matrix<2> linear = mixedMoments * inverse->linear;
+    return {linear, currentMean - linear * restMean};
 }
 
 } // namespace

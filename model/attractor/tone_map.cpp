@@ -87,15 +87,19 @@ double total(const std::vector<std::uint64_t>& values) {
     return sum;
 }
 
-// Pixels of about one row in `stride`; which ones is fixed, but without a rhythm that a fractal could share.
+void appendOccupied(std::vector<std::uint64_t>& occupied, const std::vector<std::uint64_t>& values) {
+    for (const std::uint64_t value : values)
+        if (value > 0) occupied.push_back(value);
+}
+
+// Occupied pixels of about one row in `stride`; which ones is fixed, but without a rhythm that a fractal
+// could share.
 std::vector<std::uint64_t> pixelSamples(const CellSums& sums, int cellsPerPixel, std::uint64_t stride) {
     std::vector<std::uint64_t> result;
     forBlockRows(
         sums, cellsPerPixel,
         [stride](int row) { return mixed(static_cast<std::uint64_t>(row)) % stride == 0; },
-        [&](const std::vector<std::uint64_t>& pixels) {
-            result.insert(result.end(), pixels.begin(), pixels.end());
-        });
+        [&](const std::vector<std::uint64_t>& pixels) { appendOccupied(result, pixels); });
     return result;
 }
 
@@ -108,7 +112,7 @@ double whitePointOf(const CellSums& sums, int cellsPerPixel, double referencePer
     std::vector<std::uint64_t> blocks;
     forBlockRows(
         sums, side * cellsPerPixel, [](int) { return true; },
-        [&](const std::vector<std::uint64_t>& row) { blocks.insert(blocks.end(), row.begin(), row.end()); });
+        [&](const std::vector<std::uint64_t>& row) { appendOccupied(blocks, row); });
     const Occupancy occupied = occupancyOf(blocks, share);
     const auto rank = std::min(static_cast<std::size_t>(0.005 * occupied.occupied), blocks.size() - 1);
     const auto nth = blocks.begin() + static_cast<std::ptrdiff_t>(rank);
@@ -202,7 +206,7 @@ Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, in
     Exposure exposure = kept && kept->whitePoint > 0 ? *kept : Exposure{0, 0, 1};
     if (!(found > 0) || !(samples > 0))
         return {1, std::max(smallestWhitePoint, exposure.whitePoint), exposure.gain};
-    const double share = referenceShare(static_cast<double>(pixels.size()), found);
+    const double share = referenceShare(pixelCount / static_cast<double>(stride), found);
     const Occupancy occupied = occupancyOf(pixels, share);
     exposure.meanDensity = found / occupied.occupied / samples;
     if (exposure.whitePoint > 0) return exposure;

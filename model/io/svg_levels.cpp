@@ -14,10 +14,10 @@ namespace io {
 
 namespace {
 
-constexpr double thinnest = 0.8;       // of a copy, in pixels: what is thinner is hardly seen
+constexpr double thinnest = 1.2;       // of a copy, in pixels: what is thinner is hardly seen
 constexpr double hullTolerance = 2e-3; // of the radius
-constexpr double widening = 0.3;       // of the smallest copies on every side, in pixels
-constexpr double mostWidening = 0.35;  // as a share of their size
+constexpr double widening = 0.4;       // of the smallest copies on every side, in pixels
+constexpr double mostWidening = 0.6;  // as a share of their size
 
 double diameterOf(const std::vector<ifs::Vector<2>>& points) {
     double longest = 0;
@@ -40,9 +40,8 @@ double turn(const ifs::Vector<2>& a, const ifs::Vector<2>& b, const ifs::Vector<
 
 // Strictly convex and counter-clockwise: points found to a tolerance need not be (Andrew's monotone chain).
 std::vector<ifs::Vector<2>> strictlyConvex(std::vector<ifs::Vector<2>> points) {
-    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-    });
+    std::sort(points.begin(), points.end(),
+              [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 3) return points;
     std::vector<ifs::Vector<2>> chain;
@@ -51,9 +50,11 @@ std::vector<ifs::Vector<2>> strictlyConvex(std::vector<ifs::Vector<2>> points) {
             chain.pop_back();
         chain.push_back(point);
     };
-    for (const auto& point : points) add(point, 0);
+    for (const auto& point : points)
+        add(point, 0);
     const std::size_t lower = chain.size() - 1;
-    for (auto point = points.rbegin() + 1; point != points.rend(); ++point) add(*point, lower);
+    for (auto point = points.rbegin() + 1; point != points.rend(); ++point)
+        add(*point, lower);
     chain.pop_back();
     return chain;
 }
@@ -230,7 +231,8 @@ double SvgLevels::error(int level) const {
 
 int SvgLevels::levelFor(double wanted) const {
     int level = 0;
-    while (references(level + 1) <= comfortableReferences && error(level) > wanted) ++level;
+    while (references(level + 1) <= comfortableReferences && error(level) - m_thickeningError > wanted)
+        ++level;
     return level;
 }
 

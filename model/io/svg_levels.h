@@ -42,7 +42,7 @@ public:
 
     // Certified bound, in pixels, of the distance between the attractor and what is drawn, both ways.
     double error(int level) const;
-    // The first whose error is not larger, else the deepest that programs draw without a long wait.
+    // The first whose copies leave no larger error, else the deepest that programs draw without a long wait.
     int levelFor(double error) const;
 
 private:

@@ -384,6 +384,21 @@ private slots:
         QCOMPARE(render(request).note, RenderNote::TooDeep);
     }
 
+    void aCageOfMoreVerticesMovesThePicture() {
+        RenderRequest request = systems::request(systems::maple(), 300'000);
+        request.cage =
+            ifs::ControlCage<2>{{{-3, -2}, {3, -2}, {3, 5}, {-3, 5}}, {{-2, -2}, {4, -2}, {4, 5}, {-2, 5}}};
+        const Frame moved = render(request);
+        request.cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{1, 0}, {2, 0}, {1, 1}}};
+        const Frame expected = render(request);
+        int different = 0;
+        for (std::size_t i = 0; i < moved.pixels.size(); ++i)
+            different +=
+                std::abs(systems::grey(moved.pixels[i]) - systems::grey(expected.pixels[i])) > 40 ? 1 : 0;
+        QVERIFY(different < 50); // rounding of the fit moves a few samples
+        QVERIFY(systems::meanGrey(moved) > 1);
+    }
+
     void bandsShowNoSeams() {
         for (const int side : {1, 2}) {
             RenderRequest request = systems::request(systems::maple(), 2'000'000);

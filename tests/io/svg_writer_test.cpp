@@ -8,7 +8,8 @@
 #include "io/svg_writer.h"
 
 #include <QImage>
-#include <QPainter>
+#include <QProcess>
+#include <QStandardPaths>
 #include <QSvgRenderer>
 #include <QTest>
 #include <QXmlStreamReader>
@@ -22,8 +23,9 @@ namespace {
 
 document::Fractal fractalOf(const canonical::Maps2& maps, const QString& name = QStringLiteral("test")) {
     document::System2 system;
-    for (const auto& map : maps)
-        ifs::append(system, map, 1.0 / double(maps.size()));
+    const std::vector<double> weights = ifs::determinantWeights<2>(maps);
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        ifs::append(system, maps[i], weights[i]);
     document::Fractal fractal;
     fractal.name = name;
     fractal.system = system;
@@ -123,6 +125,18 @@ QImage maskOf(const QImage& picture, QRgb background) {
             if (difference > 90) mask.setPixel(x, y, 255);
         }
     return mask;
+}
+
+// By librsvg, which has nothing to do with this project; null when it is not installed.
+QImage drawnByOthers(const QByteArray& svg) {
+    const QString program = QStandardPaths::findExecutable(QStringLiteral("rsvg-convert"));
+    if (program.isEmpty()) return {};
+    QProcess process;
+    process.start(program, {});
+    process.write(svg);
+    process.closeWriteChannel();
+    process.waitForFinished(120'000);
+    return QImage::fromData(process.readAllStandardOutput(), "PNG");
 }
 
 // The share of lit pixels of `a` that have a lit pixel of `b` within `reach`.
@@ -417,12 +431,9 @@ void SvgWriterTest::looksLikeTheRendering() {
     const attractor::Frame frame = attractor::render(request);
     const QImage rendered(reinterpret_cast<const uchar*>(frame.pixels.data()), camera.width, camera.height,
                           QImage::Format_ARGB32_Premultiplied);
-    QImage drawn(rendered.size(), QImage::Format_ARGB32_Premultiplied);
-    QPainter painter(&drawn);
-    QSvgRenderer renderer(svgPicture(fractal, camera, {}).bytes);
-    QVERIFY(renderer.isValid());
-    renderer.render(&painter);
-    painter.end();
+    const QImage drawn = drawnByOthers(svgPicture(fractal, camera, {}).bytes);
+    if (drawn.isNull()) QSKIP("rsvg-convert is not installed: no independent program to draw the SVG");
+    QCOMPARE(drawn.size(), rendered.size());
     const QImage points = maskOf(rendered, background);
     const QImage copies = maskOf(drawn, background);
     QVERIFY2(covered(points, copies, 2) > 0.99, qPrintable(QString::number(covered(points, copies, 2))));
@@ -465,12 +476,15 @@ void SvgWriterTest::hostileFilesAreRefused() {
 
 void SvgWriterTest::awkwardTextSurvives() {
     document::Fractal fractal = fractalOf(canonical::flower());
-    fractal.comments = {QStringLiteral("ends ]]> and <begins> & so on"), QStringLiteral("bell \x07 rings")};
+    fractal.comments = {QStringLiteral("ends ]]> and <begins> & so on"), QStringLiteral("bell\x07 rings")};
     const SvgPicture picture = svgPicture(fractal, cameraFor(fractal), {1, CageVisibility::Hidden});
     QVERIFY(parsed(picture.bytes).wellFormed);
     const document::FractalFile file = readFractint(readSvgSystem(picture.bytes).text);
-    QCOMPARE(file.entries.first().fractal->comments,
-             (QStringList{QStringLiteral("ends ]]> and <begins> & so on"), QStringLiteral("bell  rings")}));
+    const QStringList comments = file.entries.first().fractal->comments;
+    QCOMPARE(comments.size(), 2);
+    QCOMPARE(comments[0], fractal.comments[0]);
+    QVERIFY(comments[1].startsWith(QStringLiteral("bell")) && comments[1].endsWith(QStringLiteral("rings")));
+    QVERIFY(!comments[1].contains(u'\a'));
 }
 
 QTEST_MAIN(SvgWriterTest)

@@ -54,6 +54,19 @@ private slots:
         QVERIFY(appearance().gamma > Appearance{}.gamma);
     }
 
+    void undoDuringARunOfStepsMovesTheSliderBack() {
+        QSlider* slider = m_panel->gamma()->slider();
+        const int start = slider->value();
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+        QVERIFY(slider->value() > start);
+        QTRY_COMPARE(m_document->undoStack()->count(), 1);
+        QTest::keyClick(slider, Qt::Key_Right);
+        m_document->undoStack()->undo();
+        QCOMPARE(appearance().gamma, Appearance{}.gamma);
+        QCOMPARE(slider->value(), start);
+    }
+
     void aTypedGammaMustBePositive() {
         view::NumberField* field = m_panel->gamma()->field();
         field->setFocus();

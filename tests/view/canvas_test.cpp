@@ -8,11 +8,13 @@
 
 #include <QAccessible>
 #include <QMessageBox>
+#include <QPointingDevice>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
+#include <cmath>
 #include <memory>
 
 using document::Document;
@@ -375,6 +377,33 @@ private slots:
         QTest::keyRelease(m_canvas.get(), Qt::Key_Space);
         QVERIFY((view::worldAt(m_canvas->camera(), {200, 200}) - world).norm() < 1e-12);
         QCOMPARE(steps(), 0);
+    }
+
+    void fingersDragAndPinch() {
+        static const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+        const auto touch = [&] { return QTest::touchEvent(m_canvas->viewport(), screen.get()); };
+        const Vector<2> before = vertices()[1];
+        const QPoint start = vertex(1) + QPoint(15, 0); // within the reach of a finger, not of a mouse
+        touch().press(1, start, m_canvas->viewport());
+        touch().move(1, start + QPoint(30, -20), m_canvas->viewport());
+        touch().release(1, start + QPoint(30, -20), m_canvas->viewport());
+        QVERIFY((vertices()[1] - before - view::worldOffset(m_canvas->camera(), {30, -20})).norm() < 1e-12);
+        QCOMPARE(steps(), 1);
+        const attractor::Camera camera = m_canvas->camera();
+        touch().press(1, QPoint(200, 200), m_canvas->viewport());
+        touch()
+            .move(1, QPoint(200, 200), m_canvas->viewport())
+            .press(2, QPoint(300, 200), m_canvas->viewport());
+        touch()
+            .move(1, QPoint(150, 220), m_canvas->viewport())
+            .move(2, QPoint(350, 220), m_canvas->viewport());
+        touch()
+            .release(1, QPoint(150, 220), m_canvas->viewport())
+            .release(2, QPoint(350, 220), m_canvas->viewport());
+        QVERIFY(std::abs(m_canvas->camera().pixelsPerUnit / camera.pixelsPerUnit - 2) < 1e-9);
+        QVERIFY((view::worldAt(m_canvas->camera(), {150, 220}) - view::worldAt(camera, {200, 200})).norm() <
+                1e-9);
+        QCOMPARE(steps(), 1);
     }
 
     void hidingTakesTheHandlesAway() {

@@ -362,21 +362,23 @@ bool CanvasView::touch(const QTouchEvent& event) {
     if (event.pointingDevice()->type() != QInputDevice::DeviceType::TouchScreen) return false;
     const QList<QEventPoint>& points = event.points();
     m_pointer = {points.front().position(), event.modifiers(), Reach::Touch};
+    if (points.size() >= 2 && !m_pinch.isActive()) {
+        if (m_tool == Tool::Cage) active().cancel();
+        m_pinch.press(camera(), points[0].position(), points[1].position());
+        return true;
+    }
     switch (event.type()) {
     case QEvent::TouchBegin:
         m_holding = Holding::Tool;
         active().press(m_pointer);
         break;
     case QEvent::TouchUpdate:
-        if (points.size() >= 2 && !m_pinch.isActive()) {
-            if (m_tool == Tool::Cage) active().cancel();
-            m_pinch.press(camera(), points[0].position(), points[1].position());
+        if (!m_pinch.isActive()) {
+            active().move(m_pointer);
+            report(m_pointer.position);
         } else if (points.size() >= 2) {
             m_fitted = false;
             setCamera(m_pinch.cameraAt(points[0].position(), points[1].position()));
-        } else if (!m_pinch.isActive()) {
-            active().move(m_pointer);
-            report(m_pointer.position);
         }
         break;
     case QEvent::TouchCancel:

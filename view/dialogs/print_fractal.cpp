@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/print_fractal.h"
 
-#include "io/number.h"
 #include "io/png_export.h"
 
 #include <QCoreApplication>
@@ -30,7 +29,7 @@ using Row = std::array<QString, columns>;
 std::vector<Row> coefficientRows(const document::System2& system) {
     std::vector<Row> rows{{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("d"),
                            QStringLiteral("e"), QStringLiteral("f"), QStringLiteral("p")}};
-    const auto number = [](double value) { return QString::fromLatin1(io::formatNumber(value)); };
+    const auto number = [](double value) { return QString::number(value == 0 ? 0.0 : value, 'g', 8); };
     const auto probabilities = ifs::probabilities(system);
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const auto& map = system.maps[i].map;
@@ -50,7 +49,7 @@ QFont sized(const QPainter& painter, double pixels, bool bold) {
 
 // As large as the room allows, smaller when a number is long or the maps are many.
 void paintTable(QPainter& painter, const QRectF& room, const std::vector<Row>& rows) {
-    const double rowHeight = std::min(room.height() / double(rows.size()), room.width() / 40);
+    const double rowHeight = std::min(room.height() / double(rows.size()), room.width() / 32);
     const double columnWidth = room.width() / columns;
     double pixels = 0.7 * rowHeight;
     painter.setFont(sized(painter, pixels, false));

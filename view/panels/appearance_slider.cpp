@@ -61,13 +61,16 @@ double AppearanceSlider::valueAt(int position) const {
 
 void AppearanceSlider::setValue(double value) {
     m_field->setValue(value);
-    if (m_slider->isSliderDown() || m_settled.isActive()) return;
+    if (valueAt(m_slider->value()) == value) return; // it came from here
     const QSignalBlocker blocker(m_slider);
     m_slider->setValue(positionOf(value));
 }
 
 void AppearanceSlider::slide(int position) {
-    if (!m_slider->isSliderDown()) m_settled.start();
+    if (m_slider->isSliderDown())
+        m_settled.stop(); // a drag goes on with the run and ends by itself
+    else
+        m_settled.start();
     emit tried(valueAt(position));
 }
 

@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: MIT
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+// barycage-cli as a black box: arguments in; status, text and files out.
+class CliTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void helpAndVersion();
+    void wrongUsage_data();
+    void wrongUsage();
+    void missingFiles();
+    void factsOfTheMaple();
+    void factsOfTheFern();
+    void unknownFactsAreNull();
+    void brokenEntries();
+    void standardInput();
+    void sameBytesForAnyThreads();
+    void pictureReopens_data();
+    void pictureReopens();
+    void viewShowsTheWholeAttractor();
+    void cageMovesThePicture();
+    void copyKeepsEveryByte();
+    void bakedCodeDrawsTheSame();
+    void interruptLeavesNothing();
+
+private:
+    struct Result {
+        int status = -1;
+        QByteArray out;
+        QByteArray err;
+    };
+    Result run(const QStringList& arguments, const QByteArray& input = {}) const;
+    QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    void write(const char* name, const QByteArray& bytes) const;
+    QByteArray read(const char* name) const;
+    QJsonObject entryOf(const Result& result, int index = 0) const;
+
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+const QByteArray systems = "maple {\r\n"
+                           " -0.04 0 -0.23 -0.65 -0.08 0.26 .25\r\n"
+                           " 0.61 0 0 0.31 0.07 3.5 .25\r\n"
+                           " 0.65 0.29 -0.3 0.48 0.74 0.39 .25\r\n"
+                           " 0.64 -0.3 0.16 0.56 -0.56 0.60 .25\r\n"
+                           "}\r\n"
+                           "Fern { ; Barnsley\n"
+                           " 0 0 0 0.16 0 0 .01\n"
+                           " 0.85 0.04 -0.04 0.85 0 1.6 .85\n"
+                           " 0.2 -0.26 0.23 0.22 0 1.6 .07\n"
+                           " -0.15 0.28 0.26 0.24 0 0.44 .07\n"
+                           "}\n"
+                           "spin {\n 0 -1 1 0 0 0 1\n}\n";
+
+void compare(double actual, double expected, double tolerance) {
+    QVERIFY2(std::abs(actual - expected) <= tolerance,
+             qPrintable(QStringLiteral("%1 is not %2").arg(actual, 0, 'g', 17).arg(expected, 0, 'g', 17)));
+}
+
+void compare(const QJsonValue& pair, double x, double y, double tolerance) {
+    QCOMPARE(pair.toArray().size(), 2);
+    compare(pair[0].toDouble(), x, tolerance);
+    compare(pair[1].toDouble(), y, tolerance);
+}
+
+} // namespace
+
+CliTest::Result CliTest::run(const QStringList& arguments, const QByteArray& input) const {
+    QProcess process;
+    process.setWorkingDirectory(m_folder.path());
+    process.start(QStringLiteral(BARYCAGE_CLI), arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(120'000)) return {};
+    if (process.exitStatus() != QProcess::NormalExit) return {};
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+void CliTest::write(const char* name, const QByteArray& bytes) const {
+    QFile file(path(name));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+QByteArray CliTest::read(const char* name) const {
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QJsonObject CliTest::entryOf(const Result& result, int index) const {
+    return QJsonDocument::fromJson(result.out)[QLatin1String("entries")][index].toObject();
+}
+
+void CliTest::initTestCase() {
+    QVERIFY(m_folder.isValid());
+    write("systems.ifs", systems);
+    write("broken.ifs", "good {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\nbad {\n .5 0 0 oops 0 0 1\n}\n");
+}
+
+void CliTest::helpAndVersion() {
+    const Result version = run({QStringLiteral("--version")});
+    QCOMPARE(version.status, 0);
+    QVERIFY(version.out.startsWith("barycage-cli "));
+    for (const char* command : {"info", "render", "convert"}) {
+        const Result help = run({QLatin1String(command), QStringLiteral("--help")});
+        QCOMPARE(help.status, 0);
+        QVERIFY(help.out.contains("--entry"));
+        QVERIFY(help.err.isEmpty());
+    }
+}
+
+void CliTest::wrongUsage_data() {
+    QTest::addColumn<QString>("arguments");
+    const auto row = [](const char* text) { QTest::newRow(text) << QString::fromLatin1(text); };
+    row("");
+    row("frobnicate");
+    row("info");
+    row("info systems.ifs --nonsense");
+    row("info systems.ifs --hull-tolerance -1");
+    row("render systems.ifs");
+    row("render systems.ifs -o x.gif");
+    row("render systems.ifs -o x.png --size 12by9");
+    row("render systems.ifs -o x.png --size 0x9");
+    row("render systems.ifs -o x.png --palette no-such-palette");
+    row("render systems.ifs -o x.png --background colourless");
+    row("render systems.ifs -o x.png --gamma -1");
+    row("render systems.ifs -o x.png --gamma 2,2");
+    row("render systems.ifs -o x.png --bits 16");
+    row("render systems.ifs -o x.png --simd avx2");
+    row("render systems.ifs -o x.png --depth 3");
+    row("render systems.ifs -o x.svg --points 1000");
+    row("render systems.ifs -o x.svg --svg outline");
+    row("render systems.ifs -o x.svg --depth 150");
+    row("render systems.ifs -o x.png --algorithm deterministic");
+    row("render systems.ifs -o x.png --rest-cage hull:8");
+    row("render systems.ifs -o x.png --rest-cage 0,0;1,0");
+    row("render systems.ifs -o x.png --view 1,2");
+    row("render systems.ifs -o x.png --view 1,2,0");
+    row("render systems.ifs -o x.png --margin 50");
+    row("render systems.ifs -o x.png --progress sometimes");
+    row("convert systems.ifs x.pdf");
+}
+
+void CliTest::wrongUsage() {
+    QFETCH(QString, arguments);
+    const Result result = run(arguments.split(u' ', Qt::SkipEmptyParts));
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.err.startsWith("barycage-cli"), result.err.constData());
+    QVERIFY(result.err.contains(": error: "));
+    for (const char* name : {"x.png", "x.svg", "x.gif", "x.pdf"})
+        QVERIFY(!QFile::exists(path(name)));
+}
+
+void CliTest::missingFiles() {
+    const Result absent = run({QStringLiteral("info"), QStringLiteral("absent.ifs")});
+    QCOMPARE(absent.status, 3);
+    QVERIFY(absent.err.startsWith("absent.ifs: error: "));
+    const Result folder =
+        run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+             QStringLiteral("no/such/folder.png"), QStringLiteral("--size"), QStringLiteral("9x9")});
+    QCOMPARE(folder.status, 3);
+    const Result entry = run({QStringLiteral("info"), QStringLiteral("systems.ifs"),
+                              QStringLiteral("--entry"), QStringLiteral("oak"), QStringLiteral("--json")});
+    QCOMPARE(entry.status, 1);
+    QVERIFY(entry.err.contains("oak"));
+    QVERIFY(QJsonDocument::fromJson(entry.out).isObject());
+}
+
+// The exact values of docs/mathematics.md for the maple with equal weights.
+void CliTest::factsOfTheMaple() {
+    const Result result = run({QStringLiteral("info"), QStringLiteral("systems.ifs"),
+                               QStringLiteral("--entry"), QStringLiteral("MAPLE"), QStringLiteral("--json")});
+    QCOMPARE(result.status, 0);
+    const QJsonObject maple = entryOf(result);
+    QCOMPARE(maple[QLatin1String("name")].toString(), QStringLiteral("maple"));
+    QCOMPARE(maple[QLatin1String("dimension")].toInt(), 2);
+    compare(maple[QLatin1String("mean")], 5135.0 / 70583, 101021.0 / 70583, 1e-12);
+    compare(maple[QLatin1String("covariance")][0], 1.070887446859971, -0.052426065183732, 1e-12);
+    compare(maple[QLatin1String("covariance")][1], -0.052426065183732, 3.782835052470806, 1e-12);
+    const QJsonValue box = maple[QLatin1String("bounding_box")];
+    compare(box[QLatin1String("min")], -3.30009395647353114, -3.17305096113017084, 1e-11);
+    compare(box[QLatin1String("max")], 3.34421444954055797, 5.07246376811594203, 1e-11);
+    QVERIFY(box[QLatin1String("error")].toDouble(1) < 1e-10);
+    const QJsonValue simplex = maple[QLatin1String("canonical_simplex")];
+    QCOMPARE(simplex[QLatin1String("orientation")].toString(), QStringLiteral("--"));
+    compare(simplex[QLatin1String("leg")].toDouble(), 11.704657475156326, 1e-10);
+    compare(simplex[QLatin1String("vertices")][0], 3.34421444954056, 5.07246376811594, 1e-10);
+    compare(maple[QLatin1String("hull")][QLatin1String("area")].toDouble(), 35.754947908201, 1e-3);
+    compare(maple[QLatin1String("attractor")][QLatin1String("contractivity")].toDouble(), 0.723195530540,
+            1e-11);
+    QCOMPARE(maple[QLatin1String("attractor")][QLatin1String("verdict")].toString(),
+             QStringLiteral("hyperbolic"));
+    QVERIFY(maple[QLatin1String("similarity_dimension")].isNull());
+    compare(maple[QLatin1String("affinity_dimension")].toDouble(), 2, 0);
+    const QJsonValue map = maple[QLatin1String("maps")][2];
+    compare(map[QLatin1String("linear")][0], 0.65, 0.29, 0);
+    compare(map[QLatin1String("linear")][1], -0.3, 0.48, 0);
+    compare(map[QLatin1String("determinant")].toDouble(), 0.399, 1e-14);
+    compare(map[QLatin1String("norm")].toDouble(), 0.722524371029, 1e-11);
+    QVERIFY(maple[QLatin1String("cage")].isNull());
+}
+
+void CliTest::factsOfTheFern() {
+    const Result result = run({QStringLiteral("info"), QStringLiteral("systems.ifs"),
+                               QStringLiteral("--entry"), QStringLiteral("fern"), QStringLiteral("--json")});
+    QCOMPARE(result.status, 0);
+    const QJsonObject fern = entryOf(result);
+    compare(fern[QLatin1String("mean")], 2659956.0 / 3338159, 20588360.0 / 3338159, 1e-11);
+    compare(fern[QLatin1String("canonical_simplex")][QLatin1String("leg")].toDouble(), 10.793878466453615,
+            1e-10);
+    compare(fern[QLatin1String("affinity_dimension")].toDouble(), 1.834896, 3e-6);
+    compare(fern[QLatin1String("maps")][0][QLatin1String("fixed_point")], 0, 0, 0);
+    compare(fern[QLatin1String("maps")][1][QLatin1String("weight_in_file")].toDouble(), 0.85, 0);
+}
+
+void CliTest::unknownFactsAreNull() {
+    const Result result = run({QStringLiteral("info"), QStringLiteral("systems.ifs"),
+                               QStringLiteral("--entry"), QStringLiteral("spin"), QStringLiteral("--json")});
+    QCOMPARE(result.status, 0);
+    const QJsonObject spin = entryOf(result);
+    QCOMPARE(spin[QLatin1String("attractor")][QLatin1String("verdict")].toString(), QStringLiteral("none"));
+    for (const char* key :
+         {"mean", "covariance", "bounding_box", "canonical_simplex", "hull", "affinity_dimension"})
+        QVERIFY2(spin.contains(QLatin1String(key)) && spin[QLatin1String(key)].isNull(), key);
+    QVERIFY(!result.out.contains(": nan") && !result.out.contains(": inf"));
+}
+
+void CliTest::brokenEntries() {
+    const Result result =
+        run({QStringLiteral("info"), QStringLiteral("broken.ifs"), QStringLiteral("--json")});
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.err.startsWith("broken.ifs:6:"), result.err.constData());
+    const QJsonDocument json = QJsonDocument::fromJson(result.out);
+    QCOMPARE(json[QLatin1String("problems")][0][QLatin1String("line")].toInt(), 6);
+    QCOMPARE(json[QLatin1String("problems")][0][QLatin1String("severity")].toString(),
+             QStringLiteral("error"));
+    QCOMPARE(entryOf(result, 0)[QLatin1String("loaded")].toBool(), true);
+    QCOMPARE(entryOf(result, 1)[QLatin1String("loaded")].toBool(true), false);
+    // The first entry that can be read is drawn all the same; the broken one is not.
+    const QStringList render{QStringLiteral("render"), QStringLiteral("broken.ifs"),
+                             QStringLiteral("-o"),     QStringLiteral("broken.png"),
+                             QStringLiteral("--size"), QStringLiteral("20x20")};
+    QCOMPARE(run(render).status, 0);
+    QFile::remove(path("broken.png"));
+    QCOMPARE(run(render + QStringList{QStringLiteral("--entry"), QStringLiteral("bad")}).status, 1);
+    QVERIFY(!QFile::exists(path("broken.png")));
+}
+
+void CliTest::standardInput() {
+    const Result result =
+        run({QStringLiteral("info"), QStringLiteral("-"), QStringLiteral("--json")}, systems);
+    QCOMPARE(result.status, 0);
+    const QJsonDocument json = QJsonDocument::fromJson(result.out);
+    QCOMPARE(json[QLatin1String("file")].toString(), QStringLiteral("-"));
+    QCOMPARE(json[QLatin1String("entries")].toArray().size(), 3);
+}
+
+void CliTest::sameBytesForAnyThreads() {
+    for (const char* algorithm : {"density", "chaos-game"}) {
+        QByteArray first;
+        for (const char* threads : {"1", "2", "3"}) {
+            const Result result =
+                run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                     QStringLiteral("threads.png"), QStringLiteral("--size"), QStringLiteral("160x120"),
+                     QStringLiteral("--seed"), QStringLiteral("7"), QStringLiteral("--points"),
+                     QStringLiteral("5000000"), QStringLiteral("--threads"), QLatin1String(threads),
+                     QStringLiteral("--algorithm"), QLatin1String(algorithm)});
+            QCOMPARE(result.status, 0);
+            QVERIFY(result.err.isEmpty());
+            const QByteArray bytes = read("threads.png");
+            QVERIFY(!bytes.isEmpty());
+            if (first.isEmpty()) first = bytes;
+            QVERIFY(bytes == first);
+        }
+    }
+}
+
+void CliTest::pictureReopens_data() {
+    QTest::addColumn<QString>("file");
+    QTest::newRow("png") << QStringLiteral("picture.png");
+    QTest::newRow("svg") << QStringLiteral("picture.svg");
+}
+
+void CliTest::pictureReopens() {
+    QFETCH(QString, file);
+    QCOMPARE(run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("--entry"),
+                  QStringLiteral("fern"), QStringLiteral("-o"), file, QStringLiteral("--size"),
+                  QStringLiteral("90x90")})
+                 .status,
+             0);
+    const Result result = run({QStringLiteral("info"), file, QStringLiteral("--json")});
+    QCOMPARE(result.status, 0);
+    QCOMPARE(entryOf(result)[QLatin1String("name")].toString(), QStringLiteral("Fern"));
+    compare(entryOf(result)[QLatin1String("mean")], 2659956.0 / 3338159, 20588360.0 / 3338159, 1e-11);
+}
+
+void CliTest::viewShowsTheWholeAttractor() {
+    QCOMPARE(run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("fit.png"), QStringLiteral("--size"), QStringLiteral("200x200"),
+                  QStringLiteral("--colour"), QStringLiteral("none"), QStringLiteral("--background"),
+                  QStringLiteral("transparent"), QStringLiteral("--dpi"), QStringLiteral("254")})
+                 .status,
+             0);
+    const QImage picture(path("fit.png"));
+    QCOMPARE(picture.dotsPerMeterX(), 10000);
+    QRect lit;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (qAlpha(picture.pixel(x, y)) > 0) lit |= QRect(x, y, 1, 1);
+    // The maple is taller than wide: 5 % above and below, centred.
+    QVERIFY(std::abs(lit.top() - 10) <= 2);
+    QVERIFY(std::abs(picture.height() - 1 - lit.bottom() - 10) <= 2);
+    QVERIFY(std::abs(lit.left() + lit.right() - picture.width()) <= 4);
+}
+
+void CliTest::cageMovesThePicture() {
+    const QStringList common{QStringLiteral("render"),   QStringLiteral("systems.ifs"),
+                             QStringLiteral("--size"),   QStringLiteral("120x120"),
+                             QStringLiteral("--colour"), QStringLiteral("none"),
+                             QStringLiteral("-o")};
+    // Mirroring the cage and looking at it mirrored gives the same silhouette upside down.
+    QCOMPARE(run(common +
+                 QStringList{QStringLiteral("up.png"), QStringLiteral("--view"), QStringLiteral("0,1,10")})
+                 .status,
+             0);
+    QCOMPARE(run(common + QStringList{QStringLiteral("down.png"), QStringLiteral("--view"),
+                                      QStringLiteral("0,-1,10"), QStringLiteral("--rest-cage"),
+                                      QStringLiteral("0,0 1,0 0,1"), QStringLiteral("--cage"),
+                                      QStringLiteral("0,0 1,0 0,-1")})
+                 .status,
+             0);
+    const QImage up = QImage(path("up.png")).mirrored();
+    const QImage down(path("down.png"));
+    int different = 0;
+    for (int y = 0; y < up.height(); ++y)
+        for (int x = 0; x < up.width(); ++x)
+            different += std::abs(qGray(up.pixel(x, y)) - qGray(down.pixel(x, y))) > 60;
+    QVERIFY2(different < 150, qPrintable(QString::number(different)));
+    QVERIFY(QImage(path("up.png")) != down);
+}
+
+void CliTest::copyKeepsEveryByte() {
+    QCOMPARE(
+        run({QStringLiteral("convert"), QStringLiteral("broken.ifs"), QStringLiteral("copy.ifs")}).status, 0);
+    QCOMPARE(read("copy.ifs"), read("broken.ifs"));
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("one.ifs"),
+                  QStringLiteral("--entry"), QStringLiteral("fern")})
+                 .status,
+             0);
+    QVERIFY(read("one.ifs").contains("Fern { ; Barnsley\n 0 0 0 0.16 0 0 .01\n"));
+    QVERIFY(!read("one.ifs").contains("maple"));
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("broken.ifs"), QStringLiteral("strict.ifs"),
+                  QStringLiteral("--strict")})
+                 .status,
+             1);
+    QVERIFY(!QFile::exists(path("strict.ifs")));
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("strict.ifs"),
+                  QStringLiteral("--strict")})
+                 .status,
+             0);
+    QVERIFY(read("strict.ifs").contains("maple {\n"));
+}
+
+// T∘w∘T⁻¹ for the stored cage, a translation by (1, 2): the mean moves along.
+void CliTest::bakedCodeDrawsTheSame() {
+    QCOMPARE(run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("moved.svg"), QStringLiteral("--rest-cage"), QStringLiteral("0,0 1,0 0,1"),
+                  QStringLiteral("--cage"), QStringLiteral("1,2 2,2 1,3"), QStringLiteral("--depth"),
+                  QStringLiteral("1")})
+                 .status,
+             0);
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("moved.svg"), QStringLiteral("baked.ifs"),
+                  QStringLiteral("--bake")})
+                 .status,
+             0);
+    const Result result =
+        run({QStringLiteral("info"), QStringLiteral("baked.ifs"), QStringLiteral("--json")});
+    QCOMPARE(result.status, 0);
+    compare(entryOf(result)[QLatin1String("mean")], 1 + 5135.0 / 70583, 2 + 101021.0 / 70583, 1e-11);
+}
+
+void CliTest::interruptLeavesNothing() {
+    QProcess process;
+    process.setWorkingDirectory(m_folder.path());
+    process.start(QStringLiteral(BARYCAGE_CLI),
+                  {QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                   QStringLiteral("never.png"), QStringLiteral("--points"), QStringLiteral("1000000000000"),
+                   QStringLiteral("--progress"), QStringLiteral("always")});
+    QVERIFY(process.waitForStarted());
+    process.setReadChannel(QProcess::StandardError);
+    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 30'000);
+    process.terminate();
+    QVERIFY(process.waitForFinished(30'000));
+    QCOMPARE(process.exitCode(), 130);
+    QVERIFY(!QFile::exists(path("never.png")));
+}
+
+QTEST_GUILESS_MAIN(CliTest)
+#include "cli_test.moc"

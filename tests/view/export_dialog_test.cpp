@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export_dialog.h"
+#include "dialogs/export_size_editor.h"
+#include "dialogs/print_fractal.h"
+
+#include "document/document.h"
+#include "io/png_system.h"
+#include "io/svg_system.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMimeData>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace view;
+
+namespace {
+
+// Pictures to look at, in the folder that BARYCAGE_KEEP names.
+void keep(const QImage& picture, const char* name) {
+    const QString folder = qEnvironmentVariable("BARYCAGE_KEEP");
+    if (!folder.isEmpty()) QVERIFY(picture.save(folder + u'/' + QLatin1String(name)));
+}
+
+} // namespace
+
+class ExportDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void writesPng();
+    void writesSvg();
+    void saysWhatTheSvgWillBe();
+    void failureIsTold();
+    void closingWhileExportingIsSafe();
+    void sizeKeepsItsShape();
+    void lengthsFollowTheResolution();
+    void clipboardHoldsBothForms();
+    void pageHoldsNamePictureAndTable();
+
+private:
+    attractor::Camera camera() const {
+        attractor::Camera view;
+        view.width = 160;
+        view.height = 120;
+        return fitted(view, {0, 0}, {1, 0.9});
+    }
+    template <typename Widget> static Widget* named(QWidget& parent, const char* name) {
+        for (auto* child : parent.findChildren<Widget*>())
+            if (child->accessibleName() == QLatin1String(name)) return child;
+        return nullptr;
+    }
+    QTemporaryDir m_folder;
+};
+
+void ExportDialogTest::writesPng() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    const QString path = m_folder.filePath(QStringLiteral("a.png"));
+    dialog.exportTo(path);
+    QVERIFY(exported.wait(20'000));
+    keep(dialog.grab().toImage(), "export-png.png");
+    const QImage picture(path);
+    QCOMPARE(picture.size(), QSize(160, 120));
+    QCOMPARE(picture.dotsPerMeterX(), 11811);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(io::readPngSystem(file.readAll()).text.startsWith(document.fractal().name.toUtf8()));
+}
+
+void ExportDialogTest::writesSvg() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    const QString path = m_folder.filePath(QStringLiteral("a.svg"));
+    dialog.exportTo(path);
+    QVERIFY(exported.wait(20'000));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(!io::readSvgSystem(file.readAll()).failure);
+}
+
+void ExportDialogTest::saysWhatTheSvgWillBe() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    auto* plan = named<QLabel>(dialog, "What the picture will be like");
+    QTRY_VERIFY(plan->text().contains(QStringLiteral("references")));
+    const QString automatic = plan->text();
+    keep(dialog.grab().toImage(), "export-svg.png");
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+        if (box->text().contains(QStringLiteral("pixel"))) box->setChecked(false);
+    named<QSpinBox>(dialog, "Levels of copies")->setValue(2);
+    QTRY_VERIFY(plan->text() != automatic);
+    QVERIFY(plan->text().startsWith(QStringLiteral("12 references"))); // 3 + 9 for a Sierpiński triangle
+}
+
+void ExportDialogTest::failureIsTold() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    QSignalSpy failed(&dialog, &ExportDialog::failed);
+    dialog.exportTo(m_folder.filePath(QStringLiteral("no/such/folder.png")));
+    QVERIFY(failed.wait(20'000));
+    QVERIFY(named<QLabel>(dialog, "Result")->text().contains(QStringLiteral("folder.png")));
+}
+
+void ExportDialogTest::closingWhileExportingIsSafe() {
+    document::Document document;
+    const QString path = m_folder.filePath(QStringLiteral("never.png"));
+    {
+        ExportDialog dialog(&document, camera());
+        dialog.show();
+        dialog.findChild<ExportSizeEditor*>()->setPixels({4000, 3000});
+        named<QComboBox>(dialog, "Quality")->setCurrentIndex(3);
+        dialog.exportTo(path);
+        QTest::qWait(20);
+    }
+    QCoreApplication::processEvents();
+    QVERIFY(!QFile::exists(path));
+}
+
+void ExportDialogTest::sizeKeepsItsShape() {
+    ExportSizeEditor editor({160, 120});
+    QCOMPARE(editor.pixels(), QSize(160, 120));
+    named<QDoubleSpinBox>(editor, "Width")->setValue(1600);
+    QCOMPARE(editor.pixels(), QSize(1600, 1200));
+    named<QDoubleSpinBox>(editor, "Height")->setValue(60);
+    QCOMPARE(editor.pixels(), QSize(80, 60));
+}
+
+void ExportDialogTest::lengthsFollowTheResolution() {
+    ExportSizeEditor editor({160, 120});
+    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(2);
+    named<QSpinBox>(editor, "Resolution in dots per inch")->setValue(150);
+    named<QDoubleSpinBox>(editor, "Width")->setValue(4);
+    QCOMPARE(editor.pixels(), QSize(600, 450));
+    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(1);
+    QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 101.6);
+}
+
+void ExportDialogTest::clipboardHoldsBothForms() {
+    document::Document document;
+    QImage shown(16, 12, QImage::Format_ARGB32_Premultiplied);
+    shown.fill(Qt::red);
+    copyPicture(&document, camera(), shown);
+    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    QVERIFY(data->hasImage());
+    QCOMPARE(data->imageData().value<QImage>().size(), shown.size());
+    QVERIFY(io::looksLikeSvg(data->data(QStringLiteral("image/svg+xml"))));
+}
+
+void ExportDialogTest::pageHoldsNamePictureAndTable() {
+    document::Document document;
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::blue);
+    QImage page(420, 594, QImage::Format_RGB32);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    paintPage(painter, page.rect(), document.fractal(), picture);
+    painter.end();
+    keep(page, "page.png");
+    QCOMPARE(page.pixelColor(210, 150), QColor(Qt::blue));
+    const auto ink = [&](int top, int bottom) {
+        int dark = 0;
+        for (int y = top; y < bottom; ++y)
+            for (int x = 0; x < page.width(); ++x)
+                dark += qGray(page.pixel(x, y)) < 128 && qBlue(page.pixel(x, y)) < 128;
+        return dark;
+    };
+    QVERIFY(ink(0, 20) > 20);     // the name
+    QVERIFY(ink(355, 594) > 100); // the table
+}
+
+QTEST_MAIN(ExportDialogTest)
+#include "export_dialog_test.moc"
