@@ -16,7 +16,7 @@ namespace ifs {
 namespace {
 
 constexpr double RoundingUnit = 0x1p-53;
-constexpr int ExactMerging = 43; // bits of a state that must agree; the rest is rounding
+constexpr int ExactMerging = 43;             // bits of a state that must agree; the rest is rounding
 constexpr std::size_t ConsideredPerNode = 8; // children that are dropped at once cost less than nodes
 constexpr std::size_t ConsideredPerMap = 40;
 constexpr int TableDepth = 4;

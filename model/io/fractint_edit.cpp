@@ -411,7 +411,8 @@ EntrySource withBraces(const EntrySource& bare) {
     source.text += '}' + bare.lineEnd;
     // Numbers without a gap between them are understood in a bare file only.
     const auto reread = parsed(source.text, lineEndByteOf(bare), false);
-    if (!reread || reread->fractal.system != bare.fractal.system) source.text = writeEntry(bare.fractal, bare.lineEnd);
+    if (!reread || reread->fractal.system != bare.fractal.system)
+        source.text = writeEntry(bare.fractal, bare.lineEnd);
     return source;
 }
 

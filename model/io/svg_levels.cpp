@@ -17,7 +17,7 @@ namespace {
 constexpr double thinnest = 1.2;       // of a copy, in pixels: what is thinner is hardly seen
 constexpr double hullTolerance = 2e-3; // of the radius
 constexpr double widening = 0.4;       // of the smallest copies on every side, in pixels
-constexpr double mostWidening = 0.6;  // as a share of their size
+constexpr double mostWidening = 0.6;   // as a share of their size
 
 double diameterOf(const std::vector<ifs::Vector<2>>& points) {
     double longest = 0;

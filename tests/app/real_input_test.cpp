@@ -110,7 +110,7 @@ void RealInputTest::drag(const QPoint& from, const QList<QPoint>& through) {
 }
 
 void RealInputTest::press(const QString& key) {
-    xdotool({QStringLiteral("key"), QStringLiteral("--clearmodifiers"), key});
+    xdotool({QStringLiteral("key"), key});
 }
 
 void RealInputTest::click(const QPoint& point) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/cage_actions.h"
 
+#include "cage_edits.h"
 #include "document/fractal.h"
 #include "ifs/control_cage.h"
-#include "ifs/support_function.h"
 
 #include <QCoreApplication>
 
@@ -38,33 +38,19 @@ bool isPlacementInvertible(const document::Fractal& fractal) {
 }
 
 Failure fitMinimalCanonicalSimplex(document::Document& document) {
-    document::Fractal fractal = document.fractal();
-    if (!document::system2(fractal)) return notPlanar();
-    const std::optional<document::System2> displayed = document::effectiveSystem(fractal);
-    if (!displayed) return tooFlat();
-    const auto support = ifs::SupportFunction<2>::of(ifs::activeMaps(*displayed).maps);
-    if (!support)
-        return Actions::tr("The system has no attractor that could be held. Make its maps contract first.");
-    const ifs::ControlCage<2> present = document::effectiveCage(fractal);
-    if (present.current == present.rest) {
-        fractal.cage.reset();
-    } else {
-        const double tolerance = 1e-10 * support->radius();
-        fractal.cage =
-            ifs::redefine<2>(present, ifs::minimalCanonicalSimplex<2>(*support, tolerance).vertices);
-        if (!fractal.cage) return tooFlat();
-    }
-    document.edit(Actions::tr("Fit the minimal canonical simplex"), std::move(fractal));
+    const document::Fractal& fractal = document.fractal();
+    if (const QString obstacle = fitObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    auto fitted = withCageFitted(fractal, SimplexChoice::Minimal);
+    if (!fitted) return tooFlat();
+    document.edit(Actions::tr("Fit the minimal canonical simplex"), *std::move(fitted));
     return std::nullopt;
 }
 
 Failure resetCage(document::Document& document) {
-    document::Fractal fractal = document.fractal();
+    const document::Fractal& fractal = document.fractal();
     if (!document::system2(fractal)) return notPlanar();
-    if (!fractal.cage || fractal.cage->current == fractal.cage->rest)
-        return Actions::tr("The cage is at rest already.");
-    fractal.cage->current = fractal.cage->rest;
-    document.edit(Actions::tr("Reset the cage"), std::move(fractal));
+    if (isAtRest(fractal)) return Actions::tr("The cage is at rest already.");
+    document.edit(Actions::tr("Reset the cage"), withCageAtRest(fractal));
     return std::nullopt;
 }
 
@@ -76,15 +62,11 @@ Failure resetVertex(document::Document& document, int index) {
 }
 
 Failure bakeCage(document::Document& document) {
-    document::Fractal fractal = document.fractal();
-    if (!document::system2(fractal)) return notPlanar();
-    if (!fractal.cage || fractal.cage->current == fractal.cage->rest)
-        return Actions::tr("The cage is at rest: the code already is what is shown.");
-    const auto baked = ifs::bake<2>(*document::system2(fractal), *fractal.cage);
-    if (!baked) return tooFlat();
-    fractal.system = baked->system;
-    fractal.cage = baked->cage;
-    document.edit(Actions::tr("Bake the placement into the code"), std::move(fractal));
+    const document::Fractal& fractal = document.fractal();
+    if (const QString obstacle = bakeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    auto after = baked(fractal);
+    if (!after) return tooFlat();
+    document.edit(Actions::tr("Bake the placement into the code"), *std::move(after));
     return std::nullopt;
 }
 

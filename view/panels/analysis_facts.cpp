@@ -5,7 +5,7 @@
 #include "ifs/dimension.h"
 #include "ifs/moments.h"
 #include "ifs/support_function.h"
-#include "panels/cage_edits.h"
+#include "cage_edits.h"
 #include "panels/number_text.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/analysis_panel.h"
 
-#include "panels/cage_edits.h"
+#include "cage_edits.h"
 
 #include <QClipboard>
 #include <QFormLayout>

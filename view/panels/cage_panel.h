@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "panels/cage_edits.h"
+#include "cage_edits.h"
 #include "panels/live_edit.h"
 
 #include <QTimer>

@@ -2,7 +2,7 @@
 #include "panels/maps_model.h"
 
 #include "ifs/decomposition.h"
-#include "panels/cage_edits.h"
+#include "cage_edits.h"
 #include "panels/maps_edits.h"
 #include "panels/number_text.h"
 

@@ -3,7 +3,7 @@
 
 #include "icon.h"
 #include "io/table_reader.h"
-#include "panels/cage_edits.h"
+#include "cage_edits.h"
 #include "panels/focus_shortcuts.h"
 #include "panels/map_shape_editor.h"
 #include "panels/maps_delegate.h"

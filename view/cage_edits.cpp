@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "panels/cage_edits.h"
+#include "cage_edits.h"
 
 #include <QCoreApplication>
 
