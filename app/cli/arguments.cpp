@@ -59,6 +59,14 @@ std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std:
     return points;
 }
 
+std::uint64_t wholeArgument(const std::string& option, const std::string& text) {
+    bool good = false;
+    const QString digits = QString::fromStdString(text);
+    const std::uint64_t number = digits.startsWith(u'-') ? 0 : digits.toULongLong(&good);
+    if (!good) refuse(option, text, tr("it takes a whole number from 0 to 18446744073709551615."));
+    return number;
+}
+
 double positiveArgument(const std::string& option, const std::string& text) {
     const auto number = io::parseNumber(QString::fromStdString(text));
     if (!number || !(*number > 0)) refuse(option, text, tr("it takes a positive number."));

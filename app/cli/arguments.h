@@ -6,6 +6,7 @@
 
 #include <QSize>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace cli {
 
 QSize sizeArgument(const std::string& option, const std::string& text);                         // "1200x900"
 std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std::string& text); // "x,y x,y …"
+std::uint64_t wholeArgument(const std::string& option, const std::string& text);
 double positiveArgument(const std::string& option, const std::string& text);
 double marginArgument(const std::string& option, const std::string& text); // per cent → share, below one half
 attractor::Rgba colourArgument(const std::string& option, const std::string& text);

@@ -97,7 +97,7 @@ QByteArray flameOf(const document::FractalFile& file, const QString& fileName) {
             reportWarning(fileName,
                           tr("“%1” is left out: a flame holds plane systems only.").arg(entry.fractal->name));
     }
-    return io::writeFlame(plane);
+    return plane.isEmpty() ? QByteArray() : io::writeFlame(plane);
 }
 
 QByteArray strictOf(const document::FractalFile& file, const QString& fileName) {
@@ -105,6 +105,17 @@ QByteArray strictOf(const document::FractalFile& file, const QString& fileName) 
     for (const auto& problem : text.problems)
         report(problem, fileName);
     return text.bytes;
+}
+
+// nullopt when no entry can be written in this form, which has then been reported.
+std::optional<QByteArray> bytesOf(const document::FractalFile& file, Format format, bool strict,
+                                  const QString& fileName) {
+    const bool flame = format == Format::Flame;
+    if (!flame && !strict) return io::writeFractint(file);
+    const QByteArray bytes = flame ? flameOf(file, fileName) : strictOf(file, fileName);
+    if (!bytes.isEmpty()) return bytes;
+    reportError(fileName, tr("No entry is left that could be written, so nothing was."));
+    return std::nullopt;
 }
 
 ExitStatus save(const Arguments& arguments, const QByteArray& bytes) {
@@ -126,8 +137,8 @@ ExitStatus convert(const Arguments& arguments) {
         return save(arguments, input->bytes);
     const auto file = fileToWrite(*input, arguments);
     if (!file || !reportProblems(*input, *file)) return ExitStatus::InputProblems;
-    if (format == Format::Flame) return save(arguments, flameOf(*file, input->name));
-    return save(arguments, arguments.strict ? strictOf(*file, input->name) : io::writeFractint(*file));
+    const auto bytes = bytesOf(*file, format, arguments.strict, input->name);
+    return bytes ? save(arguments, *bytes) : ExitStatus::InputProblems;
 }
 
 } // namespace

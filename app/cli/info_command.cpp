@@ -42,7 +42,7 @@ ExitStatus info(const Arguments& arguments) {
         report(problem, input->name);
     const io::InfoSubject subject{input->name, input->collection.format, selection.entries,
                                   selection.problems, hullTolerance};
-    print(arguments.json ? io::infoJson(subject) : io::infoText(subject).toUtf8());
+    print(arguments.json ? io::infoJson(subject) : printable(io::infoText(subject)).toUtf8());
     const bool allLoaded = std::all_of(selection.entries.begin(), selection.entries.end(), isLoaded);
     return selection.complete && allLoaded && !selection.entries.isEmpty() ? ExitStatus::Done
                                                                            : ExitStatus::InputProblems;

@@ -23,6 +23,13 @@ ExitStatus parse(CLI::App& program, int argc, char** argv) {
             return ExitStatus::Done;
         }
         const auto called = program.get_subcommands();
+        if (called.empty() && argc > 1 && argv[1][0] != '-') {
+            cli::reportUsage(
+                {}, QCoreApplication::translate(
+                        "cli", "There is no command “%1”; the commands are info, render and convert.")
+                        .arg(QString::fromLocal8Bit(argv[1])));
+            return ExitStatus::WrongUsage;
+        }
         cli::reportUsage(called.empty() ? QString() : QString::fromStdString(called.front()->get_name()),
                          QString::fromUtf8(error.what()));
         return ExitStatus::WrongUsage;

@@ -7,10 +7,16 @@
 
 namespace cli {
 
+QString printable(QString text) {
+    for (QChar& c : text)
+        if (c.category() == QChar::Other_Control && c != u'\n') c = QChar::ReplacementCharacter;
+    return text;
+}
+
 namespace {
 
 void line(const QString& text) {
-    const QByteArray bytes = text.toUtf8() + '\n';
+    const QByteArray bytes = printable(text).replace(u'\n', QChar::ReplacementCharacter).toUtf8() + '\n';
     std::fwrite(bytes.constData(), 1, std::size_t(bytes.size()), stderr);
 }
 

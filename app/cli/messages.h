@@ -8,6 +8,9 @@
 // Everything that goes to standard error: "file:line:column: error: sentence", one per line.
 namespace cli {
 
+// Lines of text without control characters, with which a name out of a file could command the terminal.
+QString printable(QString text);
+
 void report(const document::Problem& problem, const QString& fileName);
 void reportError(const QString& fileName, const QString& sentence);
 void reportWarning(const QString& fileName, const QString& sentence);

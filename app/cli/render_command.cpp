@@ -26,9 +26,8 @@ struct Arguments {
     std::string output;
     std::string entry;
     std::string size = "1200x900";
-    std::optional<std::uint64_t> points;
-    std::uint64_t seed = 1;
-    Text margin, cage, restCage, view, palette, colour, gamma, brightness, background, dpi, simd, svg;
+    std::string seed = "1";
+    Text points, margin, cage, restCage, view, palette, colour, gamma, brightness, background, dpi, simd, svg;
     std::string algorithm = "density";
     std::optional<int> iterations, supersample, threads, depth, bits;
     bool yDown = false;
@@ -172,10 +171,12 @@ attractor::RenderRequest requestOf(const document::Fractal& fractal, const attra
     attractor::RenderRequest request = document::renderRequest(fractal, camera);
     const auto pixels = std::uint64_t(camera.width) * std::uint64_t(camera.height);
     request.algorithm = algorithmOf(arguments.algorithm);
-    request.seed = arguments.seed;
+    request.seed = wholeArgument("--seed", arguments.seed);
     request.threads = arguments.threads.value_or(io::threadsOfThisMachine());
     const std::uint64_t perPixel = request.algorithm == attractor::Algorithm::ChaosGame ? 2 : 100;
-    request.samples = arguments.points.value_or(std::max<std::uint64_t>(perPixel * pixels, 1'000'000));
+    request.samples = arguments.points ? wholeArgument("--points", *arguments.points)
+                                       : std::max<std::uint64_t>(perPixel * pixels, 1'000'000);
+    if (request.samples == 0) throw UsageError{tr("--points takes at least one point.")};
     if (request.algorithm == attractor::Algorithm::Deterministic) {
         request.iterations = *arguments.iterations;
         request.samples = 1;
@@ -307,8 +308,7 @@ void addPictureOptions(CLI::App& command, Arguments& arguments) {
 void addAlgorithmOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--algorithm", arguments.algorithm, "density, chaos-game or deterministic")
         ->check(CLI::IsMember({"density", "chaos-game", "deterministic"}));
-    command.add_option("--points", arguments.points, "Samples (density), or points plotted (chaos-game)")
-        ->check(CLI::PositiveNumber);
+    command.add_option("--points", arguments.points, "Samples (density), or points plotted (chaos-game)");
     command.add_option("--iterations", arguments.iterations, "n of Wⁿ, for deterministic")
         ->check(CLI::NonNegativeNumber);
     command.add_option("--seed", arguments.seed, "Seed of the random numbers (1)");

@@ -38,6 +38,7 @@ public:
           m_halfY(system.halfExtent.y()),
           m_width(projection.grid.width),
           m_height(projection.grid.height),
+          m_kept(std::clamp<std::size_t>((std::size_t{1} << 23) / system.maps.size(), 256, most)),
           m_root(root(system, projection)) {
         m_largest = 2.0 * std::max(m_width, m_height);
         for (std::size_t i = 0; i < system.maps.size(); ++i)
@@ -65,7 +66,8 @@ public:
 private:
     enum class Threshold { Absolute, Relative };
 
-    static constexpr std::size_t most = 1U << 15; // words kept while refining
+    static constexpr std::size_t most = 1U << 15;         // words kept while refining
+    static constexpr std::size_t mostWaiting = 32 * most; // words of the next level before refining it
     static constexpr std::size_t mostVisits = 3'000'000;
     static constexpr double smallest = 0.25; // cells; below, splitting shows nothing new
 
@@ -165,9 +167,10 @@ private:
                     const Node<Real> candidate = child(node, i);
                     if (visible(candidate, extent(candidate))) next.push_back(candidate);
                 }
+                if (next.size() > mostWaiting) thinOut(next, most);
             }
             open.swap(next);
-            if (open.size() > most) thinOut(open);
+            if (open.size() > m_kept) thinOut(open, m_kept);
         }
         done.insert(done.end(), open.begin(), open.end());
         return done;
@@ -175,11 +178,11 @@ private:
 
     // Overlapping systems have exponentially many words in a small view. A systematic sample of them, each
     // standing for its share, keeps every estimate unbiased.
-    void thinOut(std::vector<Node<Real>>& nodes) const {
+    void thinOut(std::vector<Node<Real>>& nodes, std::size_t wanted) const {
         double total = 0;
         for (const Node<Real>& node : nodes)
             total += node.probability;
-        const double share = 2 * total / static_cast<double>(most);
+        const double share = 2 * total / static_cast<double>(wanted);
         double sum =
             static_cast<double>(mixed(m_settings.seed + static_cast<std::uint64_t>(nodes.size())) >> 11) *
             0x1p-53 * share;
@@ -222,6 +225,7 @@ private:
     double m_width;
     double m_height;
     double m_largest = 0;
+    std::size_t m_kept; // fewer where every word has thousands of children
     Node<Real> m_root;
     std::vector<Branch<Real>> m_branches;
 };

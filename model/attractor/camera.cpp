@@ -38,6 +38,8 @@ ifs::Vector<2> toWorld(const Camera& camera, const ifs::Vector<2>& pixel) {
 Camera fitted(Camera camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max, double margin) {
     const ifs::Vector<2> extent = max - min;
     camera.centre = (min + max) / 2;
+    // A point, but for rounding: magnified, it would lie outside the picture.
+    if (!(extent.maxCoeff() > 1e-12 * camera.centre.cwiseAbs().maxCoeff())) return camera;
     const double room = 1 - 2 * margin;
     const double across = extent.x() > 0 ? room * camera.width / extent.x() : HUGE_VAL;
     const double along = extent.y() > 0 ? room * camera.height / extent.y() : HUGE_VAL;

@@ -61,9 +61,13 @@ qsizetype indexOf(const FractalFile& file, EntryId id) {
 }
 
 QString uniqueName(const FractalFile& file, const QString& name, EntryId except) {
+    return uniqueName(name, [&](const QString& candidate) { return isTaken(file, candidate, except); });
+}
+
+QString uniqueName(const QString& name, const std::function<bool(const QString&)>& isTaken) {
     const QString legal = legalName(name);
     QString candidate = legal;
-    for (int number = 2; isTaken(file, candidate, except); ++number) {
+    for (int number = 2; isTaken(candidate); ++number) {
         const QString suffix = QStringLiteral("_%1").arg(number);
         candidate = cutTo(legal, longestName - suffix.size()) + suffix;
     }

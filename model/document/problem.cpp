@@ -9,11 +9,10 @@ QString toText(const Problem& problem, const QString& fileName) {
     const QString entry = problem.entry.isEmpty() ? QString() : QStringLiteral("“%1”: ").arg(problem.entry);
     if (problem.line == 0)
         return QStringLiteral("%1: %2: %3%4").arg(fileName, severity, entry, problem.message);
+    // All at once: a file may be called “%4”.
     return QStringLiteral("%1:%2:%3: %4: %5%6")
-        .arg(fileName)
-        .arg(problem.line)
-        .arg(problem.column)
-        .arg(severity, entry, problem.message);
+        .arg(fileName, QString::number(problem.line), QString::number(problem.column), severity, entry,
+             problem.message);
 }
 
 } // namespace document

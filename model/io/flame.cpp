@@ -171,9 +171,11 @@ public:
             }
             if (m_xml.isStartElement() && m_xml.name() == u"flame") readFlame();
         }
-        if (m_xml.hasError())
-            report(Problem::Severity::Error, {}, tr("The XML ends here: %1.").arg(m_xml.errorString()));
-        else if (m_file.entries.isEmpty() && m_file.problems.isEmpty())
+        if (m_xml.hasError()) {
+            QString reason = m_xml.errorString();
+            if (reason.endsWith(u'.')) reason.chop(1);
+            report(Problem::Severity::Error, {}, tr("The XML ends here: %1.").arg(reason));
+        } else if (m_file.entries.isEmpty() && m_file.problems.isEmpty())
             report(Problem::Severity::Error, {}, tr("There is no flame in this file."));
         return std::move(m_file);
     }

@@ -513,8 +513,7 @@ void EntryParser::explain(const RawToken& token, const Number& number) {
         return fail(token.span.begin,
                     tr("“%1” is not a plain number: Fractint reads %2 and ignores the rest. Write it as "
                        "one decimal number.")
-                        .arg(text)
-                        .arg(number.value));
+                        .arg(text, QString::number(number.value)));
     case Number::Kind::NotFinite:
         return fail(token.span.begin, tr("“%1” is not a finite number.").arg(text));
     case Number::Kind::Huge:

@@ -3,6 +3,7 @@
 #include "io/fractint_writer.h"
 
 #include <QCoreApplication>
+#include <QSet>
 
 #include <algorithm>
 #include <cmath>
@@ -42,9 +43,9 @@ public:
     StrictText write(const FractalFile& file, const QList<document::EntryId>& only) && {
         for (const Entry& entry : file.entries)
             if (only.isEmpty() || only.contains(entry.id)) append(*entry.fractal);
-        if (m_file.entries.size() > mostEntries)
+        if (m_names.size() > mostEntries)
             warn({}, tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
-                         .arg(m_file.entries.size()));
+                         .arg(m_names.size()));
         return std::move(m_text);
     }
 
@@ -76,20 +77,14 @@ private:
 
     QByteArray strictName(const QString& name) {
         QString legal = QString::fromLatin1(ascii(fractint::storedName(name), '_'));
-        legal = document::uniqueName(m_file, legal);
+        legal = document::uniqueName(
+            legal, [this](const QString& candidate) { return m_names.contains(candidate.toLower()); });
         if (legal != name)
             warn(name, tr("The entry is written under the name “%1”: other programs take 18 plain "
                           "characters, and each "
                           "name once.")
                            .arg(legal));
-        Entry entry;
-        entry.id = document::freshId(m_file);
-        entry.fractal = std::make_shared<const document::Fractal>([&] {
-            document::Fractal named;
-            named.name = legal;
-            return named;
-        }());
-        m_file.entries.append(entry);
+        m_names.insert(legal.toLower());
         return legal.toLatin1();
     }
 
@@ -133,7 +128,7 @@ private:
         m_text.problems.append({Problem::Severity::Warning, entry, 0, 0, message});
     }
 
-    FractalFile m_file; // the names given so far
+    QSet<QString> m_names; // given so far, in lower case
     StrictText m_text;
 };
 

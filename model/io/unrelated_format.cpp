@@ -20,7 +20,9 @@ QString tr(const char* sentence) {
 }
 
 bool isBinary(QByteArrayView bytes) {
-    const QByteArrayView head = bytes.first(std::min<qsizetype>(bytes.size(), 512));
+    QByteArrayView head = bytes.first(std::min<qsizetype>(bytes.size(), 512));
+    // DOS filled the last block of a text with anything, after ^Z.
+    if (const qsizetype end = head.indexOf('\x1a'); end > 0) head = head.first(end);
     const auto odd = std::count_if(head.begin(), head.end(), [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return (byte < 0x20 && !(byte >= '\t' && byte <= '\r') && byte != 0x1a) || byte == 0x7f;

@@ -19,6 +19,11 @@ private slots:
     void helpAndVersion();
     void wrongUsage_data();
     void wrongUsage();
+    void unknownCommandIsNamed();
+    void messagesHoldNoControlCharacters();
+    void aPointIsInTheMiddle();
+    void thousandsOfMapsFitIntoMemory();
+    void nothingLeftIsNotWritten();
     void missingFiles();
     void factsOfTheMaple();
     void factsOfTheFern();
@@ -151,6 +156,11 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --view 1,2,0");
     row("render systems.ifs -o x.png --margin 50");
     row("render systems.ifs -o x.png --progress sometimes");
+    row("render systems.ifs -o x.png --seed -1");
+    row("render systems.ifs -o x.png --seed 99999999999999999999");
+    row("render systems.ifs -o x.png --points 0");
+    row("render systems.ifs -o x.png --points -5");
+    row("render systems.ifs -o x.png --points 1e6");
     row("convert systems.ifs x.pdf");
 }
 
@@ -162,6 +172,76 @@ void CliTest::wrongUsage() {
     QVERIFY(result.err.contains(": error: "));
     for (const char* name : {"x.png", "x.svg", "x.gif", "x.pdf"})
         QVERIFY(!QFile::exists(path(name)));
+}
+
+void CliTest::unknownCommandIsNamed() {
+    const Result result = run({QStringLiteral("galery"), QStringLiteral("systems.ifs")});
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.err.contains("galery"), result.err.constData());
+}
+
+// What a file says is printed, and does not command the terminal or the sentence it stands in.
+void CliTest::messagesHoldNoControlCharacters() {
+    write("%4.ifs", "a\x1b[31mb {\n 1/%2\x07 0 0\n}\nc\rd {\n .5 0 0 .5 0 0 1\n}\n");
+    for (const QStringList& arguments :
+         {QStringList{QStringLiteral("info"), QStringLiteral("%4.ifs")},
+          QStringList{QStringLiteral("convert"), QStringLiteral("%4.ifs"), QStringLiteral("x.flame")}}) {
+        const Result result = run(arguments);
+        QCOMPARE(result.status, 1);
+        QVERIFY2(result.err.startsWith("%4.ifs:2:2: error: "), result.err.constData());
+        QVERIFY2(result.err.contains("“1/%2"), result.err.constData());
+        for (const QByteArray& text : {result.out, result.err})
+            QVERIFY(
+                std::none_of(text.begin(), text.end(), [](char c) { return c < ' ' && c > 0 && c != '\n'; }));
+    }
+}
+
+// One map has one point: it is the middle of the picture, whatever rounding makes of its box.
+void CliTest::aPointIsInTheMiddle() {
+    write("point.ifs", "point {\n .5 .1 -.1 .5 1 2 1\n}\n");
+    const Result result = run({QStringLiteral("render"), QStringLiteral("point.ifs"), QStringLiteral("-o"),
+                               QStringLiteral("point.png"), QStringLiteral("--size"), QStringLiteral("81x61"),
+                               QStringLiteral("--points"), QStringLiteral("1000"),
+                               QStringLiteral("--background"), QStringLiteral("transparent")});
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.isEmpty(), result.err.constData());
+    const QImage image(path("point.png"));
+    int lit = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (image.pixelColor(x, y).alpha() > 0) {
+                ++lit;
+                QVERIFY(std::abs(x - 40) <= 1 && std::abs(y - 30) <= 1);
+            }
+    QVERIFY(lit > 0);
+}
+
+// Every word has 8,000 children that overlap; all words of one level at once would fill any memory.
+void CliTest::thousandsOfMapsFitIntoMemory() {
+    QByteArray maps;
+    for (int i = 0; i < 8'000; ++i)
+        maps += " .9 0 0 .9 " + QByteArray::number(1 + 0.01 * (i % 100)) + " 1 1\n";
+    write("many.ifs", "many {\n" + maps + "}\n");
+    QCOMPARE(run({QStringLiteral("render"), QStringLiteral("many.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("many.png"), QStringLiteral("--size"), QStringLiteral("80x60"),
+                  QStringLiteral("--points"), QStringLiteral("20000"), QStringLiteral("--view"),
+                  QStringLiteral("15,10,0.05")})
+                 .status,
+             0);
+}
+
+void CliTest::nothingLeftIsNotWritten() {
+    write("off.ifs", "off {\n .5 0 0 .5 0 0 0\n .5 0 0 .5 1 0 -1\n}\n");
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("off.ifs"), QStringLiteral("left.ifs"),
+                  QStringLiteral("--strict")})
+                 .status,
+             1);
+    QVERIFY(!QFile::exists(path("left.ifs")));
+    write("space.ifs", "space (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n}\n");
+    QCOMPARE(
+        run({QStringLiteral("convert"), QStringLiteral("space.ifs"), QStringLiteral("left.flame")}).status,
+        1);
+    QVERIFY(!QFile::exists(path("left.flame")));
 }
 
 void CliTest::missingFiles() {

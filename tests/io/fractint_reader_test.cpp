@@ -160,6 +160,7 @@ void FractintReaderTest::rules_data() {
             body,
         "a 2D 2", "1:1 W");
     row("^Z tail", "a " + body + "\x1a", "a 2D 2");
+    row("^Z and the rest of a disk block", "a " + body + "\x1a" + QByteArray(200, '\0'), "a 2D 2");
     row("^Z before an entry", "a " + body + "\x1a\nb " + body, "a 2D 2; b 2D 2", "5:1 W");
     row("NUL in a row", QByteArray("a {\n.5 0 0 .5 0 0 1") + '\0' + " rubbish\n}\n", "a 2D 1", "2:16 W");
     row("long line", "a {\n" + QByteArray(200, ' ') + ".5 0 0 .5 0 0 1\n}\n", "a 2D 1", "2:201 W");
