@@ -154,7 +154,7 @@ void placeBox(DrawableSystem& system) {
         slack = 1;
     }
     constexpr int middle = Enclosure::steps / 2;
-    const auto at = [&](int side) { return h[static_cast<std::size_t>(side * Enclosure::steps + middle)]; };
+    const auto at = [&](int side) { return h[static_cast<std::size_t>(side) * Enclosure::steps + middle]; };
     const Vector<2> high(at(0), at(1));
     const Vector<2> low(-at(2), -at(3));
     system.centre = start + (low + high) / 2;

@@ -96,7 +96,7 @@ HWY_ATTR void addToPatch(const Word& word, const Run& run, const Patch& patch, c
     constexpr std::size_t copies = 8;
     alignas(64) std::uint32_t cells[chunk];
     alignas(64) std::uint32_t small[copies][kernels::patchCells];
-    const auto size = static_cast<std::size_t>(patch.width * patch.height);
+    const auto size = static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height);
     for (auto& copy : small)
         std::memset(copy, 0, size * sizeof(std::uint32_t));
     const Float d;

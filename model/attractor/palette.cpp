@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 namespace attractor {
 
@@ -177,7 +178,8 @@ Rgba colourAt(const Palette& palette, double position) {
     };
     return {mix(low.colour.red, high.colour.red), mix(low.colour.green, high.colour.green),
             mix(low.colour.blue, high.colour.blue),
-            static_cast<std::uint8_t>(low.colour.alpha + (high.colour.alpha - low.colour.alpha) * f + 0.5)};
+            static_cast<std::uint8_t>(
+                std::lround(low.colour.alpha + (high.colour.alpha - low.colour.alpha) * f))};
 }
 
 std::span<const Palette> builtInPalettes() {
