@@ -89,7 +89,8 @@ FoundEntries entriesIn(const QMimeData& mimeData) {
 }
 
 bool mayHoldEntries(const QMimeData& mimeData) {
-    return mimeData.hasFormat(ifsType) || mimeData.hasText();
+    // The text of files is their path: opening them is not pasting.
+    return mimeData.hasFormat(ifsType) || (mimeData.hasText() && !mimeData.hasUrls());
 }
 
 } // namespace view

@@ -12,4 +12,10 @@ public:
 
     // One window per file; without files one window with the maple.
     void openWindows(const QStringList& files);
+
+protected:
+    bool event(QEvent* event) override;
+
+private:
+    void completePalette();
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
 
+#include "dialogs/save_file_dialog.h"
 #include "io/fractint_reader.h"
 #include "panels/analysis_panel.h"
 #include "panels/appearance_panel.h"
 #include "panels/cage_panel.h"
 #include "panels/collection_panel.h"
+#include "panels/entries_edits.h"
 #include "panels/entries_panel.h"
 #include "panels/history_panel.h"
 #include "panels/maps_panel.h"
@@ -13,6 +15,7 @@
 #include "recent_files.h"
 #include "status_line.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -24,9 +27,10 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
-#include <QStatusBar>
 
 namespace {
+
+constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
 
 QString fileFilter() {
     return MainWindow::tr(
@@ -35,14 +39,10 @@ QString fileFilter() {
 
 // Adds the fractal to the file as a new entry and shows it: one undo step.
 void addEntry(document::Document& document, const document::Fractal& fractal) {
-    document::FractalFile file = document.file();
-    document::Fractal added = fractal;
-    added.name = document::uniqueName(file, fractal.name);
     document::Entry entry;
-    entry.id = document::freshId(file);
-    entry.fractal = std::make_shared<const document::Fractal>(std::move(added));
-    file.entries.append(entry);
-    document.editFile(MainWindow::tr("Add %1").arg(fractal.name), std::move(file), entry.id);
+    entry.fractal = std::make_shared<const document::Fractal>(fractal);
+    view::Inserted added = view::inserted(document.file(), {entry}, document::EntryId::None);
+    document.editFile(MainWindow::tr("Add %1").arg(fractal.name), std::move(added.file), added.ids.front());
 }
 
 } // namespace
@@ -58,8 +58,7 @@ MainWindow::MainWindow(QWidget* parent)
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setCentralWidget(m_canvas);
-    statusBar()->addWidget(m_status, 1);
-    statusBar()->setSizeGripEnabled(false);
+    setStatusBar(m_status);
 
     createFileActions();
     createEditActions();
@@ -120,8 +119,13 @@ void MainWindow::createPanels() {
     connect(cage, &view::CagePanel::message, this, &MainWindow::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
-    connect(problems, &view::ProblemsPanel::countChanged, problemsDock,
-            [problemsDock](int count) { problemsDock->setVisible(count > 0); });
+    connect(problems, &view::ProblemsPanel::countChanged, problemsDock, [this, problemsDock](int count) {
+        const bool appears = count > 0 && problemsDock->isHidden();
+        problemsDock->setVisible(count > 0);
+        if (appears) resizeDocks({problemsDock}, {problemsHeight}, Qt::Vertical);
+    });
+    connect(&m_file, &OpenFile::pathChanged, problems,
+            [this, problems] { problems->setFileName(m_file.name()); });
     connect(collection, &view::CollectionPanel::openRequested, this,
             [this](const document::Fractal& fractal) {
                 if (!maySpoil()) return;
@@ -254,10 +258,9 @@ bool MainWindow::save() {
 bool MainWindow::saveAs() {
     const QString suggestion =
         m_file.path().isEmpty() ? m_document.fractal().name + QStringLiteral(".ifs") : m_file.path();
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Save As"), suggestion, tr("Fractint collections (*.ifs)"));
+    const QString path = view::chooseFileToSave(this, tr("Save As"), suggestion,
+                                                tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
     if (path.isEmpty()) return false;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".ifs");
     if (const io::Failure failure = m_file.saveAs(path)) {
         fail(tr("%1 was not saved").arg(QFileInfo(path).fileName()), *failure);
         return false;
@@ -298,11 +301,15 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::say(const QString& sentence) {
-    statusBar()->showMessage(sentence, 8000);
+    m_status->showMessage(sentence, 8000);
 }
 
 void MainWindow::fail(const QString& title, const QString& sentence) {
-    QMessageBox::critical(this, title, sentence);
+    auto* box = new QMessageBox(QMessageBox::Critical, QApplication::applicationDisplayName(), title + u'.',
+                                QMessageBox::Ok, this);
+    box->setInformativeText(sentence);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -65,7 +65,7 @@ void MainWindow::createFileActions() {
     QAction* saveAction =
         command(m_fileMenu, QStringLiteral("save"), tr("&Save"), QKeySequence::Save,
                 tr("Save the file; entries not edited keep every byte"), [this] { save(); });
-    command(m_fileMenu, QStringLiteral("save-as"), tr("Save &As…"), QKeySequence::SaveAs,
+    command(m_fileMenu, QStringLiteral("save-as"), tr("Save &As…"), QKeySequence(tr("Ctrl+Shift+S")),
             tr("Save the file under another name"), [this] { saveAs(); });
     QAction* revertAction = command(m_fileMenu, {}, tr("Re&vert"), {},
                                     tr("Go back to the file as it is on disk"), [this] { revert(); });
@@ -98,7 +98,7 @@ void MainWindow::createFileActions() {
 void MainWindow::createEditActions() {
     m_editMenu = menuBar()->addMenu(tr("&Edit"));
     QAction* undo = m_document.undoStack()->createUndoAction(this, tr("&Undo"));
-    undo->setShortcuts(QKeySequence::Undo);
+    undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
     undo->setIcon(view::icon(QStringLiteral("undo")));
     undo->setStatusTip(tr("Take the last edit back"));
     QAction* redo = m_document.undoStack()->createRedoAction(this, tr("&Redo"));

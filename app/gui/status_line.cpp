@@ -4,9 +4,10 @@
 #include "ifs/attractor_existence.h"
 
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+
+#include <algorithm>
 
 namespace {
 
@@ -56,7 +57,7 @@ QString verdictText(const ifs::Existence& existence) {
 } // namespace
 
 StatusLine::StatusLine(QWidget* parent)
-    : QWidget(parent),
+    : QStatusBar(parent),
       m_pointer(label(tr("Pointer position"), tr("World and barycentric coordinates of the pointer"))),
       m_verdict(label(tr("Verdict"),
                       tr("Whether the system has an attractor, and the factor by which it contracts"))),
@@ -64,12 +65,13 @@ StatusLine::StatusLine(QWidget* parent)
     QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     digits.setPointSizeF(font().pointSizeF() * 0.95);
     m_pointer->setFont(digits);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 0, 8, 0);
-    row->setSpacing(18);
-    row->addWidget(m_pointer, 1);
-    row->addWidget(m_verdict);
-    row->addWidget(m_frame);
+    m_frame->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setSizeGripEnabled(false);
+    setContentsMargins(8, 0, 8, 0);
+    m_frame->setContentsMargins(12, 0, 0, 0);
+    addWidget(m_pointer, 1);
+    addPermanentWidget(m_verdict);
+    addPermanentWidget(m_frame);
 }
 
 void StatusLine::showPointer(const view::PointerPosition& position) {
@@ -88,6 +90,7 @@ void StatusLine::clearPointer() {
 }
 
 void StatusLine::showVerdict(const document::Fractal& fractal) {
+    if (!document::system2(fractal)) m_frame->clear(); // nothing is drawn of it
     if (const auto* plane = document::system2(fractal))
         m_verdict->setText(verdictText(ifs::classify<2>(ifs::activeMaps(*plane).maps)));
     else if (document::dimension(fractal) == 3)
@@ -98,4 +101,5 @@ void StatusLine::showVerdict(const document::Fractal& fractal) {
 
 void StatusLine::showFrame(const attractor::Frame& frame) {
     m_frame->setText(tr("%1 · %2 ms").arg(count(frame.samples)).arg(frame.milliseconds, 0, 'f', 1));
+    m_frame->setMinimumWidth(std::max(m_frame->minimumWidth(), m_frame->sizeHint().width()));
 }

@@ -5,12 +5,12 @@
 #include "canvas/canvas_view.h"
 #include "document/fractal.h"
 
-#include <QWidget>
+#include <QStatusBar>
 
 class QLabel;
 
-// One quiet line: where the pointer is, whether there is an attractor, what was drawn.
-class StatusLine : public QWidget {
+// One quiet line: where the pointer is or what was just said, whether there is an attractor, what was drawn.
+class StatusLine : public QStatusBar {
     Q_OBJECT
 
 public:

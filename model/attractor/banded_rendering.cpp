@@ -55,7 +55,7 @@ bool BandedRendering::State::measure(const std::stop_token& stop) {
     const int height = std::clamp(100'000 / camera.width, 1, pitch);
     Occupancy whole;
     for (int strip = 0; strip * pitch + height <= camera.height; ++strip) {
-        const auto room = static_cast<std::uint64_t>(pitch - height + 1);
+        const auto room = static_cast<std::uint64_t>(pitch - height) + 1;
         const int jitter = static_cast<int>(mixed(static_cast<std::uint64_t>(strip)) % room);
         if (!draw(std::min(strip * pitch + jitter, camera.height - height), height, stop)) return false;
         const Occupancy part = occupancy(sums, request.appearance.supersample, share);

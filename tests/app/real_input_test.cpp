@@ -123,28 +123,28 @@ void RealInputTest::draggingAVertexIsOneStep() {
     const QPoint start = vertexOnScreen(1);
     drag(start, {start + QPoint(15, -10), start + QPoint(40, -30), start + QPoint(60, -55)});
 
-    QCOMPARE(m_window->document().undoStack()->count(), 1);
+    QTRY_COMPARE(m_window->document().undoStack()->count(), 1);
     const QPoint end = vertexOnScreen(1);
     QVERIFY((end - start - QPoint(60, -55)).manhattanLength() <= 2);
     QCOMPARE(fractal().system, before.system); // the code stays: the cage moves the picture
 
     press(QStringLiteral("ctrl+z"));
-    QVERIFY(fractal() == before);
+    QTRY_VERIFY(fractal() == before);
     press(QStringLiteral("ctrl+y"));
-    QVERIFY((vertexOnScreen(1) - end).manhattanLength() <= 1);
+    QTRY_VERIFY((vertexOnScreen(1) - end).manhattanLength() <= 1);
 }
 
 void RealInputTest::cursorIsAHandOverAVertexAndACrossElsewhere() {
     const QPoint vertex = vertexOnScreen(0);
     moveTo(vertex);
-    QCOMPARE(canvas()->viewport()->cursor().shape(), Qt::OpenHandCursor);
+    QTRY_COMPARE(canvas()->viewport()->cursor().shape(), Qt::OpenHandCursor);
     xdotool({QStringLiteral("mousedown"), QStringLiteral("1")});
     moveTo(vertex + QPoint(8, 8));
-    QCOMPARE(canvas()->viewport()->cursor().shape(), Qt::ClosedHandCursor);
+    QTRY_COMPARE(canvas()->viewport()->cursor().shape(), Qt::ClosedHandCursor);
     moveTo(vertex);
     xdotool({QStringLiteral("mouseup"), QStringLiteral("1")});
     moveTo(canvas()->viewport()->mapToGlobal(QPoint(12, canvas()->viewport()->height() / 2)));
-    QCOMPARE(canvas()->viewport()->cursor().shape(), Qt::CrossCursor);
+    QTRY_COMPARE(canvas()->viewport()->cursor().shape(), Qt::CrossCursor);
 }
 
 void RealInputTest::escapeTakesADragBack() {
@@ -153,11 +153,11 @@ void RealInputTest::escapeTakesADragBack() {
     moveTo(start);
     xdotool({QStringLiteral("mousedown"), QStringLiteral("1")});
     moveTo(start + QPoint(50, 20));
-    QVERIFY(fractal() != before);
+    QTRY_VERIFY(fractal() != before);
     press(QStringLiteral("Escape"));
-    QVERIFY(fractal() == before);
+    QTRY_VERIFY(fractal() == before);
     xdotool({QStringLiteral("mouseup"), QStringLiteral("1")});
-    QVERIFY(fractal() == before);
+    QTRY_VERIFY(fractal() == before);
     QCOMPARE(m_window->document().undoStack()->count(), 0);
 }
 
@@ -169,21 +169,21 @@ void RealInputTest::squeezedFlatAndReopenedIsExactlyTheSame() {
     const QPoint middle = (vertexOnScreen(0) + vertexOnScreen(1)) / 2;
     const QPoint mirrored = middle * 2 - start;
     drag(start, {middle, mirrored, middle, start + QPoint(20, 0), start});
-    QCOMPARE(cage().current, held.current);
-    QVERIFY(fractal() == before);
+    QTRY_COMPARE(cage().current, held.current);
+    QTRY_VERIFY(fractal() == before);
     QCOMPARE(m_window->document().undoStack()->count(), 0);
 }
 
 void RealInputTest::threeClicksDefineTheTriangle() {
     const QPoint middle = canvas()->viewport()->mapToGlobal(canvas()->viewport()->rect().center());
     press(QStringLiteral("d"));
-    QCOMPARE(canvas()->tool(), view::CanvasView::Tool::DefineTriangle);
+    QTRY_COMPARE(canvas()->tool(), view::CanvasView::Tool::DefineTriangle);
     const QList<QPoint> corners{middle + QPoint(-150, 120), middle + QPoint(160, 130),
                                 middle + QPoint(10, -180)};
     for (const QPoint& corner : corners)
         click(corner);
-    QCOMPARE(canvas()->tool(), view::CanvasView::Tool::Cage);
-    QCOMPARE(m_window->document().undoStack()->count(), 1);
+    QTRY_COMPARE(canvas()->tool(), view::CanvasView::Tool::Cage);
+    QTRY_COMPARE(m_window->document().undoStack()->count(), 1);
     for (std::size_t i = 0; i < 3; ++i)
         QVERIFY((vertexOnScreen(i) - corners[qsizetype(i)]).manhattanLength() <= 2);
 }

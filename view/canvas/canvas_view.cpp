@@ -95,6 +95,8 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
+    setAcceptDrops(false); // a file dropped here is the window's business
+    viewport()->setAcceptDrops(false);
     viewport()->setMouseTracking(true);
     viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
     viewport()->setCursor(Qt::CrossCursor);
@@ -266,7 +268,7 @@ void CanvasView::setOverlaysVisible(bool visible) {
     cancelGesture();
     m_scene->setOverlaysVisible(visible);
     refreshCursor();
-    if (!visible) emit message(tr("Only the picture is shown. Press H to see the cage again."));
+    emit message(visible ? QString() : tr("Only the picture is shown. Press H to see the cage again."));
     emit overlaysVisibleChanged(visible);
 }
 
@@ -584,8 +586,9 @@ bool CanvasView::focusNextPrevChild(bool next) {
 }
 
 void CanvasView::describeFocus() {
+    // While a part is dragged the read-out of the pointer says where it is.
     const CanvasPart part = m_scene->focused();
-    if (part.kind != CanvasPart::Kind::None)
+    if (part.kind != CanvasPart::Kind::None && m_holding == Holding::Nothing)
         emit message(tr("%1: %2").arg(m_scene->nameOf(part), m_scene->placeOf(part)));
 }
 

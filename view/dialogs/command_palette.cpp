@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
+#include <QPixmap>
 #include <QRegularExpression>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
@@ -67,6 +68,11 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     m_search->setClearButtonEnabled(true);
     m_search->installEventFilter(this);
     m_list->setModel(m_model);
+    m_list->setIconSize({18, 18});
+    m_list->setSpacing(1);
+    QPixmap empty(m_list->iconSize());
+    empty.fill(Qt::transparent);
+    m_noIcon = QIcon(empty);
     m_list->setAccessibleName(tr("Matching commands"));
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setUniformItemSizes(true);
@@ -78,6 +84,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     column->addWidget(m_search);
     column->addWidget(m_list);
     resize(520, 380);
+    m_search->setFocus();
 
     connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::filter);
     connect(m_search, &QLineEdit::returnPressed, this, &CommandPalette::run);
@@ -91,8 +98,8 @@ void CommandPalette::filter(const QString& text) {
         const auto& [action, title] = m_actions[i];
         if (!action->isEnabled() || !matchesCommand(title, text)) continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        auto* item =
-            new QStandardItem(action->icon(), keys.isEmpty() ? title : title + QStringLiteral("    ") + keys);
+        auto* item = new QStandardItem(action->icon().isNull() ? m_noIcon : action->icon(),
+                                       keys.isEmpty() ? title : title + QStringLiteral("    ") + keys);
         item->setData(int(i), actionRole);
         item->setToolTip(action->statusTip());
         m_model->appendRow(item);

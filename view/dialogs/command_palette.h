@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QIcon>
 #include <QList>
 
 class QAction;
@@ -34,6 +35,7 @@ private:
 
     QList<NamedAction> m_actions;
     QStandardItemModel* m_model;
+    QIcon m_noIcon; // as wide as the others, so that all names begin in one column
     QLineEdit* m_search;
     QListView* m_list;
 };

@@ -2,12 +2,11 @@
 #include "dialogs/export_dialog.h"
 
 #include "dialogs/export_size_editor.h"
+#include "dialogs/save_file_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
@@ -217,11 +216,9 @@ void ExportDialog::updateSvgPlan() {
 void ExportDialog::chooseFile() {
     const QString suffix = isSvg() ? QStringLiteral("svg") : QStringLiteral("png");
     const QString filter = isSvg() ? tr("Scalable pictures (*.svg)") : tr("Pictures (*.png)");
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Export Picture"), m_fractal.name + u'.' + suffix, filter);
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += u'.' + suffix;
-    exportTo(path);
+    const QString path =
+        chooseFileToSave(this, tr("Export Picture"), m_fractal.name + u'.' + suffix, filter, suffix);
+    if (!path.isEmpty()) exportTo(path);
 }
 
 void ExportDialog::exportTo(const QString& path) {

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QDialogButtonBox>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -84,7 +83,9 @@ ShortcutsDialog::ShortcutsDialog(const QList<NamedAction>& actions, QWidget* par
     tree->setSelectionMode(QAbstractItemView::NoSelection);
     addGestures(tree);
     view::addActions(tree, actions);
-    tree->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    tree->expandAll();
+    tree->resizeColumnToContents(0);
+    tree->setColumnWidth(0, tree->columnWidth(0) + 2 * tree->indentation());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
 
     auto* column = new QVBoxLayout(this);

@@ -90,7 +90,7 @@ void EntriesList::paintEvent(QPaintEvent* event) {
     QListView::paintEvent(event);
     QPainter painter(viewport());
     if (model()->rowCount() == 0) {
-        painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
+        painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(viewport()->rect().adjusted(16, 24, -16, -24), Qt::AlignCenter | Qt::TextWordWrap,
                          m_emptyText);
     }

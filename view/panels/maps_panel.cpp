@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps_panel.h"
 
+#include "cage_edits.h"
 #include "icon.h"
 #include "io/table_reader.h"
-#include "cage_edits.h"
 #include "panels/focus_shortcuts.h"
 #include "panels/map_shape_editor.h"
 #include "panels/maps_delegate.h"
@@ -281,6 +281,12 @@ void MapsPanel::showColumns(Columns group, bool shown) {
     const auto show = [&](int first, int last) {
         for (int column = first; column <= last; ++column)
             m_table->setColumnHidden(column, !shown);
+        // What was asked for is seen, and its first column first of all.
+        if (!shown || !m_table->isVisible()) return;
+        m_table->doItemsLayout(); // the new width is there to scroll in
+        const int row = std::max(0, m_table->currentIndex().row());
+        m_table->scrollTo(m_model->index(row, last));
+        m_table->scrollTo(m_model->index(row, first));
     };
     switch (group) {
     case Columns::Code:

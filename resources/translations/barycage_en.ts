@@ -1,0 +1,87 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<!-- SPDX-License-Identifier: MIT -->
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>MainWindow</name>
+    <message numerus="yes">
+        <source>%n entries</source>
+        <translation>
+            <numerusform>%n entry</numerusform>
+            <numerusform>%n entries</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n of them could not be read and are kept as they are</source>
+        <translation>
+            <numerusform>, %n of them could not be read and is kept as it is</numerusform>
+            <numerusform>, %n of them could not be read and are kept as they are</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n read with a remark</source>
+        <translation>
+            <numerusform>, %n read with a remark</numerusform>
+            <numerusform>, %n read with a remark</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::EntriesModel</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n map</numerusform>
+            <numerusform>%n maps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::EntriesPanel</name>
+    <message numerus="yes">
+        <source>Remove %n entries</source>
+        <translation>
+            <numerusform>Remove %n entry</numerusform>
+            <numerusform>Remove %n entries</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n entries</source>
+        <translation>
+            <numerusform>Duplicate %n entry</numerusform>
+            <numerusform>Duplicate %n entries</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n entries</source>
+        <translation>
+            <numerusform>Paste %n entry</numerusform>
+            <numerusform>Paste %n entries</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pasted entries could not be read; their text is kept as it is.</source>
+        <translation>
+            <numerusform>%n pasted entry could not be read; its text is kept as it is.</numerusform>
+            <numerusform>%n pasted entries could not be read; their text is kept as it is.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n entries</source>
+        <translation>
+            <numerusform>Move %n entry</numerusform>
+            <numerusform>Move %n entries</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::ProblemsPanel</name>
+    <message numerus="yes">
+        <source>%n problems were found while reading.</source>
+        <translation>
+            <numerusform>%n problem was found while reading.</numerusform>
+            <numerusform>%n problems were found while reading.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
