@@ -42,7 +42,11 @@ ExitStatus info(const Arguments& arguments) {
         report(problem, input->name);
     const io::InfoSubject subject{input->name, input->collection.format, selection.entries,
                                   selection.problems, hullTolerance};
-    print(arguments.json ? io::infoJson(subject) : printable(io::infoText(subject)).toUtf8());
+    if (!print(arguments.json ? io::infoJson(subject) : printable(io::infoText(subject)).toUtf8())) {
+        reportError(input->name,
+                    QCoreApplication::translate("cli", "The answer cannot be written to standard output."));
+        return ExitStatus::CannotReadOrWrite;
+    }
     const bool allLoaded = std::all_of(selection.entries.begin(), selection.entries.end(), isLoaded);
     return selection.complete && allLoaded && !selection.entries.isEmpty() ? ExitStatus::Done
                                                                            : ExitStatus::InputProblems;

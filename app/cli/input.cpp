@@ -58,7 +58,9 @@ Selection select(const Input& input, const std::vector<std::string>& names) {
     if (names.empty()) selection.entries = input.collection.file.entries;
     for (const std::string& name : names) {
         if (const document::Entry* entry = find(input, QString::fromStdString(name))) {
-            selection.entries << *entry;
+            const auto isSame = [entry](const document::Entry& chosen) { return chosen.id == entry->id; };
+            if (std::none_of(selection.entries.begin(), selection.entries.end(), isSame))
+                selection.entries << *entry;
             continue;
         }
         reportMissing(input, QString::fromStdString(name));

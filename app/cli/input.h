@@ -23,8 +23,8 @@ struct Input {
 // Reads FILE; nullopt when it cannot be read, which has then been reported.
 std::optional<Input> readInput(const std::string& file);
 
-// The entries named, compared without case, the first of each name; all when no name is given. A name that is
-// not there is reported and makes `complete` false.
+// The entries named, compared without case, the first of each name, each once; all when no name is given. A
+// name that is not there is reported and makes `complete` false.
 struct Selection {
     QList<document::Entry> entries;
     document::Problems problems; // of the file and of these entries

@@ -48,9 +48,9 @@ void reportUsage(const QString& subcommand, const QString& sentence) {
     line(QCoreApplication::translate("cli", "Try “%1 --help”.").arg(command));
 }
 
-void print(const QByteArray& text) {
-    std::fwrite(text.constData(), 1, std::size_t(text.size()), stdout);
-    std::fflush(stdout);
+bool print(const QByteArray& text) {
+    const auto size = std::size_t(text.size());
+    return std::fwrite(text.constData(), 1, size, stdout) == size && std::fflush(stdout) == 0;
 }
 
 } // namespace cli

@@ -17,6 +17,6 @@ void reportWarning(const QString& fileName, const QString& sentence);
 // Wrong usage, with a hint where to find the right one.
 void reportUsage(const QString& subcommand, const QString& sentence);
 
-void print(const QByteArray& text); // to standard output
+[[nodiscard]] bool print(const QByteArray& text); // to standard output; false when it cannot be written
 
 } // namespace cli

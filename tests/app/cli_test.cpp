@@ -24,6 +24,8 @@ private slots:
     void aPointIsInTheMiddle();
     void thousandsOfMapsFitIntoMemory();
     void nothingLeftIsNotWritten();
+    void anEntryNamedTwiceIsTakenOnce();
+    void fullOutputIsSaid();
     void missingFiles();
     void factsOfTheMaple();
     void factsOfTheFern();
@@ -242,6 +244,26 @@ void CliTest::nothingLeftIsNotWritten() {
         run({QStringLiteral("convert"), QStringLiteral("space.ifs"), QStringLiteral("left.flame")}).status,
         1);
     QVERIFY(!QFile::exists(path("left.flame")));
+}
+
+void CliTest::anEntryNamedTwiceIsTakenOnce() {
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("once.ifs"),
+                  QStringLiteral("--entry"), QStringLiteral("fern"), QStringLiteral("--entry"),
+                  QStringLiteral("FERN")})
+                 .status,
+             0);
+    QCOMPARE(read("once.ifs").count('{'), 1);
+}
+
+void CliTest::fullOutputIsSaid() {
+    if (!QFile::exists(QStringLiteral("/dev/full"))) QSKIP("needs /dev/full");
+    QProcess process;
+    process.setWorkingDirectory(m_folder.path());
+    process.setStandardOutputFile(QStringLiteral("/dev/full"));
+    process.start(QStringLiteral(BARYCAGE_CLI), {QStringLiteral("info"), QStringLiteral("systems.ifs")});
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitCode(), 3);
+    QVERIFY(process.readAllStandardError().contains("systems.ifs: error: "));
 }
 
 void CliTest::missingFiles() {
