@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ifs {
 
@@ -39,16 +40,19 @@ CanonicalSimplex<Dim> simplexFrom(const AxisSupports<Dim>& axes, const SupportFu
     result.orientation = orientation;
     result.leg = oblique.value;
     double axisError = 0;
+    double reach = std::abs(oblique.value);
     for (int k = 0; k < Dim; ++k) {
         const auto& face = axes[std::size_t(2 * k + (omega[k] > 0 ? 1 : 0))]; // h_A(−ω_k e_k) = −α_k
         result.vertices[0][k] = -omega[k] * face.value + 0.0;
         result.leg += face.value;
         axisError = std::max(axisError, face.error);
+        reach = std::max(reach, std::abs(face.value));
     }
     // The outer simplex: the corner moves by at most √Dim·axisError, the leg grows by Dim·axisError +
     // oblique.error.
     result.error = (std::sqrt(Dim) + Dim) * axisError + oblique.error;
-    if (!(result.leg > result.error)) result.leg = 1;
+    // The leg is attained, so only rounding can make one of a single point, however wide the certificate is.
+    if (!(result.leg > 64 * std::numeric_limits<double>::epsilon() * reach)) result.leg = 1;
     for (int k = 0; k < Dim; ++k)
         result.vertices[std::size_t(k + 1)] =
             result.vertices[0] + omega[k] * result.leg * Vector<Dim>::Unit(k);
