@@ -45,6 +45,8 @@ private:
     void connectDocument();
 
     // An action with its icon ("" for none), shortcut and status tip, in a menu and in the window.
+    QAction* action(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
+                    const QString& tip);
     template <typename Slot>
     QAction* command(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
                      const QString& tip, Slot slot);

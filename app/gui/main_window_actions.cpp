@@ -15,32 +15,38 @@
 #include <QSettings>
 #include <QToolBar>
 
-template <typename Slot>
-QAction* MainWindow::command(QMenu* menu, const QString& icon, const QString& text,
-                             const QKeySequence& shortcut, const QString& tip, Slot slot) {
+QAction* MainWindow::action(QMenu* menu, const QString& icon, const QString& text,
+                            const QKeySequence& shortcut, const QString& tip) {
     auto* action = new QAction(text, this);
     if (!icon.isEmpty()) action->setIcon(view::icon(icon));
     action->setShortcut(shortcut);
     action->setStatusTip(tip);
     const QString keys = shortcut.toString(QKeySequence::NativeText);
     action->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)", "what it does, shortcut").arg(tip, keys));
-    connect(action, &QAction::triggered, this, slot);
     menu->addAction(action);
     return action;
+}
+
+template <typename Slot>
+QAction* MainWindow::command(QMenu* menu, const QString& icon, const QString& text,
+                             const QKeySequence& shortcut, const QString& tip, Slot slot) {
+    QAction* made = action(menu, icon, text, shortcut, tip);
+    connect(made, &QAction::triggered, this, slot);
+    return made;
 }
 
 QAction* MainWindow::toggle(QMenu* menu, const QString& icon, const QString& text,
                             const QKeySequence& shortcut, const QString& tip, const QString& setting,
                             bool initially, void (view::CanvasView::*set)(bool)) {
-    QAction* action = command(menu, icon, text, shortcut, tip, [] {});
-    action->setCheckable(true);
-    connect(action, &QAction::toggled, this, [this, setting, set](bool on) {
+    QAction* made = action(menu, icon, text, shortcut, tip);
+    made->setCheckable(true);
+    connect(made, &QAction::toggled, this, [this, setting, set](bool on) {
         (m_canvas->*set)(on);
         QSettings().setValue(setting, on);
     });
-    action->setChecked(QSettings().value(setting, initially).toBool());
-    (m_canvas->*set)(action->isChecked());
-    return action;
+    made->setChecked(QSettings().value(setting, initially).toBool());
+    (m_canvas->*set)(made->isChecked());
+    return made;
 }
 
 void MainWindow::createFileActions() {
@@ -136,21 +142,21 @@ void MainWindow::createCageActions() {
     QAction* define = tool(QStringLiteral("define"), tr("De&fine Triangle"), QKeySequence(tr("D")),
                            tr("Define the control triangle by three clicks"), Tool::DefineTriangle);
     m_cageMenu->addSeparator();
-    const auto action = [this](const QString& icon, const QString& text, const QKeySequence& shortcut,
-                               const QString& tip, auto operation) {
+    const auto operate = [this](const QString& icon, const QString& text, const QKeySequence& shortcut,
+                                const QString& tip, auto operation) {
         return command(m_cageMenu, icon, text, shortcut, tip, [this, operation] {
             if (const auto sentence = operation(m_document)) say(*sentence);
         });
     };
-    QAction* fitSimplex = action(QStringLiteral("fit-simplex"), tr("Fit &Minimal Canonical Simplex"), {},
-                                 tr("Hold the attractor in the smallest isosceles right triangle around it"),
-                                 &view::fitMinimalCanonicalSimplex);
-    QAction* reset = action(QStringLiteral("reset"), tr("&Reset"), {},
-                            tr("Put the cage back to rest: the code is drawn as it is"), &view::resetCage);
+    QAction* fitSimplex = operate(QStringLiteral("fit-simplex"), tr("Fit &Minimal Canonical Simplex"), {},
+                                  tr("Hold the attractor in the smallest isosceles right triangle around it"),
+                                  &view::fitMinimalCanonicalSimplex);
+    QAction* reset = operate(QStringLiteral("reset"), tr("&Reset"), {},
+                             tr("Put the cage back to rest: the code is drawn as it is"), &view::resetCage);
     QAction* bake =
-        action(QStringLiteral("bake"), tr("&Bake"), QKeySequence(tr("Ctrl+B")),
-               tr("Make the placement part of the code: the picture stays, the coefficients change"),
-               &view::bakeCage);
+        operate(QStringLiteral("bake"), tr("&Bake"), QKeySequence(tr("Ctrl+B")),
+                tr("Make the placement part of the code: the picture stays, the coefficients change"),
+                &view::bakeCage);
     m_toolBarActions << drag << define << fitSimplex << reset << bake << nullptr;
 }
 
@@ -173,14 +179,13 @@ void MainWindow::createViewActions() {
         toggle(m_viewMenu, QStringLiteral("axes"), tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"),
                QStringLiteral("canvas/axes"), true, &view::CanvasView::setAxesVisible);
     connect(m_canvas, &view::CanvasView::axesVisibleChanged, axes, &QAction::setChecked);
-    QAction* down = command(m_viewMenu, QStringLiteral("y-axis"), tr("&Y Axis Down"), QKeySequence(tr("Y")),
-                            tr("Let y grow downwards, as in window coordinates"), [] {});
+    QAction* down = action(m_viewMenu, QStringLiteral("y-axis"), tr("&Y Axis Down"), QKeySequence(tr("Y")),
+                           tr("Let y grow downwards, as in window coordinates"));
     down->setCheckable(true);
     connect(down, &QAction::toggled, this,
             [this](bool on) { m_canvas->setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up); });
-    QAction* hide =
-        command(m_viewMenu, QStringLiteral("hide"), tr("&Only the Picture"), QKeySequence(tr("H")),
-                tr("Hide everything on the canvas but the picture"), [] {});
+    QAction* hide = action(m_viewMenu, QStringLiteral("hide"), tr("&Only the Picture"), QKeySequence(tr("H")),
+                           tr("Hide everything on the canvas but the picture"));
     hide->setCheckable(true);
     connect(hide, &QAction::toggled, this, [this](bool on) { m_canvas->setOverlaysVisible(!on); });
     connect(m_canvas, &view::CanvasView::overlaysVisibleChanged, hide,
@@ -191,19 +196,19 @@ void MainWindow::createViewActions() {
          {std::tuple{view::SnapTo::Grid, tr("&Grid"), QStringLiteral("grid")},
           std::tuple{view::SnapTo::Vertices, tr("&Vertices"), QStringLiteral("vertices")},
           std::tuple{view::SnapTo::Axes, tr("&Axes"), QStringLiteral("axes")}}) {
-        QAction* action = command(snap, {}, text, {}, tr("Let dragged vertices snap to this"), [] {});
-        action->setCheckable(true);
+        QAction* made = action(snap, {}, text, {}, tr("Let dragged vertices snap to this"));
+        made->setCheckable(true);
         const QString setting = QStringLiteral("canvas/snap/") + name;
-        connect(action, &QAction::toggled, this, [this, flag = flag, setting](bool on) {
+        connect(made, &QAction::toggled, this, [this, flag = flag, setting](bool on) {
             m_canvas->setSnapping(m_canvas->snapping().setFlag(flag, on));
             QSettings().setValue(setting, on);
         });
-        action->setChecked(QSettings().value(setting, false).toBool());
+        made->setChecked(QSettings().value(setting, false).toBool());
     }
     m_viewMenu->addSeparator();
     m_panelMenu = m_viewMenu->addMenu(tr("&Panels"));
-    QAction* full = command(m_viewMenu, {}, tr("F&ull Screen"), QKeySequence(tr("F11")),
-                            tr("Use the whole screen"), [] {});
+    QAction* full =
+        action(m_viewMenu, {}, tr("F&ull Screen"), QKeySequence(tr("F11")), tr("Use the whole screen"));
     full->setCheckable(true);
     connect(full, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
