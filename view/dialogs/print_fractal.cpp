@@ -70,13 +70,31 @@ void paintTable(QPainter& painter, const QRectF& room, const std::vector<Row>& r
                      QPointF(room.right(), room.top() + rowHeight));
 }
 
+double lightness(const attractor::Rgba& colour) {
+    return (0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue) / 255;
+}
+
+// The look on paper: a dark screen would drown the page in ink, and what glows on it would be pale on white.
+document::Fractal onPaper(document::Fractal fractal) {
+    attractor::Appearance& look = fractal.appearance;
+    if (look.background.alpha == 255 && lightness(look.background) > 0.5) return fractal;
+    look.background = {255, 255, 255, 255};
+    if (lightness(look.plain) > 0.5) look.plain = {20, 20, 20, 255};
+    const auto& stops = look.palette.stops;
+    const attractor::Palette* ink = attractor::findPalette("Ink");
+    if (ink && !stops.empty() && lightness(stops.back().colour) > lightness(stops.front().colour))
+        look.palette = *ink;
+    return fractal;
+}
+
 QImage pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
     constexpr int longSide = 2400;
     const double factor = double(longSide) / std::max({1, camera.width, camera.height});
     camera.width = std::max(1, int(camera.width * factor));
     camera.height = std::max(1, int(camera.height * factor));
     camera.pixelsPerUnit *= factor;
-    io::PngExport picture{fractal, document::renderRequest(fractal, camera), {}, io::CageVisibility::Hidden};
+    const document::Fractal printed = onPaper(fractal);
+    io::PngExport picture{printed, document::renderRequest(printed, camera), {}, io::CageVisibility::Hidden};
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 50ull * std::uint64_t(camera.width) * std::uint64_t(camera.height);
     return io::drawPicture(picture).image;
