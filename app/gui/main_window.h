@@ -11,6 +11,8 @@
 #include <QKeySequence>
 #include <QMainWindow>
 
+#include <functional>
+
 class QActionGroup;
 class QMenu;
 class StatusLine;
@@ -47,12 +49,11 @@ private:
     // An action with its icon ("" for none), shortcut and status tip, in a menu and in the window.
     QAction* action(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
                     const QString& tip);
-    template <typename Slot>
     QAction* command(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
-                     const QString& tip, Slot slot);
+                     const QString& tip, const std::function<void()>& operation);
     QAction* toggle(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
                     const QString& tip, const QString& setting, bool initially,
-                    void (view::CanvasView::*set)(bool));
+                    const std::function<void(bool)>& set);
     QDockWidget* dock(QWidget* panel, const QString& title, const QString& id, Qt::DockWidgetArea area);
 
     bool maySpoil(); // asks about unsaved changes; false: the user wants to stay

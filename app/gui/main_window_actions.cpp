@@ -27,25 +27,25 @@ QAction* MainWindow::action(QMenu* menu, const QString& icon, const QString& tex
     return action;
 }
 
-template <typename Slot>
 QAction* MainWindow::command(QMenu* menu, const QString& icon, const QString& text,
-                             const QKeySequence& shortcut, const QString& tip, Slot slot) {
+                             const QKeySequence& shortcut, const QString& tip,
+                             const std::function<void()>& operation) {
     QAction* made = action(menu, icon, text, shortcut, tip);
-    connect(made, &QAction::triggered, this, slot);
+    connect(made, &QAction::triggered, this, [operation] { operation(); });
     return made;
 }
 
 QAction* MainWindow::toggle(QMenu* menu, const QString& icon, const QString& text,
                             const QKeySequence& shortcut, const QString& tip, const QString& setting,
-                            bool initially, void (view::CanvasView::*set)(bool)) {
+                            bool initially, const std::function<void(bool)>& set) {
     QAction* made = action(menu, icon, text, shortcut, tip);
     made->setCheckable(true);
-    connect(made, &QAction::toggled, this, [this, setting, set](bool on) {
-        (m_canvas->*set)(on);
+    connect(made, &QAction::toggled, this, [setting, set](bool on) {
+        set(on);
         QSettings().setValue(setting, on);
     });
     made->setChecked(QSettings().value(setting, initially).toBool());
-    (m_canvas->*set)(made->isChecked());
+    set(made->isChecked());
     return made;
 }
 
@@ -173,11 +173,11 @@ void MainWindow::createViewActions() {
     m_viewMenu->addSeparator();
     QAction* grid =
         toggle(m_viewMenu, QStringLiteral("grid"), tr("&Grid"), QKeySequence(tr("G")), tr("Show the grid"),
-               QStringLiteral("canvas/grid"), true, &view::CanvasView::setGridVisible);
+               QStringLiteral("canvas/grid"), true, [this](bool on) { m_canvas->setGridVisible(on); });
     connect(m_canvas, &view::CanvasView::gridVisibleChanged, grid, &QAction::setChecked);
     QAction* axes =
         toggle(m_viewMenu, QStringLiteral("axes"), tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"),
-               QStringLiteral("canvas/axes"), true, &view::CanvasView::setAxesVisible);
+               QStringLiteral("canvas/axes"), true, [this](bool on) { m_canvas->setAxesVisible(on); });
     connect(m_canvas, &view::CanvasView::axesVisibleChanged, axes, &QAction::setChecked);
     QAction* down = action(m_viewMenu, QStringLiteral("y-axis"), tr("&Y Axis Down"), QKeySequence(tr("Y")),
                            tr("Let y grow downwards, as in window coordinates"));
