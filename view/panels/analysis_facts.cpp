@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "panels/analysis_facts.h"
 
+#include "cage_edits.h"
 #include "ifs/attractor_existence.h"
 #include "ifs/dimension.h"
 #include "ifs/moments.h"
 #include "ifs/support_function.h"
-#include "cage_edits.h"
 #include "panels/number_text.h"
 
 #include <QCoreApplication>

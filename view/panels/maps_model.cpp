@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps_model.h"
 
-#include "ifs/decomposition.h"
 #include "cage_edits.h"
+#include "ifs/decomposition.h"
 #include "panels/maps_edits.h"
 #include "panels/number_text.h"
 
