@@ -51,7 +51,7 @@ public:
         }
         if (previous != nullptr && isLineOpen(m_bytes) && !m_file.tail.isEmpty() && endsInComment(m_bytes))
             m_bytes += m_file.lineEnd;
-        return std::move(m_bytes) + m_file.tail;
+        return m_bytes + m_file.tail;
     }
 
 private:

@@ -62,7 +62,7 @@ QByteArrayList mapLines(const ifs::IteratedFunctionSystem<Dim>& system,
     if (noWeights && !system.maps.empty()) lines << line("unweighted", "all");
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const auto& map = system.maps[i];
-        const QByteArray place = QByteArray::number(static_cast<qulonglong>(i + 1));
+        const QByteArray place = QByteArray::number(static_cast<qulonglong>(i) + 1);
         if (!map.enabled)
             lines << line("off", map.weight ? place + ' ' + formatNumber(*map.weight) : place);
         else if (!map.weight && !noWeights)

@@ -65,8 +65,8 @@ std::vector<ifs::Vector<2>> pushedOut(const std::vector<ifs::Vector<2>>& polygon
     std::vector<ifs::Vector<2>> result;
     const std::size_t n = polygon.size();
     if (n < 3) {
-        const ifs::Vector<2> a = polygon.front();
-        const ifs::Vector<2> b = polygon.back();
+        const ifs::Vector<2>& a = polygon.front();
+        const ifs::Vector<2>& b = polygon.back();
         const ifs::Vector<2> along = n == 2 ? ifs::Vector<2>((b - a).normalized()) : ifs::Vector<2>(1, 0);
         const ifs::Vector<2> u = distance * along;
         const ifs::Vector<2> v(-u.y(), u.x());
