@@ -143,18 +143,21 @@ private:
     }
 
     static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
+    static QString shadowId(std::size_t i) { return QStringLiteral("shadow-%1").arg(i + 1); }
 
     // The levels that the deepest one needs.
     std::set<int> usedLevels() const {
         std::set<int> used{m_depth};
         for (auto level = used.rbegin(); level != used.rend() && *level > 0; ++level)
-            for (std::size_t i = 0; i < m_levels.maps().size(); ++i)
-                used.insert(m_levels.below(*level, i));
+            for (std::size_t i = 0; i < m_levels.index().size(); ++i)
+                if (!m_levels.shadowOf(i)) used.insert(m_levels.below(*level, i));
         return used;
     }
 
     void writeDefinitions() {
         startElement("defs");
+        for (std::size_t i = 0; m_depth > 0 && i < m_levels.index().size(); ++i)
+            if (const auto& shadow = m_levels.shadowOf(i)) writeShadow(i, *shadow);
         for (const int level : usedLevels()) {
             if (level == 0)
                 writeOutline();
@@ -170,19 +173,28 @@ private:
         attribute("points", pointList(m_levels.outline(m_depth)));
     }
 
+    void writeShadow(std::size_t i, const SvgLevels::Shadow& shadow) {
+        QString path;
+        for (const auto& bar : shadow.bars)
+            path += QLatin1Char('M') + pointList(bar) + QLatin1Char('z');
+        m_xml.writeEmptyElement(svg, QStringLiteral("path"));
+        attribute("id", shadowId(i));
+        attribute("d", path);
+    }
+
     void writeLevel(int level) {
         startElement("g");
         attribute("id", levelId(level));
-        for (std::size_t i = 0; i < m_levels.maps().size(); ++i)
+        for (std::size_t i = 0; i < m_levels.index().size(); ++i)
             writeCopy(level, i, {});
         m_xml.writeEndElement();
     }
 
     void writeCopy(int level, std::size_t i, const QString& colour) {
         m_xml.writeEmptyElement(svg, QStringLiteral("use"));
-        m_xml.writeAttribute(xlink, QStringLiteral("href"),
-                             QLatin1Char('#') + levelId(m_levels.below(level, i)));
-        attribute("transform", text(m_levels.maps()[i]));
+        const QString of = m_levels.shadowOf(i) ? shadowId(i) : levelId(m_levels.below(level, i));
+        m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + of);
+        attribute("transform", text(m_levels.map(i, level, m_depth)));
         if (!colour.isEmpty()) attribute("fill", colour);
     }
 
@@ -213,7 +225,7 @@ private:
             return text(attractor::mapColour(appearance, system.maps[place].id, place));
         if (appearance.colourBy == attractor::ColourBy::Address)
             return text(
-                attractor::colourAt(appearance.palette, (double(i) + 0.5) / double(m_levels.maps().size())));
+                attractor::colourAt(appearance.palette, (double(i) + 0.5) / double(m_levels.index().size())));
         return {};
     }
 
@@ -226,7 +238,7 @@ private:
             m_xml.writeEmptyElement(svg, QStringLiteral("use"));
             m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + levelId(0));
         }
-        for (std::size_t i = 0; m_depth > 0 && i < m_levels.maps().size(); ++i)
+        for (std::size_t i = 0; m_depth > 0 && i < m_levels.index().size(); ++i)
             writeCopy(m_depth, i, colourOfMap(i));
         m_xml.writeEndElement();
     }
