@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/cage_actions.h"
 #include "dialogs/command_palette.h"
+#include "dialogs/export_data_dialog.h"
 #include "dialogs/export_dialog.h"
 #include "dialogs/print_fractal.h"
 #include "dialogs/shortcuts_dialog.h"
@@ -85,6 +86,12 @@ void MainWindow::createFileActions() {
                     dialog->setAttribute(Qt::WA_DeleteOnClose);
                     dialog->show();
                 });
+    command(m_fileMenu, {}, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
+            tr("Export the maps or points as a flame, for IFStile, as a table or a point cloud"), [this] {
+                auto* dialog = new view::ExportDataDialog(&m_document, this);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->show();
+            });
     command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
             tr("Copy the picture to the clipboard"), [this] {
                 view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture());

@@ -26,6 +26,8 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
                        std::stop_token stop) {
     try {
         if (const auto* png = std::get_if<PngExport>(&what)) return exportPng(*png, path, progress, stop);
+        if (const auto* cloud = std::get_if<PointCloud>(&what))
+            return exportPoints(*cloud, path, progress, stop);
         return exportSvg(std::get<SvgExport>(what), path, progress, stop);
     } catch (const std::bad_alloc&) {
         ExportOutcome outcome;

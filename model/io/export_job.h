@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/png_export.h"
+#include "io/point_cloud.h"
 #include "io/svg_writer.h"
 
 #include <functional>
@@ -15,7 +16,7 @@ struct SvgExport {
     attractor::Camera camera;
     SvgFormat format;
 };
-using Export = std::variant<PngExport, SvgExport>;
+using Export = std::variant<PngExport, SvgExport, PointCloud>;
 
 // Writes the picture in the calling thread; `path` appears whole or not at all.
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress = {},

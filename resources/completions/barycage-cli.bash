@@ -17,7 +17,8 @@ _barycage_cli() {
     --progress) values="always never auto" ;;
     --rest-cage) values="canonical" ;;
     --background) values="transparent black white" ;;
-    --to) values="fractint flame" ;;
+    --to) values="fractint flame aifs csv tsv ply" ;;
+    --columns|--in-columns) values="abcdefp abecdfp acbdefp pabcdef" ;;
     -o|--output) COMPREPLY=($(compgen -f -- "$current")); return ;;
   esac
   if [ -n "$values" ]; then
@@ -33,7 +34,8 @@ _barycage_cli() {
     render) options="--output --entry --size --points --seed --margin --cage --rest-cage --view --y-down --palette --colour
       --gamma --brightness --background --algorithm --iterations --supersample --threads --svg --depth --bits --dpi --simd
       --progress --help" ;;
-    convert) options="--entry --bake --strict --to --help" ;;
+    convert) options="--entry --bake --strict --to --columns --in-columns --points --seed --y-as-written --progress
+      --help" ;;
   esac
   if [[ $current == -* ]]; then
     COMPREPLY=($(compgen -W "$options" -- "$current"))

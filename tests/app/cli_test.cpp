@@ -39,6 +39,11 @@ private slots:
     void cageMovesThePicture();
     void copyKeepsEveryByte();
     void bakedCodeDrawsTheSame();
+    void convertsThereAndBack_data();
+    void convertsThereAndBack();
+    void convertsManyFilesIntoAFolder();
+    void writesPoints();
+    void parameterFilesBecomeCollections();
     void interruptLeavesNothing();
 
 private:
@@ -492,6 +497,97 @@ void CliTest::bakedCodeDrawsTheSame() {
         run({QStringLiteral("info"), QStringLiteral("baked.ifs"), QStringLiteral("--json")});
     QCOMPARE(result.status, 0);
     compare(entryOf(result)[QLatin1String("mean")], 1 + 5135.0 / 70583, 2 + 101021.0 / 70583, 1e-11);
+}
+
+void CliTest::convertsThereAndBack_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QStringList>("there");
+    QTest::addColumn<QStringList>("back");
+    QTest::newRow("flame") << QStringLiteral("fern.flame") << QStringList() << QStringList();
+    QTest::newRow("flame, y down") << QStringLiteral("down.flame")
+                                   << QStringList{QStringLiteral("--y-as-written")}
+                                   << QStringList{QStringLiteral("--y-as-written")};
+    QTest::newRow("csv") << QStringLiteral("fern.csv") << QStringList() << QStringList();
+    QTest::newRow("tsv") << QStringLiteral("fern.tsv")
+                         << QStringList{QStringLiteral("--columns"), QStringLiteral("abecdfp")}
+                         << QStringList{QStringLiteral("--in-columns"), QStringLiteral("a b e c d f p")};
+}
+
+// .ifs → another form → .ifs: the same numbers, to the last digit.
+void CliTest::convertsThereAndBack() {
+    QFETCH(QString, file);
+    QFETCH(QStringList, there);
+    QFETCH(QStringList, back);
+    const auto convert = [this](const QString& in, const QString& out, const QStringList& options) {
+        return run(QStringList{QStringLiteral("convert"), in, out} + options).status;
+    };
+    const QStringList only{QStringLiteral("--entry"), QStringLiteral("fern")};
+    QCOMPARE(convert(QStringLiteral("systems.ifs"), file, there + only), 0);
+    QCOMPARE(convert(file, QStringLiteral("back.ifs"), back), 0);
+    const auto maps = [this](const char* name, const QStringList& options) {
+        const Result result =
+            run(QStringList{QStringLiteral("info"), QLatin1String(name), QStringLiteral("--json")} + options);
+        return entryOf(result)[QLatin1String("maps")].toArray();
+    };
+    const QJsonArray before = maps("systems.ifs", only);
+    const QJsonArray after = maps("back.ifs", {});
+    QCOMPARE(before.size(), 4);
+    QCOMPARE(after.size(), 4);
+    for (int i = 0; i < 4; ++i)
+        for (const char* key : {"linear", "translation", "weight_in_file"})
+            QVERIFY2(before[i][QLatin1String(key)] == after[i][QLatin1String(key)], key);
+}
+
+void CliTest::convertsManyFilesIntoAFolder() {
+    const QStringList convert{QStringLiteral("convert"), QStringLiteral("systems.ifs"),
+                              QStringLiteral("broken.ifs")};
+    QCOMPARE(run(convert + QStringList{QStringLiteral("one.flame")}).status, 2);
+    QCOMPARE(run(convert + QStringList{QStringLiteral("many/")}).status, 2);
+    QVERIFY(!QFile::exists(path("many")));
+    const Result result =
+        run(convert + QStringList{QStringLiteral("many/"), QStringLiteral("--to"), QStringLiteral("aifs")});
+    QCOMPARE(result.status, 1); // the second file has a broken entry
+    QVERIFY2(result.err.contains("broken.ifs:6:"), result.err.constData());
+    QVERIFY(read("many/systems.aifs").contains("@spin:\n$dim=2\n"));
+    QVERIFY(!QFile::exists(path("many/broken.aifs")));
+    // A table holds one system: one file for each, or none.
+    QCOMPARE(
+        run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("all.csv")}).status, 1);
+    QVERIFY(!QFile::exists(path("all.csv")));
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("many"),
+                  QStringLiteral("--to"), QStringLiteral("csv")})
+                 .status,
+             0);
+    QVERIFY(read("many/systems-Fern.csv").startsWith("a,b,c,d,e,f,p\n0,0,0,0.16,0,0,0.01\n"));
+    QVERIFY(QFile::exists(path("many/systems-maple.csv")));
+}
+
+void CliTest::writesPoints() {
+    const QStringList points{QStringLiteral("convert"),  QStringLiteral("systems.ifs"),
+                             QStringLiteral("--entry"),  QStringLiteral("fern"),
+                             QStringLiteral("--points"), QStringLiteral("500")};
+    QCOMPARE(run(points + QStringList{QStringLiteral("points.csv")}).status, 0);
+    QCOMPARE(read("points.csv").count('\n'), 501);
+    QCOMPARE(
+        run(points + QStringList{QStringLiteral("points.ply"), QStringLiteral("--seed"), QStringLiteral("9")})
+            .status,
+        0);
+    QVERIFY(read("points.ply").contains("element vertex 500\n"));
+    QCOMPARE(run(points + QStringList{QStringLiteral("points.flame")}).status, 2);
+    QCOMPARE(
+        run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("none.ply")}).status,
+        2);
+    QVERIFY(!QFile::exists(path("none.ply")));
+}
+
+void CliTest::parameterFilesBecomeCollections() {
+    write("old.par", "view { ; a picture\n type=ifs ifs=leaf\n}\nifs:leaf { ; by hand\n"
+                     " .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n");
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("old.par"), QStringLiteral("leaf.ifs")}).status,
+             0);
+    const QByteArray bytes = read("leaf.ifs");
+    QVERIFY2(bytes.startsWith("leaf { ; by hand\n"), bytes.constData());
+    QVERIFY(!bytes.contains("type=ifs"));
 }
 
 void CliTest::interruptLeavesNothing() {
