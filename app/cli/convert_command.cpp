@@ -8,6 +8,7 @@
 #include "usage_error.h"
 
 #include "io/fractint_writer.h"
+#include "io/pdf_writer.h"
 #include "io/point_cloud.h"
 #include "io/text_formats.h"
 
@@ -25,7 +26,10 @@ namespace cli {
 namespace {
 
 using io::TextFormat;
-using Format = std::variant<TextFormat, io::PointFormat>;
+struct PdfFormat {
+    friend bool operator==(const PdfFormat&, const PdfFormat&) = default;
+};
+using Format = std::variant<TextFormat, io::PointFormat, PdfFormat>;
 
 struct Arguments {
     std::vector<std::string> files; // the inputs, then the output
@@ -74,6 +78,7 @@ bool holdsOneEntry(const Format& format) {
 
 QString suffixOf(const Format& format) {
     if (const auto* text = std::get_if<TextFormat>(&format)) return io::suffixOf(*text);
+    if (std::holds_alternative<PdfFormat>(format)) return QStringLiteral("pdf");
     return std::get<io::PointFormat>(format) == io::PointFormat::Ply ? QStringLiteral("ply")
                                                                      : QStringLiteral("csv");
 }
@@ -88,7 +93,7 @@ Format formatOf(const Arguments& arguments, const QFileInfo& output) {
     }
     if (const auto format = io::textFormat(name)) return *format;
     throw UsageError{
-        tr("Files are written as fractint (.ifs), flame, aifs, csv, tsv and ply, and not as “%1”.")
+        tr("Files are written as fractint (.ifs), flame, aifs, csv, tsv, ply and pdf, and not as “%1”.")
             .arg(name)};
 }
 
@@ -247,6 +252,7 @@ public:
         if (isFractint(m_plan.format)) return saveCollection(*file, input->name, output);
         const Fractals systems = planeSystems(*file, input->name);
         if (systems.isEmpty()) return nothingLeft(input->name);
+        if (std::holds_alternative<PdfFormat>(m_plan.format)) return savePages(systems, input->name, output);
         if (holdsOneEntry(m_plan.format)) return saveEach(systems, job, input->name, output, progress);
         return save(output, io::textOf(systems, std::get<TextFormat>(m_plan.format), m_plan.writing));
     }
@@ -269,6 +275,28 @@ private:
         for (const auto& problem : text.problems)
             report(problem, name);
         return text.bytes.isEmpty() ? nothingLeft(name) : save(output, text.bytes);
+    }
+
+    // One square page for every system that has an attractor.
+    ExitStatus savePages(const Fractals& systems, const QString& inputName, const QString& output) const {
+        constexpr int side = 700; // pixels, a good seven inches
+        std::vector<io::PdfPage> pages;
+        for (const auto& fractal : systems) {
+            attractor::Camera camera;
+            camera.width = camera.height = side;
+            const auto box = document::displayedBox(*fractal);
+            if (box) camera = attractor::fitted(camera, box->min, box->max);
+            io::PdfPage page{*fractal, camera, {}};
+            const auto failure = io::svgPlan(page.fractal, page.camera, page.format).failure;
+            if (failure)
+                reportWarning(inputName, tr("“%1” is left out: %2").arg(fractal->name, *failure));
+            else
+                pages.push_back(std::move(page));
+        }
+        if (pages.empty()) return nothingLeft(inputName);
+        const io::PdfPicture picture = io::pdfPicture(pages, m_stop);
+        if (m_stop.stop_requested()) return ExitStatus::Interrupted;
+        return save(output, picture.bytes);
     }
 
     // One file for every system.
@@ -361,8 +389,9 @@ void addConvertCommand(CLI::App& program, Run& run) {
         ->take_all();
     command->add_flag("--bake", arguments->bake, "Make what the cage shows the code");
     command->add_flag("--strict", arguments->strict, "Write .ifs that every reader takes");
-    command->add_option("--to", arguments->format,
-                        "fractint, flame, aifs, csv, tsv or ply, where the name of the output does not tell");
+    command->add_option(
+        "--to", arguments->format,
+        "fractint, flame, aifs, csv, tsv, ply or pdf, where the name of the output does not tell");
     command->add_option("--columns", arguments->columns,
                         "Order of the columns of a table, like \"a b e c d f p\" (a b c d e f p)");
     command->add_option("--in-columns", arguments->inColumns,

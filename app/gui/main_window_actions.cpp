@@ -81,7 +81,7 @@ void MainWindow::createFileActions() {
     m_fileMenu->addSeparator();
     QAction* exportAction =
         command(m_fileMenu, QStringLiteral("export"), tr("&Export Picture…"), QKeySequence(tr("Ctrl+E")),
-                tr("Export the picture as PNG or SVG, framed as on the screen"), [this] {
+                tr("Export the picture as PNG, SVG or PDF, framed as on the screen"), [this] {
                     auto* dialog = new view::ExportDialog(&m_document, m_canvas->camera(), this);
                     dialog->setAttribute(Qt::WA_DeleteOnClose);
                     dialog->show();

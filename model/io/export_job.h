@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/pdf_writer.h"
 #include "io/png_export.h"
 #include "io/point_cloud.h"
-#include "io/svg_writer.h"
 
 #include <functional>
 #include <thread>
@@ -11,10 +11,12 @@
 
 namespace io {
 
+enum class ShapeFile { Svg, Pdf };
 struct SvgExport {
     document::Fractal fractal;
     attractor::Camera camera;
     SvgFormat format;
+    ShapeFile file = ShapeFile::Svg;
 };
 using Export = std::variant<PngExport, SvgExport, PointCloud>;
 

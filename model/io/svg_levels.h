@@ -28,6 +28,8 @@ public:
     // Active maps, none singular, their places in the system, and where the picture goes.
     const std::vector<ifs::AffineMap<2>>& maps() const { return m_maps; }
     const std::vector<std::size_t>& index() const { return m_index; }
+    // By which a level makes its copy in a picture of this depth.
+    const ifs::AffineMap<2>& map(std::size_t i, int /*level*/, int /*depth*/) const { return m_maps[i]; }
     const ifs::AffineMap<2>& display() const { return m_display; } // not singular
 
     // Level 0 for a picture of this depth: contains the attractor; convex, counter-clockwise. So much wider

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
 # fish completion for barycage-cli
-set -l subcommands info render convert
+set -l subcommands info render convert gallery
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a info -d "Say what a file holds"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a render -d "Draw an entry"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a convert -d "Write entries in another form"
-complete -c barycage-cli -n "__fish_seen_subcommand_from $subcommands" -l entry -x -d "Name of an entry"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a gallery -d "Draw all entries on one sheet"
+complete -c barycage-cli -n "__fish_seen_subcommand_from info render convert" -l entry -x -d "Name of an entry"
 complete -c barycage-cli -l help -d "Help"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l json -d "One JSON object"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l hull-tolerance -x -d "Length"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l bake -d "Make what the cage shows the code"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l strict -d "What every reader takes"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l to -x -a "fractint flame aifs csv tsv ply" -d "Format"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l to -x -a "fractint flame aifs csv tsv ply pdf" -d "Format"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l columns -x -a "abcdefp abecdfp acbdefp pabcdef" -d "Order of the columns to write"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l in-columns -x -a "abcdefp abecdfp acbdefp pabcdef" -d "Order of the columns that are read"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l points -x -d "Write so many points"
@@ -21,7 +22,8 @@ set -l render "__fish_seen_subcommand_from render"
 complete -c barycage-cli -n $render -s o -l output -r -d "Picture to write"
 complete -c barycage-cli -n $render -l colour -x -a "density map address none" -d "What colours mean"
 complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deterministic" -d "How it is drawn"
-complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of SVG"
+complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of scalable picture"
+complete -c barycage-cli -n $render -l to -x -a "png svg pdf" -d "Format"
 complete -c barycage-cli -n $render -l background -x -a "transparent black white" -d "Background"
 complete -c barycage-cli -n $render -l rest-cage -x -a canonical -d "Corners at rest"
 complete -c barycage-cli -n $render -l bits -x -a "8 16" -d "Bits a channel"
@@ -32,3 +34,10 @@ complete -c barycage-cli -n $render -l y-down -d "y grows downwards"
 for option in size points seed margin cage view palette gamma brightness iterations threads depth dpi
   complete -c barycage-cli -n $render -l $option -x
 end
+set -l gallery "__fish_seen_subcommand_from gallery"
+complete -c barycage-cli -n $gallery -s o -l output -r -d "Sheet to write"
+complete -c barycage-cli -n $gallery -l columns -x -d "Pictures side by side"
+complete -c barycage-cli -n $gallery -l tile -x -d "Width and height of a picture"
+complete -c barycage-cli -n $gallery -l paper -x -a "dark light" -d "Background"
+complete -c barycage-cli -n $gallery -l title -x -d "A title over the sheet"
+complete -c barycage-cli -n $gallery -l progress -x -a "always never auto" -d "Progress bar"

@@ -44,6 +44,8 @@ private slots:
     void convertsManyFilesIntoAFolder();
     void writesPoints();
     void parameterFilesBecomeCollections();
+    void drawsShapes();
+    void drawsAGallery();
     void interruptLeavesNothing();
 
 private:
@@ -588,6 +590,76 @@ void CliTest::parameterFilesBecomeCollections() {
     const QByteArray bytes = read("leaf.ifs");
     QVERIFY2(bytes.startsWith("leaf { ; by hand\n"), bytes.constData());
     QVERIFY(!bytes.contains("type=ifs"));
+}
+
+void CliTest::drawsShapes() {
+    const QStringList render{QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o")};
+    QCOMPARE(run(render + QStringList{QStringLiteral("outline.svg"), QStringLiteral("--svg"),
+                                      QStringLiteral("outline")})
+                 .status,
+             0);
+    QCOMPARE(read("outline.svg").count("<path"), 1);
+    QCOMPARE(
+        run(render + QStringList{QStringLiteral("points.svg"), QStringLiteral("--svg"),
+                                 QStringLiteral("points"), QStringLiteral("--points"), QStringLiteral("700")})
+            .status,
+        0);
+    QCOMPARE(read("points.svg").count("h0"), 700);
+    QCOMPARE(
+        run(render + QStringList{QStringLiteral("maple.pdf"), QStringLiteral("--depth"), QStringLiteral("3")})
+            .status,
+        0);
+    QVERIFY(read("maple.pdf").startsWith("%PDF-1."));
+    // A format may be named where the name of the file does not tell it.
+    QCOMPARE(
+        run(render + QStringList{QStringLiteral("thumbnail"), QStringLiteral("--to"), QStringLiteral("png"),
+                                 QStringLiteral("--size"), QStringLiteral("64x64")})
+            .status,
+        0);
+    QCOMPARE(QImage(path("thumbnail"), "PNG").size(), QSize(64, 64));
+    QCOMPARE(
+        run(render + QStringList{QStringLiteral("a.svg"), QStringLiteral("--points"), QStringLiteral("9")})
+            .status,
+        2);
+    QCOMPARE(
+        run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("all.pdf")}).status, 0);
+    QVERIFY(read("all.pdf").contains("/Count 2/")); // the third has no attractor
+}
+
+void CliTest::drawsAGallery() {
+    const QStringList gallery{QStringLiteral("gallery"),  QStringLiteral("systems.ifs"),
+                              QStringLiteral("-o"),       QStringLiteral("sheet.png"),
+                              QStringLiteral("--tile"),   QStringLiteral("100x80"),
+                              QStringLiteral("--columns")};
+    QCOMPARE(run(gallery + QStringList{QStringLiteral("3")}).status, 0);
+    const QImage wide(path("sheet.png"));
+    QCOMPARE(
+        run(gallery + QStringList{QStringLiteral("1"), QStringLiteral("--paper"), QStringLiteral("light"),
+                                  QStringLiteral("--title"), QStringLiteral("Leaves")})
+            .status,
+        0);
+    const QImage tall(path("sheet.png"));
+    QVERIFY(wide.width() > 300 && wide.height() > 80 && wide.height() < 160);
+    QVERIFY(tall.width() > 100 && tall.width() < 160 && tall.height() > 300);
+    QVERIFY(qGray(wide.pixel(1, 1)) < 30 && qGray(tall.pixel(1, 1)) > 230);
+    // The maple is drawn in the first place, and its name under it.
+    const auto inkIn = [&tall](const QRect& part) {
+        int pixels = 0;
+        for (int y = part.top(); y <= part.bottom(); ++y)
+            for (int x = part.left(); x <= part.right(); ++x)
+                pixels += qGray(tall.pixel(x, y)) < 120;
+        return pixels;
+    };
+    QVERIFY(inkIn(tall.rect()) > 3 * 1000);
+    QCOMPARE(run({QStringLiteral("gallery"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("sheet.jpg")})
+                 .status,
+             2);
+    QCOMPARE(run({QStringLiteral("gallery"), QStringLiteral("absent.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("none.png")})
+                 .status,
+             3);
+    QVERIFY(!QFile::exists(path("none.png")));
 }
 
 void CliTest::interruptLeavesNothing() {
