@@ -3,6 +3,7 @@
 #include "dialogs/command_palette.h"
 #include "dialogs/export_data_dialog.h"
 #include "dialogs/export_dialog.h"
+#include "dialogs/mutate_dialog.h"
 #include "dialogs/print_fractal.h"
 #include "dialogs/shortcuts_dialog.h"
 #include "dialogs/transform_dialog.h"
@@ -126,6 +127,21 @@ void MainWindow::createEditActions() {
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->show();
             });
+    const auto pick = [this](view::MutateDialog::Source source) {
+        auto* dialog = new view::MutateDialog(&m_document, source, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    };
+    command(m_editMenu, {}, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
+            tr("Pick one of many variations of this fractal"), [this, pick] {
+                if (document::system2(m_document.fractal()))
+                    pick(view::MutateDialog::Source::Current);
+                else
+                    say(tr("Only systems in the plane can be varied."));
+            });
+    command(m_editMenu, {}, tr("Add &Random Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
+            tr("Pick one of many fractals made by chance, and add it to the file"),
+            [pick] { pick(view::MutateDialog::Source::Chance); });
     m_toolBarActions << undo << redo << nullptr;
 }
 
