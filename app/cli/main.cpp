@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
     std::unique_ptr<QCoreApplication> application;
     if (argc > 1 && std::string_view(argv[1]) == "gallery") {
         qputenv("QT_QPA_PLATFORM", "offscreen");
+        qputenv("QT_LOGGING_RULES", "default.warning=false"); // what is wrong with the desktop is no concern
         application = std::make_unique<QGuiApplication>(argc, argv);
     } else {
         application = std::make_unique<QCoreApplication>(argc, argv);

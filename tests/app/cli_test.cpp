@@ -631,7 +631,9 @@ void CliTest::drawsAGallery() {
                               QStringLiteral("-o"),       QStringLiteral("sheet.png"),
                               QStringLiteral("--tile"),   QStringLiteral("100x80"),
                               QStringLiteral("--columns")};
-    QCOMPARE(run(gallery + QStringList{QStringLiteral("3")}).status, 0);
+    const Result first = run(gallery + QStringList{QStringLiteral("3")});
+    QCOMPARE(first.status, 0);
+    QVERIFY2(first.err.isEmpty(), first.err.constData());
     const QImage wide(path("sheet.png"));
     QCOMPARE(
         run(gallery + QStringList{QStringLiteral("1"), QStringLiteral("--paper"), QStringLiteral("light"),

@@ -154,7 +154,12 @@ QImage ShapesTest::drawnBy(const QString& program, const QStringList& arguments,
     QProcess process;
     process.start(program, filledIn);
     process.waitForFinished(120'000);
-    return QImage(stem + QStringLiteral(".png")).convertToFormat(QImage::Format_RGB32);
+    const QImage drawn(stem + QStringLiteral(".png"));
+    if (drawn.isNull()) return {};
+    QImage onWhite(drawn.size(), QImage::Format_RGB32);
+    onWhite.fill(Qt::white);
+    QPainter(&onWhite).drawImage(0, 0, drawn);
+    return onWhite;
 }
 
 void ShapesTest::librsvgDrawsTheAttractor() {
@@ -167,7 +172,7 @@ void ShapesTest::librsvgDrawsTheAttractor() {
     const QImage svg = svgImage(picture.bytes);
     if (svg.isNull()) QSKIP("rsvg-convert is not installed");
     io::PngExport png{fractal, document::renderRequest(fractal, camera), {}, io::CageVisibility::Hidden};
-    png.request.samples = 20'000'000;
+    png.request.samples = 8'000'000;
     png.fractal.appearance.brightness = 1000;
     png.request.appearance = png.fractal.appearance;
     const QImage points = io::drawPicture(png).image.convertToFormat(QImage::Format_RGB32);
