@@ -104,12 +104,20 @@ void selectInstructions(const std::string& name) {
                          .arg(QString::fromStdString(name), here.join(QStringLiteral(", ")))};
 }
 
+bool isLight(const attractor::Rgba& colour) {
+    return 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue > 128;
+}
+
 void applyAppearance(attractor::Appearance& appearance, const Arguments& arguments) {
     if (arguments.colour) appearance.colourBy = colourBy(*arguments.colour);
     if (arguments.palette) appearance.palette = paletteArgument("--palette", *arguments.palette);
     if (arguments.gamma) appearance.gamma = positiveArgument("--gamma", *arguments.gamma);
     if (arguments.brightness) appearance.brightness = positiveArgument("--brightness", *arguments.brightness);
-    if (arguments.background) appearance.background = colourArgument("--background", *arguments.background);
+    if (arguments.background) {
+        appearance.background = colourArgument("--background", *arguments.background);
+        const bool paper = isLight(appearance.background) && appearance.background.alpha == 255;
+        if (paper && isLight(appearance.plain)) appearance.plain = {20, 20, 20, 255}; // it must be seen
+    }
     if (arguments.supersample) appearance.supersample = *arguments.supersample;
 }
 

@@ -133,6 +133,7 @@ const ColourCell& Picture::colourOf(std::uint32_t map, double addressCoordinate)
 bool Picture::finished() const {
     if (!drawable) return true;
     if (request.algorithm == Algorithm::ChaosGame) return drawn >= request.samples;
+    if (request.algorithm == Algorithm::Deterministic) return passes > 0;
     return cut && cut->words.empty();
 }
 

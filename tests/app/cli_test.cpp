@@ -534,6 +534,18 @@ void CliTest::pictureOptionsCount() {
         pictures << QImage(path("o.png"));
         return result;
     };
+    QCOMPARE(run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("paper.png"), QStringLiteral("--size"), QStringLiteral("90x80"),
+                  QStringLiteral("--colour"), QStringLiteral("none"), QStringLiteral("--background"),
+                  QStringLiteral("white")})
+                 .status,
+             0);
+    const QImage paper(path("paper.png"));
+    int dark = 0;
+    for (int y = 0; y < paper.height(); ++y)
+        for (int x = 0; x < paper.width(); ++x)
+            dark += qGray(paper.pixel(x, y)) < 100;
+    QVERIFY(dark > 100);
     for (const char* colour : {"density", "map", "address", "none"})
         QCOMPARE(draw({QStringLiteral("--colour"), QLatin1String(colour)}).status, 0);
     QCOMPARE(draw({QStringLiteral("--supersample"), QStringLiteral("3")}).status, 0);

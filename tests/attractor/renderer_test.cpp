@@ -193,6 +193,42 @@ private slots:
         }
     }
 
+    void brightnessOfThinSetsSurvivesZoomPointsAndDrag() {
+        for (const auto& [name, system] : {std::pair("Koch curve", systems::koch()),
+                                           std::pair("dust of dimension 1.26", systems::cantorDust(1.0 / 3)),
+                                           std::pair("dust of dimension 1", systems::cantorDust(0.25)),
+                                           std::pair("dust of dimension 0.6", systems::cantorDust(0.1))}) {
+            RenderRequest request = systems::request(system, 2'000'000);
+            const double whole = occupiedGrey(render(request));
+            const auto same = [&, name = name](const char* what, double value) {
+                const double grey = occupiedGrey(render(request));
+                QVERIFY2(std::abs(grey / whole - 1) < 0.2,
+                         qPrintable(QStringLiteral("%1, %2 %3: %4 after %5")
+                                        .arg(QLatin1String(name), QLatin1String(what))
+                                        .arg(value)
+                                        .arg(grey)
+                                        .arg(whole)));
+            };
+            const RenderRequest asWhole = request;
+            for (const std::uint64_t samples : {200'000, 8'000'000}) {
+                request.samples = samples;
+                same("samples", double(samples));
+            }
+            request = asWhole;
+            request.camera.centre = *ifs::fixedPoint(system.maps[1].map);
+            for (const double zoom : {2.0, 7.0, 30.0, 1e3, 1e6}) {
+                request.camera.pixelsPerUnit = asWhole.camera.pixelsPerUnit * zoom;
+                same("zoom", zoom);
+            }
+            request = asWhole;
+            for (const double stretch : {1.5, 0.5, -0.7}) {
+                request.cage =
+                    ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1, 0}, {0.2, stretch}}};
+                same("drag", stretch);
+            }
+        }
+    }
+
     void brightnessSurvivesFlattening() {
         RenderRequest request = systems::request(systems::maple(), 2'000'000);
         const Frame upright = render(request);
