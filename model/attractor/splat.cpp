@@ -57,6 +57,10 @@ void forEachRun(const Word& word, const SampleSet& samples, std::uint64_t count,
 
 } // namespace
 
+bool meets(const Word& word, const SampleSet& samples, const CellWindow& window) {
+    return !outside(reach(word, samples), window);
+}
+
 void splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
            std::uint32_t* counts) {
     const Reach r = reach(word, samples);

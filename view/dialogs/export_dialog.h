@@ -65,6 +65,7 @@ private:
     QCheckBox* m_triangle = nullptr;
     QComboBox* m_quality = nullptr;
     QSpinBox* m_supersample = nullptr;
+    QComboBox* m_depthOfColour = nullptr;
     QLabel* m_memory = nullptr;
     QFormLayout* m_svgForm = nullptr;
     QComboBox* m_style = nullptr;
