@@ -67,14 +67,7 @@ Levels levelsOf(const document::Fractal& fractal, const attractor::Camera& camer
     const document::System2* system = document::system2(fractal);
     if (!system) return {{}, tr("Only plane systems can be written as a scalable picture.")};
     ifs::AffineMap<2> display = worldToPixel(camera);
-    if (fractal.cage && fractal.cage->rest != fractal.cage->current) {
-        if (fractal.cage->rest.size() != 3)
-            return {
-                {},
-                tr("A cage of more than three corners bends the picture, and a scalable picture of copies "
-                   "cannot follow. Export a PNG, or use a triangle.")};
-        display = display * ifs::displayMap(*fractal.cage);
-    }
+    if (fractal.cage) display = display * ifs::displayMap(*fractal.cage);
     auto levels = SvgLevels::of(*system, display);
     if (!levels)
         return {
@@ -84,12 +77,13 @@ Levels levelsOf(const document::Fractal& fractal, const attractor::Camera& camer
     return {std::move(levels), {}};
 }
 
-SvgPlan planOf(const SvgLevels& levels, const SvgFormat& format) {
+SvgPlan planOf(const document::Fractal& fractal, const SvgLevels& levels, const SvgFormat& format) {
     SvgPlan plan;
     plan.deepest = levels.deepest();
     plan.depth = format.depth ? std::clamp(*format.depth, 0, plan.deepest) : levels.levelFor(goodEnough);
     plan.references = std::max<std::uint64_t>(levels.references(plan.depth), 1);
     plan.errorInPixels = levels.error(plan.depth);
+    plan.unbent = fractal.cage && ifs::bends(*fractal.cage);
     return plan;
 }
 
@@ -270,7 +264,7 @@ SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camer
         plan.failure = levels.failure;
         return plan;
     }
-    return planOf(*levels.levels, format);
+    return planOf(fractal, *levels.levels, format);
 }
 
 SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera& camera,
@@ -281,7 +275,7 @@ SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera&
         picture.plan.failure = levels.failure;
         return picture;
     }
-    picture.plan = planOf(*levels.levels, format);
+    picture.plan = planOf(fractal, *levels.levels, format);
     picture.bytes = Writer(fractal, camera, *levels.levels, picture.plan.depth).write(format.cage);
     return picture;
 }
