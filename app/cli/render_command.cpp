@@ -154,11 +154,13 @@ std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const
         bare.cage.reset();
         return document::effectiveCage(bare).rest;
     }
-    if (text == "box" || text.rfind("hull", 0) == 0)
-        throw UsageError{
-            tr("--rest-cage %1 is not possible here: a cage of more than three corners bends the "
-               "picture, which this version cannot draw.")
-                .arg(QString::fromStdString(text))};
+    if (text == "box") {
+        document::Fractal bare = fractal;
+        bare.cage.reset();
+        const auto box = document::displayedBox(bare);
+        if (!box) throw UsageError{tr("--rest-cage box: the system has no attractor to put a box around.")};
+        return {box->min, {box->max.x(), box->min.y()}, box->max, {box->min.x(), box->max.y()}};
+    }
     return pointsArgument("--rest-cage", text);
 }
 
@@ -171,12 +173,12 @@ void applyCage(document::Fractal& fractal, const Arguments& arguments) {
         throw UsageError{tr("The cage has %1 corners and the rest cage %2: they must have the same number.")
                              .arg(cage.current.size())
                              .arg(cage.rest.size())};
-    if (cage.rest.size() != 3)
-        throw UsageError{
-            tr("A cage of %1 corners bends the picture, which this version cannot draw: give three.")
-                .arg(cage.rest.size())};
     if (!ifs::isValid(cage))
-        throw UsageError{tr("The corners of the rest cage lie on one line, so they hold no coordinates.")};
+        throw UsageError{
+            cage.rest.size() == 3
+                ? tr("The corners of the rest cage lie on one line, so they hold no coordinates.")
+                : tr("The rest cage must be a polygon of 3 to 64 corners that does not cross "
+                     "itself.")};
     fractal.cage = cage;
 }
 
@@ -318,11 +320,17 @@ ExitStatus render(const Arguments& arguments) {
     applyCage(*fractal, arguments);
     const attractor::Camera camera = cameraOf(*fractal, arguments, input->name);
     const io::Export what = exportOf(*fractal, camera, format, arguments);
-    if (const auto* svg = std::get_if<io::SvgExport>(&what))
-        if (const auto failure = io::svgPlan(svg->fractal, svg->camera, svg->format).failure) {
-            reportError(input->name, *failure);
+    if (const auto* svg = std::get_if<io::SvgExport>(&what)) {
+        const io::SvgPlan plan = io::svgPlan(svg->fractal, svg->camera, svg->format);
+        if (plan.failure) {
+            reportError(input->name, *plan.failure);
             return ExitStatus::InputProblems;
         }
+        if (plan.unbent)
+            reportWarning(input->name,
+                          tr("The cage bends the picture, which the copies of a scalable picture "
+                             "cannot follow: the affine fit of the cage is written."));
+    }
     const QString output = QString::fromStdString(arguments.output);
     ProgressBar bar(progress);
     const auto outcome = io::exportTo(
@@ -369,8 +377,10 @@ void addFramingOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--margin", arguments.margin, "Margin around the picture in per cent (5)");
     command.add_option("--view", arguments.view, "What is seen: \"cx,cy,height\"");
     command.add_flag("--y-down", arguments.yDown, "The y axis points down");
-    command.add_option("--cage", arguments.cage, "Where the corners are: \"x,y x,y x,y\"");
-    command.add_option("--rest-cage", arguments.restCage, "Where they were: \"x,y x,y x,y\", or canonical");
+    command.add_option("--cage", arguments.cage,
+                       "Where the corners are: \"x,y x,y x,y\", up to 64; more than three bend the picture");
+    command.add_option("--rest-cage", arguments.restCage,
+                       "Where they were: \"x,y x,y x,y\", canonical or box");
 }
 
 } // namespace

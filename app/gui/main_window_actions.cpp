@@ -181,7 +181,31 @@ void MainWindow::createCageActions() {
         operate(QStringLiteral("bake"), tr("&Bake"), QKeySequence(tr("Ctrl+B")),
                 tr("Make the placement part of the code: the picture stays, the coefficients change"),
                 &view::bakeCage);
-    m_toolBarActions << drag << define << fitSimplex << reset << bake << nullptr;
+    operate({}, tr("&Unbake"), {},
+            tr("Take the placement out of the code: the picture stays, the code becomes that of the triangle "
+               "(0, 0), (1, 0), (0, 1)"),
+            &view::unbakeCage);
+    operate({}, tr("Make Re&gular"), {}, tr("Put the vertices on the regular polygon nearest to them"),
+            &view::makeCageRegular);
+    m_cageMenu->addSeparator();
+    auto* modes = new QActionGroup(this);
+    const auto mode = [this, modes](const QString& icon, const QString& text, const QString& tip,
+                                    document::CageMode which) {
+        QAction* action =
+            command(m_cageMenu, icon, text, {}, tip, [this, which] { m_document.setCageMode(which); });
+        action->setCheckable(true);
+        action->setChecked(m_document.cageMode() == which);
+        modes->addAction(action);
+        connect(&m_document, &document::Document::cageModeChanged, action,
+                [action, which](document::CageMode now) { action->setChecked(now == which); });
+        return action;
+    };
+    QAction* place = mode(QStringLiteral("place"), tr("&Place"),
+                          tr("Moving the cage moves the picture; the code stays"), document::CageMode::Place);
+    QAction* rewrite = mode(QStringLiteral("rewrite"), tr("Re&write"),
+                            tr("Moving the cage rewrites the code"), document::CageMode::Rewrite);
+    m_toolBarActions << drag << define << fitSimplex << reset << bake << nullptr << place << rewrite
+                     << nullptr;
 }
 
 void MainWindow::createViewActions() {

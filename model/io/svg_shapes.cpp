@@ -98,14 +98,7 @@ ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camer
     const document::System2* system = document::system2(fractal);
     if (!system) return {{}, tr("Only plane systems can be written as a scalable picture.")};
     ifs::AffineMap<2> display = worldToPixel(camera);
-    if (fractal.cage && fractal.cage->rest != fractal.cage->current) {
-        if (fractal.cage->rest.size() != 3)
-            return {
-                {},
-                tr("A cage of more than three corners bends the picture, and a scalable picture of copies "
-                   "cannot follow. Export a PNG, or use a triangle.")};
-        display = display * ifs::displayMap(*fractal.cage);
-    }
+    if (fractal.cage) display = display * ifs::displayMap(*fractal.cage);
     auto levels = SvgLevels::of(*system, display);
     if (!levels)
         return {

@@ -60,12 +60,13 @@ QString pixels(const ifs::Vector<2>& point) {
     return rounded(point.x()) + QLatin1Char(' ') + rounded(point.y());
 }
 
-SvgPlan planOf(const SvgLevels& levels, const SvgFormat& format) {
+SvgPlan planOf(const document::Fractal& fractal, const SvgLevels& levels, const SvgFormat& format) {
     SvgPlan plan;
     plan.deepest = levels.deepest();
     plan.depth = format.depth ? std::clamp(*format.depth, 0, plan.deepest) : levels.levelFor(goodEnough);
     plan.references = std::max<std::uint64_t>(levels.references(plan.depth), 1);
     plan.errorInPixels = levels.error(plan.depth);
+    plan.unbent = fractal.cage && ifs::bends(*fractal.cage);
     return plan;
 }
 
@@ -269,7 +270,7 @@ private:
 
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format) {
     const ShapeLevels levels = shapeLevels(fractal, camera);
-    if (levels.levels) return planOf(*levels.levels, format);
+    if (levels.levels) return planOf(fractal, *levels.levels, format);
     SvgPlan plan;
     plan.failure = levels.failure;
     return plan;
@@ -283,7 +284,7 @@ SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera&
         picture.plan.failure = levels.failure;
         return picture;
     }
-    picture.plan = planOf(*levels.levels, format);
+    picture.plan = planOf(fractal, *levels.levels, format);
     const int depth = picture.plan.depth;
     Writer writer(fractal, camera);
     switch (format.style) {

@@ -34,7 +34,8 @@ struct SvgPlan {
     int deepest = 0;              // the largest depth that stays under the bound of references
     std::uint64_t references = 0; // copies that a reader of the file makes
     double errorInPixels = 0;     // certified distance to the attractor
-    Failure failure;              // why there can be no such picture
+    bool unbent = false;          // copies cannot bend: they show the affine fit of the cage
+    Failure failure;              // why there can be no structured picture
 };
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format);
 

@@ -37,6 +37,7 @@ private slots:
     void pictureReopens();
     void viewShowsTheWholeAttractor();
     void cageMovesThePicture();
+    void cageOfManyCornersBendsThePicture();
     void copyKeepsEveryByte();
     void bakedCodeDrawsTheSame();
     void convertsThereAndBack_data();
@@ -465,6 +466,40 @@ void CliTest::cageMovesThePicture() {
             different += std::abs(qGray(up.pixel(x, y)) - qGray(down.pixel(x, y))) > 60;
     QVERIFY2(different < 150, qPrintable(QString::number(different)));
     QVERIFY(QImage(path("up.png")) != down);
+}
+
+void CliTest::cageOfManyCornersBendsThePicture() {
+    const auto render = [this](const QString& file, const QString& rest, const QString& cage) {
+        return run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("--size"),
+                    QStringLiteral("150x150"), QStringLiteral("--colour"), QStringLiteral("none"),
+                    QStringLiteral("--view"), QStringLiteral("0,1,14"), QStringLiteral("--rest-cage"), rest,
+                    QStringLiteral("--cage"), cage, QStringLiteral("-o"), file});
+    };
+    const QString square = QStringLiteral("-6,-6 6,-6 6,7 -6,7");
+    const auto difference = [this](const char* a, const char* b) {
+        const QImage first(path(a));
+        const QImage second(path(b));
+        int different = 0;
+        for (int y = 0; y < first.height(); ++y)
+            for (int x = 0; x < first.width(); ++x)
+                different += std::abs(qGray(first.pixel(x, y)) - qGray(second.pixel(x, y))) > 60;
+        return different;
+    };
+    QCOMPARE(render(QStringLiteral("t.png"), QStringLiteral("0,0 1,0 0,1"), QStringLiteral("1,0 2,0.5 1,1"))
+                 .status,
+             0);
+    // The same shear by (1, 0) + (x, y + x/2) of four corners, then one of them pulled away.
+    QCOMPARE(render(QStringLiteral("q.png"), square, QStringLiteral("-5,-9 7,-3 7,10 -5,4")).status, 0);
+    QCOMPARE(render(QStringLiteral("b.png"), square, QStringLiteral("-5,-9 7,-3 4,5 -5,4")).status, 0);
+    QVERIFY(difference("t.png", "q.png") < 200);
+    QVERIFY(difference("b.png", "q.png") > 800);
+    QCOMPARE(render(QStringLiteral("x.png"), QStringLiteral("0,0 1,1 1,0 0,1"), square).status, 2);
+    const auto svg =
+        run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("--rest-cage"),
+             QStringLiteral("box"), QStringLiteral("--cage"), QStringLiteral("-3,-3 3,-3 5,5 -3,5"),
+             QStringLiteral("-o"), QStringLiteral("b.svg")});
+    QCOMPARE(svg.status, 0);
+    QVERIFY2(svg.err.contains("affine fit"), svg.err.constData());
 }
 
 void CliTest::copyKeepsEveryByte() {

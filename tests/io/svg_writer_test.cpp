@@ -183,6 +183,7 @@ private slots:
     void looksLikeTheRendering_data() { systems(); }
     void looksLikeTheRendering();
     void systemsWithoutAttractorAreRefused();
+    void bentPicturesAreWrittenAsTheirAffineFit();
     void hostileFilesAreRefused();
     void awkwardTextSurvives();
 
@@ -514,9 +515,22 @@ void SvgWriterTest::systemsWithoutAttractorAreRefused() {
     QVERIFY(svgPicture(rotation, camera, {}).bytes.isEmpty());
     document::Fractal unread;
     QVERIFY(svgPlan(unread, camera, {}).failure);
+}
+
+void SvgWriterTest::bentPicturesAreWrittenAsTheirAffineFit() {
     document::Fractal bent = fractalOf(canonical::maple());
     bent.cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 0}, {1, 0}, {2, 2}, {0, 1}}};
-    QVERIFY(svgPlan(bent, camera, {}).failure);
+    const attractor::Camera camera = cameraFor(fractalOf(canonical::maple()));
+    const SvgPicture picture = svgPicture(bent, camera, {2, CageVisibility::Hidden});
+    QVERIFY(!picture.plan.failure && picture.plan.unbent);
+    document::Fractal fitted = bent;
+    fitted.cage->deformation = ifs::Deformation::AffineFit;
+    QVERIFY(!svgPlan(fitted, camera, {}).unbent);
+    const auto drawn = [](const QByteArray& bytes) { return bytes.mid(bytes.indexOf("</metadata>")); };
+    QCOMPARE(drawn(picture.bytes), drawn(svgPicture(fitted, camera, {2, CageVisibility::Hidden}).bytes));
+    // The bend itself is in the system that travels with the picture.
+    const auto back = readFractint(readSvgSystem(picture.bytes).text);
+    QVERIFY(back.entries.first().fractal->cage == bent.cage);
 }
 
 void SvgWriterTest::hostileFilesAreRefused() {

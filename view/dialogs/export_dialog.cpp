@@ -252,7 +252,10 @@ void ExportDialog::updateSvgPlan() {
         tr("%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels "
            "from the attractor, and nothing of it is farther from what is drawn.")
             .arg(QLocale(QLocale::English).toString(qulonglong(plan.references)),
-                 QLocale::c().toString(plan.errorInPixels, 'f', 2)));
+                 QLocale::c().toString(plan.errorInPixels, 'f', 2)) +
+        (plan.unbent ? tr(" The cage bends the picture, which copies cannot follow: the affine fit of the "
+                          "cage is written. A PNG shows the bend.")
+                     : QString()));
 }
 
 void ExportDialog::chooseFile() {
