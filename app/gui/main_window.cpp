@@ -33,8 +33,9 @@ namespace {
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
 
 QString fileFilter() {
-    return MainWindow::tr(
-        "Fractint collections (*.ifs);;Pictures that carry their fractal (*.png *.svg);;All files (*)");
+    return MainWindow::tr("Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers "
+                          "(*.csv *.tsv *.txt);;"
+                          "Pictures that carry their fractal (*.png *.svg);;All files (*)");
 }
 
 // Adds the fractal to the file as a new entry and shows it: one undo step.

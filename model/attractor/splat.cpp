@@ -78,6 +78,9 @@ void splat(const Word& word, const SampleSet& samples, std::uint64_t count, cons
                        [&](const kernels::Run& run) { kernels::addToPatch(word, run, p, window, counts); });
             return;
         }
+        forEachRun(word, samples, count,
+                   [&](const kernels::Run& run) { kernels::addInside(word, run, window, counts); });
+        return;
     }
     forEachRun(word, samples, count,
                [&](const kernels::Run& run) { kernels::addToCounts(word, run, window, counts); });

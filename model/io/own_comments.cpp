@@ -116,6 +116,8 @@ QByteArrayList ownComments(const document::Fractal& fractal) {
             lines << line("rest", point(vertex));
         for (const auto& vertex : fractal.cage->current)
             lines << line("current", point(vertex));
+        if (fractal.cage->deformation == ifs::Deformation::AffineFit)
+            lines << line("deformation", "affine-fit");
     }
     lines << appearanceLines(fractal.appearance);
     if (const auto* plane = std::get_if<document::System2>(&fractal.system))
@@ -161,6 +163,11 @@ bool OwnComments::readSetting(const QByteArray& key, const QByteArrayList& value
         return true;
     }
     if (values.size() != 1) return false;
+    if (key == "deformation") {
+        if (values[0] != "affine-fit" && values[0] != "bend") return false;
+        m_cage.deformation = values[0] == "bend" ? ifs::Deformation::Bend : ifs::Deformation::AffineFit;
+        return true;
+    }
     if (key == "colour-by") {
         const auto found = std::find_if(colourByNames.begin(), colourByNames.end(),
                                         [&](const ColourByName& entry) { return values[0] == entry.name; });
@@ -233,7 +240,7 @@ void OwnComments::applyCage(document::Fractal& fractal, QStringList& sentences) 
         sentences << QCoreApplication::translate(
             "io",
             "The stored cage is not usable (its lists of vertices do not match, or its rest vertices lie on "
-            "one line) and is not applied.");
+            "one line, cross each other or are more than 64) and is not applied.");
 }
 
 void OwnComments::applyPalette(document::Fractal& fractal, QStringList& sentences) const {

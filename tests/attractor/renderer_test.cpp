@@ -473,6 +473,8 @@ private slots:
         add("by address, supersampled", 2, ColourBy::Address, Algorithm::Density);
         add("chaos game", 1, ColourBy::Density, Algorithm::ChaosGame);
         add("deterministic", 2, ColourBy::Map, Algorithm::Deterministic);
+        add("bent", 1, ColourBy::Density, Algorithm::Density);
+        add("bent, by map", 2, ColourBy::Map, Algorithm::Density);
     }
 
     void bandsShowNoSeams() {
@@ -484,6 +486,9 @@ private slots:
         request.appearance.colourBy = ColourBy(colourBy);
         request.algorithm = Algorithm(algorithm);
         request.iterations = 5;
+        if (QByteArray(QTest::currentDataTag()).startsWith("bent"))
+            request.cage = ifs::ControlCage<2>{{{-4, -4}, {4, -4}, {4, 6}, {-4, 6}},
+                                               {{-4, -4}, {3, -3}, {4, 6}, {-1, 3}}};
         bandsAreThePicture<std::uint32_t>(request);
         bandsAreThePicture<Rgba16>(request);
     }

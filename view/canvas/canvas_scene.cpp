@@ -113,7 +113,7 @@ void CanvasScene::follow(const document::Change& change) {
         m_cage = document::system2(fractal) ? std::optional(document::effectiveCage(fractal)) : std::nullopt;
         place();
     }
-    if (change.parts & (Change::System | Change::Current | Change::File)) {
+    if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         m_noteStale = true;
         updateNote();
     }

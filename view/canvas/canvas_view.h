@@ -73,6 +73,8 @@ public:
 
     const CanvasScene& canvas() const { return *m_scene; }
 
+    void insertVertexAt(int edge, const QPointF& position); // pixels
+
 signals:
     void toolChanged(view::CanvasView::Tool tool);
     void pointerMoved(const view::PointerPosition& position);
