@@ -128,11 +128,10 @@ void Arising::updateTrail() {
     m_lastMap.reset();
     const document::Fractal& fractal = m_document->fractal();
     const document::System2* system = document::system2(fractal);
-    const bool affine = !fractal.cage || fractal.cage->rest.size() == 3;
-    if (m_mode == Mode::ChaosGame && system && affine && m_points > 0 && m_points <= followable) {
+    if (m_mode == Mode::ChaosGame && system && m_points > 0 && m_points <= followable) {
         if (!m_orbit) m_orbit.emplace(*system, m_seed);
         const auto& points = m_orbit->after(m_points);
-        const ifs::AffineMap<2> display = fractal.cage ? ifs::displayMap(*fractal.cage) : ifs::AffineMap<2>();
+        const ifs::Placement display = document::placement(fractal);
         for (const auto& point : points)
             m_trail.push_back(display(point.x));
         if (!points.empty()) m_lastMap = points.back().map;

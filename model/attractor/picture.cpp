@@ -183,10 +183,13 @@ void Picture::planSampleSet() {
     counts.clear();
     const CellWindow& window = sums.window();
     const bool whole = window.firstRow <= 0 && window.endRow >= projection.grid.height;
-    for (const Word& word : cut->words) {
+    for (std::size_t k = 0; k < cut->words.size(); ++k) {
+        const Word& word = cut->words[k];
         sum += word.probability * perMeasure;
         const auto after = static_cast<std::uint64_t>(sum);
-        counts.push_back(whole || meets(word, samples, window) ? after - before : 0);
+        // Where the samples of a bent word may fall, its affine map does not tell.
+        const bool counted = whole || k >= cut->firstCurved || meets(word, samples, window);
+        counts.push_back(counted ? after - before : 0);
         sinceCarry += counts.back();
         before = after;
     }

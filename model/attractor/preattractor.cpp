@@ -12,6 +12,8 @@ namespace attractor {
 namespace {
 
 constexpr double mostImages = 1e6;
+constexpr double mostOutlined = 20'000; // images; sums of a cell stay below 2³² whatever covers it
+constexpr double smallestOutlined = 24; // cells
 
 class Painter {
 public:
@@ -25,6 +27,7 @@ public:
             m_low = m_low.cwiseMin(vertex);
             m_high = m_high.cwiseMax(vertex);
         }
+        m_outlined = std::pow(static_cast<double>(job.system.maps.size()), job.iterations) <= mostOutlined;
         if (const ifs::PolygonDeformation* bend = projection.cage.bend())
             m_bend.emplace(*bend, (m_low + m_high) / 2, (m_high - m_low).maxCoeff() / 2,
                            mostBendError * projection.cellsPerPixel / std::abs(projection.scale(0, 0)));
@@ -48,7 +51,8 @@ public:
             const Reach reach = reachOf(node.map);
             if (!reach.inView) continue;
             if (node.depth == m_job.iterations || reach.size < 0.5) {
-                fill(node.map, m_colour(node.firstMap, node.place + node.step / 2));
+                const ColourCell colour = m_colour(node.firstMap, node.place + node.step / 2);
+                if (fill(node.map, colour) && m_outlined && reach.size >= smallestOutlined) outline(colour);
                 continue;
             }
             for (std::size_t i = m_job.system.maps.size(); i-- > 0;) {
@@ -108,30 +112,61 @@ private:
         m_corners.push_back(shown(a));
     }
 
-    void add(int x, int y, const ColourCell& colour) {
+    void add(int x, int y, const ColourCell& colour, std::uint32_t times = 1) {
         const CellWindow& window = m_sums.window();
         const std::size_t at =
             static_cast<std::size_t>(y - window.firstRow) * static_cast<std::size_t>(window.width) +
             static_cast<std::size_t>(x);
         if (m_sums.kind() == CellKind::Count) {
-            ++m_sums.counts(0)[at];
+            m_sums.counts(0)[at] += times;
             return;
         }
         ColourCell& sum = m_sums.colours(0)[at];
-        sum.samples += 1;
-        sum.red += colour.red;
-        sum.green += colour.green;
-        sum.blue += colour.blue;
+        sum.samples += times;
+        sum.red += times * colour.red;
+        sum.green += times * colour.green;
+        sum.blue += times * colour.blue;
+    }
+
+    // Further samples along the sides of what has just been filled. The places on a side do not depend on the
+    // window.
+    void outline(const ColourCell& colour) {
+        constexpr std::uint32_t times = 3;
+        const CellWindow& window = m_sums.window();
+        for (std::size_t k = 0; k < m_corners.size(); ++k) {
+            const ifs::Vector<2>& a = m_corners[k];
+            const ifs::Vector<2> side = m_corners[(k + 1) % m_corners.size()] - a;
+            const double places = std::ceil(side.cwiseAbs().maxCoeff());
+            double from = 0; // shares of the side between which it crosses the window
+            double to = 1;
+            const auto clip = [&](double start, double length, double low, double high) {
+                if (length == 0) return;
+                const double first = (low - start) / length;
+                const double second = (high - start) / length;
+                from = std::max(from, std::min(first, second));
+                to = std::min(to, std::max(first, second));
+            };
+            clip(a.x(), side.x(), 0, window.width);
+            clip(a.y(), side.y(), window.firstRow, window.endRow);
+            const double end = std::min(places, std::ceil(to * places) + 1);
+            for (double i = std::max(0.0, std::floor(from * places) - 1); i < end; ++i) {
+                const ifs::Vector<2> at = a + side * ((i + 0.5) / places);
+                if (at.x() >= 0 && at.x() < window.width && at.y() >= window.firstRow &&
+                    at.y() < window.endRow)
+                    add(static_cast<int>(at.x()), static_cast<int>(at.y()), colour, times);
+            }
+        }
     }
 
     // Even-odd rule at the middles of cells.
-    void fill(const ifs::AffineMap<2>& map, const ColourCell& colour) {
+    // False where the image is not finite.
+    bool fill(const ifs::AffineMap<2>& map, const ColourCell& colour) {
         m_corners.clear();
         for (std::size_t j = 0; j < m_job.polygon.size(); ++j)
             addEdge(map(m_job.polygon[j]), map(m_job.polygon[(j + 1) % m_job.polygon.size()]), 0);
         ifs::Vector<2> middle = ifs::Vector<2>::Zero();
         for (const ifs::Vector<2>& corner : m_corners) {
-            if (!corner.allFinite()) return;
+            if (!corner.allFinite()) return false;
             middle += corner / static_cast<double>(m_corners.size());
         }
         const CellWindow& window = m_sums.window();
@@ -147,6 +182,7 @@ private:
         if (!any && middle.x() >= 0 && middle.x() < window.width && middle.y() >= window.firstRow &&
             middle.y() < window.endRow)
             add(static_cast<int>(middle.x()), static_cast<int>(middle.y()), colour);
+        return true;
     }
 
     bool fillRow(int y, const ColourCell& colour) {
@@ -177,6 +213,7 @@ private:
     CellSums& m_sums;
     ifs::Vector<2> m_low;
     ifs::Vector<2> m_high;
+    bool m_outlined = false;
     std::optional<BendTable> m_bend;
     std::vector<ifs::Vector<2>> m_corners;
     std::vector<double> m_crossings;

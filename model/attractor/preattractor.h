@@ -11,8 +11,9 @@
 namespace attractor {
 
 // Wⁿ(polygon), the deterministic algorithm: all N^n images of the polygon, filled, one sample in each cell
-// that an image covers (at least the cell of its middle). Images outside the window are not followed, and an
-// image that has shrunk into a cell is not divided any more.
+// that an image covers (at least the cell of its middle), and more along the sides of those that are not
+// small. Images outside the window are not followed, and an image that has shrunk into a cell is not divided
+// any more.
 struct Preattractor {
     const DrawableSystem& system;
     std::vector<ifs::Vector<2>> polygon; // coordinates of the code, at least one point

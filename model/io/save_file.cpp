@@ -172,7 +172,14 @@ Loaded loadFile(const QString& path) {
     if (info.size() > largestFile) return {{}, tooLarge};
     if (!file.open(QIODevice::ReadOnly))
         return {{}, tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
-    Loaded loaded{file.read(largestFile + 1), std::nullopt}; // a pipe does not know its size beforehand
+    Loaded loaded;
+    // A pipe does not know its size beforehand, and one read of the limit would reserve as much memory.
+    const qint64 expected = std::max<qint64>(info.size(), 1 << 16);
+    while (loaded.bytes.size() <= largestFile) {
+        const QByteArray piece = file.read(expected);
+        if (piece.isEmpty()) break;
+        loaded.bytes += piece;
+    }
     if (file.error() != QFileDevice::NoError)
         return {{}, tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
     if (loaded.bytes.size() > largestFile) return {{}, tooLarge};
