@@ -58,7 +58,7 @@ bool BandedRendering::State::measure(const std::stop_token& stop) {
         const auto room = static_cast<std::uint64_t>(pitch - height) + 1;
         const int jitter = static_cast<int>(mixed(static_cast<std::uint64_t>(strip)) % room);
         if (!draw(std::min(strip * pitch + jitter, camera.height - height), height, stop)) return false;
-        const Occupancy part = occupancy(sums, request.appearance.supersample, share);
+        const Occupancy part = occupancy(sums, request.appearance.supersample, share, *workers);
         whole.samples += part.samples;
         whole.occupied += part.occupied;
     }

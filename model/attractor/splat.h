@@ -23,6 +23,18 @@ struct CellWindow {
 // around.
 constexpr std::size_t trashCells = 16;
 
+// A rectangle of cells of the window, ends excluded; empty where an end is not past its beginning.
+struct CellRegion {
+    int firstColumn = 0;
+    int endColumn = 0;
+    int firstRow = 0; // of the grid, as in CellWindow
+    int endRow = 0;
+
+    friend bool operator==(const CellRegion&, const CellRegion&) = default;
+};
+// Where the samples of the set can fall with this word.
+CellRegion reachedCells(const Word& word, const SampleSet& samples, const CellWindow& window);
+
 // Adds `count` samples of the run of the word to `counts`, which has window.cells() + trashCells counters.
 void splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
            std::uint32_t* counts);
