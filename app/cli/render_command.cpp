@@ -8,6 +8,7 @@
 #include "render_view.h"
 #include "usage_error.h"
 
+#include "attractor/kernels.h"
 #include "io/export_job.h"
 
 #include <QCoreApplication>
@@ -54,9 +55,6 @@ void refuseIf(bool given, const char* option, const QString& reason) {
 
 // What this version cannot do, and what makes no sense for the format. Nothing is ignored silently.
 void refuseUnsupported(const Arguments& arguments, Format format) {
-    refuseIf(arguments.simd.has_value(), "--simd",
-             tr("this version always takes the best instructions there are."));
-    refuseIf(arguments.bits && *arguments.bits != 8, "--bits", tr("this version writes 8 bits a channel."));
     if (format == Format::Svg) {
         const QString reason = tr("a scalable picture is made of copies, not of points.");
         refuseIf(arguments.points.has_value(), "--points", reason);
@@ -97,12 +95,29 @@ attractor::Algorithm algorithmOf(const std::string& text) {
                          .arg(QString::fromStdString(text))};
 }
 
+void selectInstructions(const std::string& name) {
+    if (attractor::selectSimd(name)) return;
+    QStringList here;
+    for (const std::string& possible : attractor::simdNames())
+        here << QString::fromStdString(possible);
+    throw UsageError{tr("--simd “%1” is not possible here; this machine has %2.")
+                         .arg(QString::fromStdString(name), here.join(QStringLiteral(", ")))};
+}
+
+bool isLight(const attractor::Rgba& colour) {
+    return 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue > 128;
+}
+
 void applyAppearance(attractor::Appearance& appearance, const Arguments& arguments) {
     if (arguments.colour) appearance.colourBy = colourBy(*arguments.colour);
     if (arguments.palette) appearance.palette = paletteArgument("--palette", *arguments.palette);
     if (arguments.gamma) appearance.gamma = positiveArgument("--gamma", *arguments.gamma);
     if (arguments.brightness) appearance.brightness = positiveArgument("--brightness", *arguments.brightness);
-    if (arguments.background) appearance.background = colourArgument("--background", *arguments.background);
+    if (arguments.background) {
+        appearance.background = colourArgument("--background", *arguments.background);
+        const bool paper = isLight(appearance.background) && appearance.background.alpha == 255;
+        if (paper && isLight(appearance.plain)) appearance.plain = {20, 20, 20, 255}; // it must be seen
+    }
     if (arguments.supersample) appearance.supersample = *arguments.supersample;
 }
 
@@ -202,7 +217,8 @@ io::Export exportOf(const document::Fractal& fractal, const attractor::Camera& c
         checkDepth(fractal, camera, arguments);
         return io::SvgExport{fractal, camera, {arguments.depth, io::CageVisibility::Hidden}};
     }
-    io::PngExport picture{fractal, requestOf(fractal, camera, arguments), {}, io::CageVisibility::Hidden};
+    io::PngExport picture{fractal, requestOf(fractal, camera, arguments), {}};
+    if (arguments.bits == 16) picture.depth = io::PngFormat::Depth::Bits16;
     if (arguments.dpi) picture.dotsPerInch = positiveArgument("--dpi", *arguments.dpi);
     return picture;
 }
@@ -265,6 +281,7 @@ ExitStatus render(const Arguments& arguments) {
     const Format format = formatOf(arguments);
     refuseUnsupported(arguments, format);
     const ProgressMode progress = progressMode(arguments.progress);
+    if (arguments.simd) selectInstructions(*arguments.simd);
     if (algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic && !arguments.iterations)
         throw UsageError{tr("--algorithm deterministic needs --iterations.")};
     const Interrupt interrupt;
@@ -290,7 +307,7 @@ ExitStatus render(const Arguments& arguments) {
 }
 
 void addPictureOptions(CLI::App& command, Arguments& arguments) {
-    command.add_option("--palette", arguments.palette, "Palette by name");
+    command.add_option("--palette", arguments.palette, "Palette by name or from a file");
     command.add_option("--colour", arguments.colour, "Colour by density, map, address or none");
     command.add_option("--gamma", arguments.gamma, "Gamma of the tone curve (2.2)");
     command.add_option("--brightness", arguments.brightness, "Brightness of the tone curve (20)");
@@ -314,8 +331,8 @@ void addAlgorithmOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--seed", arguments.seed, "Seed of the random numbers (1)");
     command.add_option("--threads", arguments.threads, "Threads; never changes the picture")
         ->check(CLI::Range(1, 1024));
-    command.add_option("--simd", arguments.simd, "Instruction set")
-        ->check(CLI::IsMember({"scalar", "sse4", "avx2", "avx3", "neon"}));
+    command.add_option("--simd", arguments.simd,
+                       "Instruction set: scalar, sse4, avx2, avx3 or neon; never changes the picture");
 }
 
 void addFramingOptions(CLI::App& command, Arguments& arguments) {

@@ -7,6 +7,7 @@
 #include "dialogs/transform_dialog.h"
 #include "icon.h"
 #include "main_window.h"
+#include "panels/arising_bar.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -212,7 +213,29 @@ void MainWindow::createViewActions() {
     full->setCheckable(true);
     connect(full, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
-    m_toolBarActions << fit << in << out;
+    m_toolBarActions << fit << in << out << nullptr << createArisingBar();
+}
+
+QAction* MainWindow::createArisingBar() {
+    auto* bar = new QToolBar(tr("How It Arises"), this);
+    bar->setObjectName(QStringLiteral("arising"));
+    bar->setMovable(false);
+    bar->addWidget(new view::ArisingBar(m_arising));
+    addToolBar(Qt::BottomToolBarArea, bar);
+    bar->hide();
+    QAction* shown = bar->toggleViewAction();
+    shown->setText(tr("&How It Arises"));
+    shown->setIcon(view::icon(QStringLiteral("arising")));
+    shown->setShortcut(QKeySequence(tr("W")));
+    shown->setStatusTip(
+        tr("Watch the attractor arise: by steps of the deterministic algorithm, or by the chaos "
+           "game"));
+    m_viewMenu->addAction(shown);
+    addAction(shown);
+    connect(shown, &QAction::toggled, m_arising, [this](bool on) {
+        if (!on) m_arising->setMode(view::Arising::Mode::Density);
+    });
+    return shown;
 }
 
 void MainWindow::createHelpActions() {

@@ -444,8 +444,8 @@ struct SimdSet {
     std::string_view name;
     std::int64_t target;
 };
-constexpr SimdSet simdSets[] = {
-    {"avx512", HWY_AVX3}, {"avx2", HWY_AVX2}, {"sse4", HWY_SSE4}, {"scalar", HWY_STATIC_TARGET}};
+constexpr SimdSet simdSets[] = {{"avx512", HWY_AVX3}, {"avx3", HWY_AVX3}, {"avx2", HWY_AVX2},
+                                {"sse4", HWY_SSE4},   {"neon", HWY_NEON}, {"scalar", HWY_STATIC_TARGET}};
 
 // The environment decides once, before the first kernel runs.
 void heedEnvironment() {
@@ -467,6 +467,16 @@ bool selectSimd(std::string_view name) {
         return true;
     }
     return false;
+}
+
+std::vector<std::string> simdNames() {
+    const std::int64_t inUse = hwy::SupportedTargets();
+    hwy::SetSupportedTargetsForTest(0); // what the machine has
+    std::vector<std::string> names;
+    for (const SimdSet& set : simdSets)
+        if ((hwy::SupportedTargets() & set.target) != 0) names.emplace_back(set.name);
+    hwy::SetSupportedTargetsForTest(inUse);
+    return names;
 }
 
 std::string simdName() {

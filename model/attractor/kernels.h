@@ -9,14 +9,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The loops that take the time, compiled for several instruction sets; the best one of the machine runs. All
 // give the same bits.
 namespace attractor {
 
-// The name of the set in use: scalar, sse4, avx2 or avx512. The environment variable BARYCAGE_SIMD forces
-// one.
+// The name of the set in use: scalar, sse4, avx2, avx512 (which may also be called avx3) or neon. The
+// environment variable BARYCAGE_SIMD forces one.
 std::string simdName();
+std::vector<std::string> simdNames(); // all that can be selected here, the best one first
 // Forces a set; false, and nothing changes, when the machine lacks it or the name is unknown. Not while
 // rendering.
 bool selectSimd(std::string_view name);

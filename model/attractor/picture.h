@@ -6,6 +6,7 @@
 #include "attractor/chaos_game.h"
 #include "attractor/drawable_system.h"
 #include "attractor/renderer.h"
+#include "attractor/tone_map.h"
 #include "attractor/workers.h"
 
 #include <atomic>
@@ -83,6 +84,8 @@ struct Picture {
         return request.algorithm == Algorithm::Density ? overAttractor : static_cast<double>(drawn);
     }
     void measureExposure(const std::stop_token& stop = {});
+    ToneSettings toneSettings() const; // after measureExposure()
+    std::uint64_t mostInACell() const;
     // Of the rows that are counted; stopped, of some of them.
     void tonePixels(std::span<std::uint32_t> pixels, const std::stop_token& stop = {});
     Frame frame(Frame reuse, const std::stop_token& stop);

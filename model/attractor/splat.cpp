@@ -71,6 +71,10 @@ CellRegion reachedCells(const Word& word, const SampleSet& samples, const CellWi
             cellWithin(r.bottom, window.firstRow, window.endRow) + 1};
 }
 
+bool meets(const Word& word, const SampleSet& samples, const CellWindow& window) {
+    return !outside(reach(word, samples), window);
+}
+
 void splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
            std::uint32_t* counts) {
     const Reach r = reach(word, samples);

@@ -18,11 +18,12 @@ complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deter
 complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of SVG"
 complete -c barycage-cli -n $render -l background -x -a "transparent black white" -d "Background"
 complete -c barycage-cli -n $render -l rest-cage -x -a canonical -d "Corners at rest"
+complete -c barycage-cli -n $render -l palette -r -d "Palette by name or from a file"
 complete -c barycage-cli -n $render -l bits -x -a "8 16" -d "Bits a channel"
 complete -c barycage-cli -n $render -l supersample -x -a "1 2 3 4" -d "Cells along a pixel"
 complete -c barycage-cli -n $render -l simd -x -a "scalar sse4 avx2 avx3 neon" -d "Instruction set"
 complete -c barycage-cli -n $render -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n $render -l y-down -d "y grows downwards"
-for option in size points seed margin cage view palette gamma brightness iterations threads depth dpi
+for option in size points seed margin cage view gamma brightness iterations threads depth dpi
   complete -c barycage-cli -n $render -l $option -x
 end

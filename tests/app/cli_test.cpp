@@ -39,6 +39,8 @@ private slots:
     void cageMovesThePicture();
     void copyKeepsEveryByte();
     void bakedCodeDrawsTheSame();
+    void instructionSetsGiveTheSameBytes();
+    void pictureOptionsCount();
     void interruptLeavesNothing();
 
 private:
@@ -145,8 +147,12 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --background colourless");
     row("render systems.ifs -o x.png --gamma -1");
     row("render systems.ifs -o x.png --gamma 2,2");
-    row("render systems.ifs -o x.png --bits 16");
-    row("render systems.ifs -o x.png --simd avx2");
+    row("render systems.ifs -o x.png --bits 12");
+    row("render systems.ifs -o x.svg --bits 16");
+    row("render systems.ifs -o x.png --simd mmx");
+    row("render systems.ifs -o x.png --palette systems.ifs");
+    row("render systems.ifs -o x.png --colour rainbow");
+    row("render systems.ifs -o x.png --supersample 5");
     row("render systems.ifs -o x.png --depth 3");
     row("render systems.ifs -o x.svg --points 1000");
     row("render systems.ifs -o x.svg --svg outline");
@@ -492,6 +498,75 @@ void CliTest::bakedCodeDrawsTheSame() {
         run({QStringLiteral("info"), QStringLiteral("baked.ifs"), QStringLiteral("--json")});
     QCOMPARE(result.status, 0);
     compare(entryOf(result)[QLatin1String("mean")], 1 + 5135.0 / 70583, 2 + 101021.0 / 70583, 1e-11);
+}
+
+void CliTest::instructionSetsGiveTheSameBytes() {
+    const auto drawn = [this](const char* set) {
+        const Result result = run({QStringLiteral("render"), QStringLiteral("systems.ifs"),
+                                   QStringLiteral("-o"), QStringLiteral("set.png"), QStringLiteral("--size"),
+                                   QStringLiteral("100x80"), QStringLiteral("--simd"), QLatin1String(set)});
+        if (result.status == 0) return read("set.png");
+        if (result.status != 2 || !result.err.contains("scalar")) return QByteArray("wrong message");
+        return QByteArray();
+    };
+    const QByteArray scalar = drawn("scalar");
+    QVERIFY(scalar.size() > 100);
+    int possible = 0;
+    for (const char* set : {"sse4", "avx2", "avx3", "neon"}) {
+        const QByteArray bytes = drawn(set);
+        if (bytes.isEmpty()) continue; // not here, said with the list of what is
+        QVERIFY2(bytes == scalar, set);
+        ++possible;
+    }
+    QVERIFY(possible >= 1 && possible <= 3); // no machine has both families
+}
+
+void CliTest::pictureOptionsCount() {
+    write("p.gpl", "GIMP Palette\n0 0 60\n255 0 0\n");
+    write("bad.map", "0 60 0\nnonsense\n0 255 0\n");
+    QList<QImage> pictures;
+    const auto draw = [&](const QStringList& options) {
+        const Result result =
+            run(QStringList{QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                            QStringLiteral("o.png"), QStringLiteral("--size"), QStringLiteral("90x80"),
+                            QStringLiteral("--background"), QStringLiteral("black")} +
+                options);
+        pictures << QImage(path("o.png"));
+        return result;
+    };
+    QCOMPARE(run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("paper.png"), QStringLiteral("--size"), QStringLiteral("90x80"),
+                  QStringLiteral("--colour"), QStringLiteral("none"), QStringLiteral("--background"),
+                  QStringLiteral("white")})
+                 .status,
+             0);
+    const QImage paper(path("paper.png"));
+    int dark = 0;
+    for (int y = 0; y < paper.height(); ++y)
+        for (int x = 0; x < paper.width(); ++x)
+            dark += qGray(paper.pixel(x, y)) < 100;
+    QVERIFY(dark > 100);
+    for (const char* colour : {"density", "map", "address", "none"})
+        QCOMPARE(draw({QStringLiteral("--colour"), QLatin1String(colour)}).status, 0);
+    QCOMPARE(draw({QStringLiteral("--supersample"), QStringLiteral("3")}).status, 0);
+    QCOMPARE(draw({QStringLiteral("--palette"), QStringLiteral("ink")}).status, 0);
+    QCOMPARE(draw({QStringLiteral("--palette"), QStringLiteral("p.gpl")}).status, 0);
+    const QImage red = pictures.back();
+    const Result remarked = draw({QStringLiteral("--palette"), QStringLiteral("bad.map")});
+    QCOMPARE(remarked.status, 0);
+    QVERIFY(remarked.err.contains("bad.map:2:1: warning: "));
+    for (qsizetype i = 0; i < pictures.size(); ++i)
+        for (qsizetype k = 0; k < i; ++k)
+            QVERIFY(pictures[i] != pictures[k]);
+    for (int y = 0; y < red.height(); ++y)
+        for (int x = 0; x < red.width(); ++x)
+            QCOMPARE(qGreen(red.pixel(x, y)), 0);
+    QCOMPARE(
+        draw({QStringLiteral("--bits"), QStringLiteral("16"), QStringLiteral("--dpi"), QStringLiteral("254")})
+            .status,
+        0);
+    QCOMPARE(pictures.back().depth(), 64);
+    QCOMPARE(pictures.back().dotsPerMeterX(), 10000);
 }
 
 void CliTest::interruptLeavesNothing() {

@@ -92,12 +92,18 @@ QWidget* ExportDialog::createPngOptions() {
     m_supersample->setRange(1, 4);
     m_supersample->setValue(m_fractal.appearance.supersample);
     m_supersample->setAccessibleName(tr("Cells along the side of a pixel"));
+    m_depthOfColour = new QComboBox(page);
+    m_depthOfColour->addItem(tr("8 bits a channel"), QVariant::fromValue(io::PngFormat::Depth::Bits8));
+    m_depthOfColour->addItem(tr("16 bits a channel, for further work on the picture"),
+                             QVariant::fromValue(io::PngFormat::Depth::Bits16));
+    m_depthOfColour->setAccessibleName(tr("Colour depth"));
     m_memory = new QLabel(page);
     m_memory->setAccessibleName(tr("Memory needed"));
     auto* form = new QFormLayout(page);
     form->setContentsMargins({});
     form->addRow(tr("&Quality:"), m_quality);
     form->addRow(tr("&Supersampling:"), m_supersample);
+    form->addRow(tr("C&olour depth:"), m_depthOfColour);
     form->addRow(tr("Memory:"), m_memory);
     return page;
 }
@@ -144,6 +150,7 @@ void ExportDialog::connectOptions() {
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &ExportDialog::update);
     connect(m_supersample, &QSpinBox::valueChanged, this, &ExportDialog::update);
+    connect(m_depthOfColour, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_depth, &QSpinBox::valueChanged, this, &ExportDialog::update);
     connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
 }
@@ -166,7 +173,11 @@ io::Export ExportDialog::exportNow() const {
         const auto depth = m_autoDepth->isChecked() ? std::nullopt : std::optional(m_depth->value());
         return io::SvgExport{fractalToExport(), camera, {depth, cage}};
     }
-    io::PngExport picture{fractalToExport(), {}, m_size->dotsPerInch(), cage};
+    io::PngExport picture{fractalToExport(),
+                          {},
+                          m_size->dotsPerInch(),
+                          cage,
+                          m_depthOfColour->currentData().value<io::PngFormat::Depth>()};
     picture.request = document::renderRequest(picture.fractal, camera);
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples =
@@ -190,7 +201,7 @@ void ExportDialog::update() {
         return;
     }
     const auto png = std::get<io::PngExport>(exportNow());
-    m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png.request)))));
+    m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png)))));
 }
 
 void ExportDialog::updateSvgPlan() {

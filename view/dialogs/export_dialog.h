@@ -63,6 +63,7 @@ private:
     QCheckBox* m_triangle = nullptr;
     QComboBox* m_quality = nullptr;
     QSpinBox* m_supersample = nullptr;
+    QComboBox* m_depthOfColour = nullptr;
     QLabel* m_memory = nullptr;
     QCheckBox* m_autoDepth = nullptr;
     QSpinBox* m_depth = nullptr;
