@@ -72,7 +72,7 @@ std::optional<double> BandedRendering::State::measureSmall(const std::stop_token
     small.measureExposure();
     exposure = small.exposure;
     const double drawnSamples = small.samplesOverAttractor();
-    return drawnSamples > 0 ? occupancy(small.sums, side, 1).samples / drawnSamples : 0;
+    return drawnSamples > 0 ? occupancy(small.sums, side, 1, *small.workers).samples / drawnSamples : 0;
 }
 
 // The mean density comes from some strips of the large picture itself: how many of its pixels are occupied
@@ -100,7 +100,7 @@ bool BandedRendering::State::measure(const std::stop_token& stop) {
             return false;
         }
         const double share = referenceShare(pixels, *inView * samplesOverAttractor());
-        const Occupancy part = occupancy(sums, request.appearance.supersample, share);
+        const Occupancy part = occupancy(sums, request.appearance.supersample, share, *workers);
         whole.samples += part.samples;
         whole.occupied += part.occupied;
     }

@@ -83,11 +83,12 @@ struct Numbering {
     }
 };
 
-// The cells of 128 points that all lie in the grid.
+// The cells of at most 128 points that all lie in the grid.
 HWY_ATTR static HWY_INLINE void cellsInside(const Placement& place, const Numbering& grid, const float* x,
-                                            const float* y, std::uint32_t* HWY_RESTRICT cells) {
+                                            const float* y, std::size_t count,
+                                            std::uint32_t* HWY_RESTRICT cells) {
     const Float d;
-    for (std::size_t k = 0; k < chunk; k += hn::Lanes(d)) {
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
         const FloatVector px = hn::LoadU(d, x + k);
         const FloatVector py = hn::LoadU(d, y + k);
         hn::Store(grid.cell(place.column(px, py), place.row(px, py)), Int(),
@@ -98,7 +99,7 @@ HWY_ATTR static HWY_INLINE void cellsInside(const Placement& place, const Number
 // The same wherever they lie: trash cells for those outside the window.
 HWY_ATTR static HWY_INLINE void cellsOf(const Placement& place, const Numbering& grid,
                                         const CellWindow& window, const float* x, const float* y,
-                                        std::uint32_t* HWY_RESTRICT cells) {
+                                        std::size_t count, std::uint32_t* HWY_RESTRICT cells) {
     const Float d;
     const Int di;
     const FloatVector zero = hn::Zero(d);
@@ -106,7 +107,7 @@ HWY_ATTR static HWY_INLINE void cellsOf(const Placement& place, const Numbering&
     const FloatVector first = hn::Set(d, static_cast<float>(window.firstRow));
     const FloatVector end = hn::Set(d, static_cast<float>(window.endRow));
     const IntVector trash = hn::Iota(di, static_cast<std::int32_t>(window.cells()));
-    for (std::size_t k = 0; k < chunk; k += hn::Lanes(d)) {
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
         const FloatVector px = hn::LoadU(d, x + k);
         const FloatVector py = hn::LoadU(d, y + k);
         const FloatVector column = place.column(px, py);
@@ -121,22 +122,21 @@ HWY_ATTR static HWY_INLINE void cellsOf(const Placement& place, const Numbering&
     }
 }
 
-template <class CellsOfChunk>
-HWY_ATTR static HWY_INLINE void addChunks(const Run& run, CellsOfChunk cellsOfChunk,
+template <class CellsOfPoints>
+HWY_ATTR static HWY_INLINE void addChunks(const Run& run, CellsOfPoints cellsOfPoints,
                                           std::uint32_t* HWY_RESTRICT counts) {
     alignas(64) std::uint32_t cells[chunk];
-    for (std::size_t done = 0; done < run.count; done += chunk) {
-        cellsOfChunk(run.x + done, run.y + done, cells);
-        const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
-        if (count == chunk) {
+    std::size_t done = 0;
+    for (; done + chunk <= run.count; done += chunk) {
+        cellsOfPoints(run.x + done, run.y + done, chunk, cells);
 #pragma GCC unroll 8
-            for (std::size_t k = 0; k < chunk; ++k)
-                ++counts[cells[k]];
-        } else {
-            for (std::size_t k = 0; k < count; ++k)
-                ++counts[cells[k]];
-        }
+        for (std::size_t k = 0; k < chunk; ++k)
+            ++counts[cells[k]];
     }
+    const std::size_t rest = run.count - done;
+    cellsOfPoints(run.x + done, run.y + done, rest, cells);
+    for (std::size_t k = 0; k < rest; ++k)
+        ++counts[cells[k]];
 }
 
 HWY_ATTR void addToCounts(const Word& word, const Run& run, const CellWindow& window,
@@ -145,8 +145,8 @@ HWY_ATTR void addToCounts(const Word& word, const Run& run, const CellWindow& wi
     const Numbering grid(window.width, 0, window.firstRow);
     addChunks(
         run,
-        [&](const float* x, const float* y, std::uint32_t* cells)
-            HWY_ATTR { cellsOf(place, grid, window, x, y, cells); },
+        [&](const float* x, const float* y, std::size_t count, std::uint32_t* cells)
+            HWY_ATTR { cellsOf(place, grid, window, x, y, count, cells); },
         counts);
 }
 
@@ -156,8 +156,8 @@ HWY_ATTR void addInside(const Word& word, const Run& run, const CellWindow& wind
     const Numbering grid(window.width, 0, window.firstRow);
     addChunks(
         run,
-        [&](const float* x, const float* y, std::uint32_t* cells)
-            HWY_ATTR { cellsInside(place, grid, x, y, cells); },
+        [&](const float* x, const float* y, std::size_t count, std::uint32_t* cells)
+            HWY_ATTR { cellsInside(place, grid, x, y, count, cells); },
         counts);
 }
 
@@ -172,8 +172,8 @@ HWY_ATTR void addToPatch(const Word& word, const Run& run, const Patch& patch, c
     const Placement place(word);
     const Numbering grid(patch.width, patch.column, patch.row);
     for (std::size_t done = 0; done < run.count; done += chunk) {
-        cellsInside(place, grid, run.x + done, run.y + done, cells);
         const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
+        cellsInside(place, grid, run.x + done, run.y + done, count, cells);
         std::size_t k = 0;
         for (; k + copies <= count; k += copies)
             for (std::size_t copy = 0; copy < copies; ++copy)
@@ -237,8 +237,8 @@ HWY_ATTR std::uint32_t addToColours(const Word& word, const Run& run, const Cell
     const Placement place(word);
     const Numbering grid(window.width, 0, window.firstRow);
     for (std::size_t done = 0; done < run.count; done += chunk) {
-        cellsOf(place, grid, window, run.x + done, run.y + done, cells);
         const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
+        cellsOf(place, grid, window, run.x + done, run.y + done, count, cells);
         for (std::size_t k = 0; k < count; ++k)
             sum.addTo(sums[cells[k]]);
     }
@@ -409,8 +409,8 @@ HWY_ATTR void mapTones(const std::uint32_t* const* counts, std::size_t threads, 
     const auto* entries = reinterpret_cast<const std::int32_t*>(palette);
     std::size_t k = 0;
     for (; k + n <= size; k += n) {
-        IntVector sum = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(counts[0]) + k);
-        for (std::size_t thread = 1; thread < threads; ++thread)
+        IntVector sum = hn::Zero(di);
+        for (std::size_t thread = 0; thread < threads; ++thread)
             sum = hn::Add(sum, hn::LoadU(di, reinterpret_cast<const std::int32_t*>(counts[thread]) + k));
         IntVector pixel = ground;
         if (!hn::AllTrue(di, hn::Eq(sum, hn::Zero(di))))

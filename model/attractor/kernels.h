@@ -78,7 +78,8 @@ enum class Guard { Off, On };
 // x[64 k + lane], y[64 k + lane].
 void iterate(Lanes& lanes, const ChaosTables& tables, Guard guard, std::size_t steps, float* x, float* y);
 
-// pixels[k] = palette[toneIndex(Σ counts[thread][k])]. The sums must stay below 2³¹.
+// pixels[k] = palette[toneIndex(Σ counts[thread][k])]; palette[0] where there are no counts at all. The
+// sums must stay below 2³¹.
 constexpr std::size_t exactCounts = 128;
 std::size_t toneIndex(std::uint64_t samples); // exact below 128, then 64 steps per power of two
 void mapTones(std::span<const std::uint32_t* const> counts, std::size_t size, const std::uint32_t* palette,

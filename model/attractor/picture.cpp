@@ -31,7 +31,7 @@ double unitInterval(std::uint64_t random) {
 }
 
 int wordsFor(std::uint64_t samples) {
-    return static_cast<int>(std::clamp<std::uint64_t>(samples / 8192, 128, 4096));
+    return static_cast<int>(std::clamp<std::uint64_t>(samples / 16384, 128, 4096));
 }
 
 } // namespace
@@ -80,7 +80,7 @@ void Picture::rewind(int firstRow, int endRow) {
     sums.reset(coloured() ? CellKind::Colour : CellKind::Count, window, workers->size());
     orbit.reset();
     jobs.clear();
-    nextJob = 0;
+    nextJobs.clear();
     sampleSets = 0;
     sinceCarry = 0;
     remaining = 0;
@@ -161,7 +161,7 @@ bool Picture::completeDensity(const std::stop_token& stop) {
     }
     while (true) {
         runJobs(stop);
-        if (nextJob < jobs.size()) return false;
+        if (jobsLeft()) return false;
         if (remaining == 0) return true;
         planSampleSet();
     }
@@ -202,7 +202,6 @@ void Picture::planSampleSet() {
 
 void Picture::planJobs() {
     jobs.clear();
-    nextJob = 0;
     Job job;
     std::uint64_t planned = 0;
     const auto close = [&](std::size_t end) {
@@ -223,18 +222,33 @@ void Picture::planJobs() {
         if (planned >= samplesPerJob) close(k + 1);
     }
     close(counts.size());
+    nextJobs = std::vector<std::atomic<std::size_t>>(workers->size());
+    for (std::size_t share = 1; share < nextJobs.size(); ++share)
+        nextJobs[share] = endOfJobs(share - 1);
 }
 
+// Every thread begins with a share of its own, so that threads count in different parts of the picture, and
+// then helps with the others'.
 void Picture::runJobs(const std::stop_token& stop) {
-    if (nextJob >= jobs.size()) return;
+    if (!jobsLeft()) return;
     workers->run([&](std::size_t thread) {
-        while (!stop.stop_requested()) {
-            const std::size_t job = nextJob.fetch_add(1);
-            if (job >= jobs.size()) return;
-            runJob(jobs[job], thread);
+        for (std::size_t turn = 0; turn < nextJobs.size(); ++turn) {
+            const std::size_t share = (thread + turn) % nextJobs.size();
+            while (!stop.stop_requested()) {
+                const std::size_t job = nextJobs[share].fetch_add(1);
+                if (job >= endOfJobs(share)) break;
+                runJob(jobs[job], thread);
+            }
         }
     });
-    nextJob = std::min(nextJob.load(), jobs.size());
+    for (std::size_t share = 0; share < nextJobs.size(); ++share)
+        nextJobs[share] = std::min(nextJobs[share].load(), endOfJobs(share));
+}
+
+bool Picture::jobsLeft() const {
+    for (std::size_t share = 0; share < nextJobs.size(); ++share)
+        if (nextJobs[share] < endOfJobs(share)) return true;
+    return false;
 }
 
 void Picture::runJob(const Job& job, std::size_t thread) {
@@ -243,12 +257,17 @@ void Picture::runJob(const Job& job, std::size_t thread) {
         const std::uint64_t count = job.part > 0 ? job.part : counts[k];
         if (k >= cut->firstExact) {
             plotExactly(k, count, thread);
-        } else if (k >= cut->firstCurved) {
+            continue;
+        }
+        if (k >= cut->firstCurved) {
             plotCurved(k, count, thread);
-        } else if (!coloured()) {
-            splat(word, samples, count, sums.window(), sums.counts(thread));
+            continue;
+        }
+        const CellRegion cells = reachedCells(word, samples, sums.window());
+        if (!coloured()) {
+            splat(word, samples, count, sums.window(), sums.counts(thread, cells));
         } else if (splat(word, samples, count, sums.window(), colourOf(word.firstMap, word.addressCoordinate),
-                         sums.colours(thread))) {
+                         sums.colours(thread, cells))) {
             sums.carryOverColours(thread);
         }
     }
@@ -338,7 +357,7 @@ bool Picture::completePreattractor(const std::stop_token& stop) {
     return true;
 }
 
-Frame Picture::frame(Frame reuse) {
+Frame Picture::frame(Frame reuse, const std::stop_token& stop) {
     Frame result;
     result.pixels = std::move(reuse.pixels);
     result.revision = request.revision;
@@ -353,19 +372,21 @@ Frame Picture::frame(Frame reuse) {
     const auto height = static_cast<std::size_t>(std::max(0, request.camera.height));
     result.pixels.resize(width * height);
     if (width * height == 0) return result;
-    measureExposure();
+    measureExposure(stop);
+    if (stop.stop_requested()) return result;
     result.exposure = *exposure;
-    tonePixels(result.pixels);
+    tonePixels(result.pixels, stop);
     return result;
 }
 
-void Picture::measureExposure() {
+void Picture::measureExposure(const std::stop_token& stop) {
     if (request.algorithm == Algorithm::Deterministic)
         exposure = Exposure{1, 16, 1};                               // what one image covers has density 1
     if (request.algorithm == Algorithm::ChaosGame) exposure.reset(); // few points at first tell little
-    if (!exposure)
-        exposure = measuredExposure(sums, request.appearance, request.appearance.supersample,
-                                    samplesOverAttractor(), request.exposure);
+    if (exposure) return;
+    const Exposure measured = measuredExposure(sums, request.appearance, request.appearance.supersample,
+                                               samplesOverAttractor(), request.exposure, *workers, stop);
+    if (!stop.stop_requested()) exposure = measured;
 }
 
 ToneSettings Picture::toneSettings() const {
@@ -382,15 +403,18 @@ std::uint64_t Picture::mostInACell() const {
     return request.algorithm == Algorithm::Deterministic ? 1U << 20 : drawn;
 }
 
-void Picture::tonePixels(std::span<std::uint32_t> pixels) {
+void Picture::tonePixels(std::span<std::uint32_t> pixels, const std::stop_token& stop) {
     const ToneMap toneMap(toneSettings(), mostInACell());
     const int side = request.appearance.supersample;
     const int rows = (sums.window().endRow - sums.window().firstRow) / side;
-    workers->run([&](std::size_t thread) {
-        const auto bound = [&](std::size_t part) {
-            return static_cast<int>(static_cast<std::size_t>(rows) * part / workers->size());
-        };
-        toneMap.apply(sums, bound(thread), bound(thread + 1), pixels);
+    constexpr int together = 16; // between two looks at the stop token
+    std::atomic<int> next = 0;
+    workers->run([&](std::size_t) {
+        while (!stop.stop_requested()) {
+            const int row = next.fetch_add(together);
+            if (row >= rows) return;
+            toneMap.apply(sums, row, std::min(rows, row + together), pixels);
+        }
     });
 }
 

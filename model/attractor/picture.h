@@ -46,7 +46,7 @@ struct Picture {
     std::uint64_t sampleSets = 0; // drawn so far
     std::vector<std::uint64_t> counts;
     std::vector<Job> jobs;
-    std::atomic<std::size_t> nextJob = 0;
+    std::vector<std::atomic<std::size_t>> nextJobs; // of the share of every thread
     std::uint64_t sinceCarry = 0;
 
     std::optional<Orbit> orbit; // ChaosGame
@@ -65,7 +65,9 @@ struct Picture {
     RenderNote placementNote() const;
     void makeColours();
     bool finished() const;
-    bool interrupted() const { return remaining > 0 || nextJob < jobs.size(); }
+    bool interrupted() const { return remaining > 0 || jobsLeft(); }
+    bool jobsLeft() const;
+    std::size_t endOfJobs(std::size_t share) const { return jobs.size() * (share + 1) / nextJobs.size(); }
     bool complete(const std::stop_token& stop); // the present pass
     bool completeDensity(const std::stop_token& stop);
     void planSampleSet();
@@ -86,11 +88,12 @@ struct Picture {
     double samplesOverAttractor() const {
         return request.algorithm == Algorithm::Density ? overAttractor : static_cast<double>(drawn);
     }
-    void measureExposure();
+    void measureExposure(const std::stop_token& stop = {});
     ToneSettings toneSettings() const; // after measureExposure()
     std::uint64_t mostInACell() const;
-    void tonePixels(std::span<std::uint32_t> pixels); // of the rows that are counted
-    Frame frame(Frame reuse);
+    // Of the rows that are counted; stopped, of some of them.
+    void tonePixels(std::span<std::uint32_t> pixels, const std::stop_token& stop = {});
+    Frame frame(Frame reuse, const std::stop_token& stop);
 };
 
 } // namespace attractor

@@ -80,7 +80,7 @@ void RenderQueue::State::draw(Job job, const std::stop_token& stop) {
     else
         rendering.emplace(std::move(job.request));
     if (!rendering->refine(stop)) return;
-    auto frame = std::make_shared<const Frame>(rendering->frame());
+    auto frame = std::make_shared<const Frame>(rendering->frame({}, stop));
     if (!stop.stop_requested()) done(key, std::move(frame));
 }
 

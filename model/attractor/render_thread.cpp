@@ -110,7 +110,7 @@ void RenderThread::State::work(Job job, const std::stop_token& stop) {
     std::uint64_t done = 0;
     std::uint64_t pass = first;
     while (rendering->refine(stop, pass)) {
-        publish(rendering->frame(frames->take()), stop);
+        publish(rendering->frame(frames->take(), stop), stop);
         done += pass;
         if (done >= job.quality || rendering->finished()) return;
         pass = std::min({std::max(done, first), longestPass, job.quality - done});

@@ -37,9 +37,9 @@ bool Rendering::finished() const {
     return m_state->finished();
 }
 
-Frame Rendering::frame(Frame reuse) const {
-    if (m_state->interrupted()) m_state->complete({});
-    return m_state->frame(std::move(reuse));
+Frame Rendering::frame(Frame reuse, std::stop_token stop) const {
+    if (m_state->interrupted()) m_state->complete(stop);
+    return m_state->frame(std::move(reuse), stop);
 }
 
 Frame render(const RenderRequest& request) {

@@ -90,8 +90,8 @@ public:
     bool refine(std::stop_token stop = {}, std::uint64_t samples = 0);
     bool finished() const; // nothing more to gain
     // Tone-mapped picture of what has been accumulated. The memory of `reuse`, a frame no longer needed,
-    // serves again.
-    Frame frame(Frame reuse = {}) const;
+    // serves again. When stopped, within milliseconds, the pixels are worth nothing.
+    Frame frame(Frame reuse = {}, std::stop_token stop = {}) const;
 
 private:
     struct State;

@@ -30,8 +30,14 @@ bool inside(const Reach& r, const CellWindow& window) {
 }
 
 bool outside(const Reach& r, const CellWindow& window) {
-    return r.right < 0 || r.left >= static_cast<float>(window.width) ||
+    return window.cells() == 0 || r.right < 0 || r.left >= static_cast<float>(window.width) ||
            r.bottom < static_cast<float>(window.firstRow) || r.top >= static_cast<float>(window.endRow);
+}
+
+// The cell of a coordinate, or the nearest one; what is no number meets no cell at all.
+int cellWithin(float value, int first, int end) {
+    if (!(value > static_cast<float>(first))) return first;
+    return value < static_cast<float>(end) ? std::min(static_cast<int>(value), end - 1) : end - 1;
 }
 
 kernels::Patch patch(const Reach& r) {
@@ -56,6 +62,14 @@ void forEachRun(const Word& word, const SampleSet& samples, std::uint64_t count,
 }
 
 } // namespace
+
+CellRegion reachedCells(const Word& word, const SampleSet& samples, const CellWindow& window) {
+    const Reach r = reach(word, samples);
+    if (outside(r, window)) return {};
+    return {cellWithin(r.left, 0, window.width), cellWithin(r.right, 0, window.width) + 1,
+            cellWithin(r.top, window.firstRow, window.endRow),
+            cellWithin(r.bottom, window.firstRow, window.endRow) + 1};
+}
 
 bool meets(const Word& word, const SampleSet& samples, const CellWindow& window) {
     return !outside(reach(word, samples), window);

@@ -23,6 +23,17 @@ struct CellWindow {
 // around.
 constexpr std::size_t trashCells = 16;
 
+// A rectangle of cells of the window, ends excluded; empty where an end is not past its beginning.
+struct CellRegion {
+    int firstColumn = 0;
+    int endColumn = 0;
+    int firstRow = 0; // of the grid, as in CellWindow
+    int endRow = 0;
+
+    friend bool operator==(const CellRegion&, const CellRegion&) = default;
+};
+// Where the samples of the set can fall with this word.
+CellRegion reachedCells(const Word& word, const SampleSet& samples, const CellWindow& window);
 // Whether any sample of the set can fall into the window with this word.
 bool meets(const Word& word, const SampleSet& samples, const CellWindow& window);
 

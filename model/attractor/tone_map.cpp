@@ -30,26 +30,8 @@ std::size_t tableSize(std::uint64_t mostSamples) {
     return kernels::toneIndex(mostSamples) + 1;
 }
 
-// How many pixels would be occupied if only a share q of the samples had been drawn: rarefaction, which makes
-// occupancy independent of the number of samples.
-class Rarefied {
-public:
-    explicit Rarefied(double q) {
-        double missed = 1;
-        for (double& value : m_seen) {
-            value = 1 - missed;
-            missed *= 1 - q;
-        }
-    }
-    double operator()(std::uint64_t samples) const {
-        return m_seen[std::min<std::uint64_t>(samples, m_seen.size() - 1)];
-    }
-
-private:
-    std::array<double, 2048> m_seen{};
-};
-
-// Calls work(samples per block) for rows of blocks of side × side cells; only those rows that `wanted` picks.
+// Calls work(samples per block) for rows of blocks of side × side cells, those rows that `wanted` picks and
+// that are not empty.
 template <class Wanted, class Work>
 void forBlockRows(const CellSums& sums, int side, Wanted wanted, Work work) {
     const int height = sums.window().endRow - sums.window().firstRow;
@@ -59,32 +41,76 @@ void forBlockRows(const CellSums& sums, int side, Wanted wanted, Work work) {
     std::vector<std::uint64_t> blocks((width + step - 1) / step);
     for (int row = 0; row * side < height; ++row) {
         if (!wanted(row)) continue;
-        std::fill(blocks.begin(), blocks.end(), 0U);
-        for (int y = row * side; y < std::min(height, (row + 1) * side); ++y) {
-            sums.samplesOfRow(y, cells);
-            for (std::size_t block = 0, x = 0; block < blocks.size(); ++block)
-                for (const std::size_t end = std::min(width, x + step); x < end; ++x)
-                    blocks[block] += cells[x];
+        bool any = false;
+        if (side == 1) {
+            any = sums.samplesOfRow(row, blocks);
+        } else {
+            std::fill(blocks.begin(), blocks.end(), 0U);
+            for (int y = row * side; y < std::min(height, (row + 1) * side); ++y) {
+                if (!sums.samplesOfRow(y, cells)) continue;
+                any = true;
+                for (std::size_t block = 0, x = 0; block < blocks.size(); ++block)
+                    for (const std::size_t end = std::min(width, x + step); x < end; ++x)
+                        blocks[block] += cells[x];
+            }
         }
-        work(blocks);
+        if (any) work(blocks);
     }
 }
 
-Occupancy occupancyOf(const std::vector<std::uint64_t>& blocks, double share) {
-    Occupancy result;
-    const Rarefied seen(std::min(1.0, share));
-    for (const std::uint64_t samples : blocks) {
-        result.samples += static_cast<double>(samples);
-        result.occupied += seen(samples);
+// How many pixels hold how many samples. Whole numbers, so that the order of counting does not matter.
+class Tally {
+public:
+    void add(const std::vector<std::uint64_t>& pixels) {
+        for (const std::uint64_t samples : pixels) {
+            if (samples == 0) continue;
+            ++m_pixels[std::min<std::uint64_t>(samples, m_pixels.size() - 1)];
+            m_samples += samples;
+        }
     }
-    return result;
+    void add(const Tally& other) {
+        for (std::size_t i = 0; i < m_pixels.size(); ++i)
+            m_pixels[i] += other.m_pixels[i];
+        m_samples += other.m_samples;
+    }
+    double samples() const { return static_cast<double>(m_samples); }
+
+    // How many would be occupied if only a share of the samples had been drawn: rarefaction, which makes
+    // occupancy independent of the number of samples.
+    double occupied(double share) const {
+        double result = 0;
+        double missed = 1;
+        for (const std::uint64_t pixels : m_pixels) {
+            result += static_cast<double>(pixels) * (1 - missed);
+            missed *= 1 - std::min(1.0, share);
+        }
+        return result;
+    }
+
+private:
+    std::array<std::uint64_t, 2048> m_pixels{};
+    std::uint64_t m_samples = 0;
+};
+
+// About one row in `stride`; which ones is fixed, but without a rhythm that a fractal could share.
+bool isSampled(int row, std::uint64_t stride) {
+    return stride == 1 || mixed(static_cast<std::uint64_t>(row)) % stride == 0;
 }
 
-double total(const std::vector<std::uint64_t>& values) {
-    double sum = 0;
-    for (const std::uint64_t value : values)
-        sum += static_cast<double>(value);
-    return sum;
+Tally tally(const CellSums& sums, int cellsPerPixel, std::uint64_t stride, Workers& workers,
+            const std::stop_token& stop = {}) {
+    std::vector<Tally> parts(workers.size());
+    workers.run([&](std::size_t thread) {
+        const auto mine = [&](int row) {
+            return static_cast<std::size_t>(row) % parts.size() == thread && isSampled(row, stride) &&
+                   !stop.stop_requested();
+        };
+        forBlockRows(sums, cellsPerPixel, mine,
+                     [&](const std::vector<std::uint64_t>& pixels) { parts[thread].add(pixels); });
+    });
+    for (std::size_t thread = 1; thread < parts.size(); ++thread)
+        parts[0].add(parts[thread]);
+    return parts[0];
 }
 
 void appendOccupied(std::vector<std::uint64_t>& occupied, const std::vector<std::uint64_t>& values) {
@@ -92,32 +118,33 @@ void appendOccupied(std::vector<std::uint64_t>& occupied, const std::vector<std:
         if (value > 0) occupied.push_back(value);
 }
 
-// Occupied pixels of about one row in `stride`; which ones is fixed, but without a rhythm that a fractal
-// could share.
 std::vector<std::uint64_t> pixelSamples(const CellSums& sums, int cellsPerPixel, std::uint64_t stride) {
     std::vector<std::uint64_t> result;
     forBlockRows(
-        sums, cellsPerPixel,
-        [stride](int row) { return mixed(static_cast<std::uint64_t>(row)) % stride == 0; },
+        sums, cellsPerPixel, [stride](int row) { return isSampled(row, stride); },
         [&](const std::vector<std::uint64_t>& pixels) { appendOccupied(result, pixels); });
     return result;
 }
 
 // The 99.5 percentile relative to the mean, over blocks large enough that the noise of few samples is no part
 // of it.
-double whitePointOf(const CellSums& sums, int cellsPerPixel, double referencePerPixel, double share) {
+double whitePointOf(const CellSums& sums, int cellsPerPixel, double referencePerPixel, double share,
+                    const std::stop_token& stop) {
     int side = 1;
     while (side < 16 && referencePerPixel * side * side < 64)
         side *= 2;
     std::vector<std::uint64_t> blocks;
     forBlockRows(
-        sums, side * cellsPerPixel, [](int) { return true; },
+        sums, side * cellsPerPixel, [&stop](int) { return !stop.stop_requested(); },
         [&](const std::vector<std::uint64_t>& row) { appendOccupied(blocks, row); });
-    const Occupancy occupied = occupancyOf(blocks, share);
-    const auto rank = std::min(static_cast<std::size_t>(0.005 * occupied.occupied), blocks.size() - 1);
+    if (blocks.empty()) return smallestWhitePoint; // stopped
+    Tally found;
+    found.add(blocks);
+    const double occupied = found.occupied(share);
+    const auto rank = std::min(static_cast<std::size_t>(0.005 * occupied), blocks.size() - 1);
     const auto nth = blocks.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(blocks.begin(), nth, blocks.end(), std::greater<>());
-    return std::max(smallestWhitePoint, static_cast<double>(*nth) * occupied.occupied / occupied.samples);
+    return std::max(smallestWhitePoint, static_cast<double>(*nth) * occupied / found.samples());
 }
 
 std::vector<double> lightTable(const Appearance& look, double whitePoint, double densityPerSample,
@@ -132,7 +159,8 @@ std::vector<double> lightTable(const Appearance& look, double whitePoint, double
 
 // Averaging light over the cells of a pixel dims what is thinner than a pixel; the gain restores the mean.
 double gainOf(const CellSums& sums, const Appearance& look, int cellsPerPixel, double whitePoint,
-              double densityPerSample, const std::vector<std::uint64_t>& pixels, std::uint64_t stride) {
+              double densityPerSample, std::uint64_t stride) {
+    const std::vector<std::uint64_t> pixels = pixelSamples(sums, cellsPerPixel, stride);
     const std::uint64_t most = *std::max_element(pixels.begin(), pixels.end());
     const double area = cellsPerPixel * cellsPerPixel;
     const auto whole = lightTable(look, whitePoint, densityPerSample, most);
@@ -143,8 +171,7 @@ double gainOf(const CellSums& sums, const Appearance& look, int cellsPerPixel, d
     double found = 0;
     std::vector<std::uint64_t> cells;
     for (int row = 0; row < sums.window().endRow - sums.window().firstRow; ++row) {
-        if (mixed(static_cast<std::uint64_t>(row / cellsPerPixel)) % stride != 0) continue;
-        sums.samplesOfRow(row, cells);
+        if (!isSampled(row / cellsPerPixel, stride) || !sums.samplesOfRow(row, cells)) continue;
         for (const std::uint64_t samples : cells)
             found += split[kernels::toneIndex(samples)];
     }
@@ -187,34 +214,35 @@ double referenceShare(double pixels, double samples) {
     return samples > 0 ? std::min(1.0, 0.5 * pixels / samples) : 1;
 }
 
-Occupancy occupancy(const CellSums& sums, int cellsPerPixel, double share) {
-    return occupancyOf(pixelSamples(sums, cellsPerPixel, 1), share);
+Occupancy occupancy(const CellSums& sums, int cellsPerPixel, double share, Workers& workers) {
+    const Tally pixels = tally(sums, cellsPerPixel, 1, workers);
+    return {pixels.samples(), pixels.occupied(share)};
 }
 
 Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, int cellsPerPixel,
-                          double samples, const std::optional<Exposure>& kept) {
+                          double samples, const std::optional<Exposure>& kept, Workers& workers,
+                          const std::stop_token& stop) {
     const CellWindow& window = sums.window();
     const double pixelCount = static_cast<double>(window.cells()) / (cellsPerPixel * cellsPerPixel);
     auto stride = static_cast<std::uint64_t>(std::max(1.0, pixelCount / sampledPixels));
-    std::vector<std::uint64_t> pixels = pixelSamples(sums, cellsPerPixel, stride);
-    double found = total(pixels);
-    if (!(found > 0) && stride > 1) {
+    Tally pixels = tally(sums, cellsPerPixel, stride, workers, stop);
+    if (!(pixels.samples() > 0) && stride > 1) {
         stride = 1;
-        pixels = pixelSamples(sums, cellsPerPixel, stride);
-        found = total(pixels);
+        pixels = tally(sums, cellsPerPixel, stride, workers, stop);
     }
+    const double found = pixels.samples();
     Exposure exposure = kept && kept->whitePoint > 0 ? *kept : Exposure{0, 0, 1};
     if (!(found > 0) || !(samples > 0))
         return {1, std::max(smallestWhitePoint, exposure.whitePoint), exposure.gain};
     const double share = referenceShare(pixelCount / static_cast<double>(stride), found);
-    const Occupancy occupied = occupancyOf(pixels, share);
-    exposure.meanDensity = found / occupied.occupied / samples;
+    const double occupied = pixels.occupied(share);
+    exposure.meanDensity = found / occupied / samples;
     if (exposure.whitePoint > 0) return exposure;
-    const double referencePerPixel = std::min(1.0, share) * found / occupied.occupied;
-    exposure.whitePoint = whitePointOf(sums, cellsPerPixel, referencePerPixel, share);
-    if (cellsPerPixel > 1)
-        exposure.gain = gainOf(sums, appearance, cellsPerPixel, exposure.whitePoint,
-                               occupied.occupied / found, pixels, stride);
+    const double referencePerPixel = std::min(1.0, share) * found / occupied;
+    exposure.whitePoint = whitePointOf(sums, cellsPerPixel, referencePerPixel, share, stop);
+    if (cellsPerPixel > 1 && !stop.stop_requested())
+        exposure.gain =
+            gainOf(sums, appearance, cellsPerPixel, exposure.whitePoint, occupied / found, stride);
     return exposure;
 }
 
@@ -233,20 +261,28 @@ ToneMap::ToneMap(const ToneSettings& settings, std::uint64_t mostSamples)
         m_ramp.push_back({});
     m_entries.resize(tableSize(mostSamples));
     m_pixels.resize(m_entries.size());
+    double v = 0;
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
-        const Entry& e = m_entries[i] = entry(samplesOf(i));
+        if (v >= 1) { // as bright as can be, from here on
+            m_entries[i] = m_entries[i - 1];
+            m_pixels[i] = m_pixels[i - 1];
+            continue;
+        }
+        v = toneOf(samplesOf(i));
+        const Entry& e = m_entries[i] = i == 0 ? Entry{} : entry(v);
         m_pixels[i] = pixel(e.alpha, codes()[twelveBits(e.red)], codes()[twelveBits(e.green)],
                             codes()[twelveBits(e.blue)]);
     }
 }
 
-ToneMap::Entry ToneMap::entry(double samples) const {
+double ToneMap::toneOf(double samples) const {
     const Appearance& look = m_settings.appearance;
-    Entry result;
-    if (!(samples > 0)) return result;
-    const double v =
-        tone(samples * m_settings.densityPerSample, look.brightness, m_settings.whitePoint, look.gamma);
+    return tone(samples * m_settings.densityPerSample, look.brightness, m_settings.whitePoint, look.gamma);
+}
+
+ToneMap::Entry ToneMap::entry(double v) const {
     const Rgba& colour = m_ramp[static_cast<std::size_t>(v * static_cast<double>(m_ramp.size() - 1) + 0.5)];
+    Entry result;
     result.alpha = static_cast<float>(v * (colour.alpha / 255.0));
     result.light = static_cast<float>(linearFromEncoded(result.alpha));
     result.red = static_cast<float>(linearLight(colour.red));
@@ -272,20 +308,18 @@ std::uint32_t ToneMap::pixel(double alpha, double red, double green, double blue
 }
 
 std::uint32_t ToneMap::pixel(const Light& light) const {
-    if (!(light.weight > 0)) return m_pixels[0];
     const int side = m_settings.cellsPerPixel;
     const double alpha = side == 1 ? static_cast<double>(light.alpha)
                                    : alphas()[twelveBits(m_settings.gain * light.weight / (side * side))];
-    const auto code = [&](double sum) {
-        return static_cast<double>(codes()[twelveBits(sum / light.weight)]);
-    };
+    const double share = 1 / light.weight;
+    const auto code = [&](double sum) { return static_cast<double>(codes()[twelveBits(sum * share)]); };
     return pixel(alpha, code(light.red), code(light.green), code(light.blue));
 }
 
-void ToneMap::addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const {
+bool ToneMap::addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const {
     const auto side = static_cast<std::size_t>(m_settings.cellsPerPixel);
     std::vector<std::uint64_t> cells;
-    sums.samplesOfRow(row, cells);
+    if (!sums.samplesOfRow(row, cells)) return false;
     for (std::size_t x = 0; x < lights.size() * side; ++x) {
         if (cells[x] == 0) continue;
         const Entry& e = m_entries[kernels::toneIndex(cells[x])];
@@ -296,12 +330,13 @@ void ToneMap::addCounts(const CellSums& sums, int row, std::vector<Light>& light
         light.blue += e.light * e.blue;
         light.alpha = e.alpha;
     }
+    return true;
 }
 
-void ToneMap::addColours(const CellSums& sums, int row, std::vector<Light>& lights) const {
+bool ToneMap::addColours(const CellSums& sums, int row, std::vector<Light>& lights) const {
     const auto side = static_cast<std::size_t>(m_settings.cellsPerPixel);
     std::vector<CellSums::Sum> cells;
-    sums.sumsOfRow(row, cells);
+    if (!sums.sumsOfRow(row, cells)) return false;
     for (std::size_t x = 0; x < lights.size() * side; ++x) {
         const CellSums::Sum& sum = cells[x];
         if (sum.samples == 0) continue;
@@ -314,29 +349,45 @@ void ToneMap::addColours(const CellSums& sums, int row, std::vector<Light>& ligh
         light.blue += share * static_cast<double>(sum.blue);
         light.alpha = e.alpha;
     }
+    return true;
+}
+
+void ToneMap::applyTable(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const {
+    const auto width = static_cast<std::size_t>(sums.window().width);
+    for (int row = firstRow; row < endRow;) {
+        CellSums::Pieces pieces = sums.pieces(row);
+        for (const int end = std::min(endRow, pieces.endRow); row < end; ++row)
+            for (CellSums::Piece& piece : pieces.pieces) {
+                kernels::mapTones(piece.counts, piece.endColumn - piece.firstColumn, m_pixels.data(),
+                                  pixels + static_cast<std::size_t>(row) * width + piece.firstColumn);
+                for (const std::uint32_t*& counts : piece.counts)
+                    counts += width;
+            }
+    }
 }
 
 void ToneMap::apply(const CellSums& sums, int firstRow, int endRow, std::span<std::uint32_t> pixels) const {
     const int side = m_settings.cellsPerPixel;
     const auto width = static_cast<std::size_t>(sums.window().width / side);
-    const std::size_t begin = static_cast<std::size_t>(firstRow) * width;
-    const std::size_t end = static_cast<std::size_t>(endRow) * width;
     const bool small = m_mostSamples < std::uint64_t{1} << 31;
-    if (side == 1 && !m_ownColours && !sums.carried() && small && begin < end) {
-        std::vector<const std::uint32_t*> counts = sums.counters();
-        for (const std::uint32_t*& pointer : counts)
-            pointer += begin;
-        kernels::mapTones(counts, end - begin, m_pixels.data(), pixels.data() + begin);
+    if (side == 1 && !m_ownColours && !sums.carried() && small) {
+        applyTable(sums, firstRow, endRow, pixels.data());
         return;
     }
-    std::vector<Light> lights;
-    auto out = pixels.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::vector<Light> lights(width);
+    auto out = pixels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(firstRow) * width);
     for (int y = firstRow; y < endRow; ++y) {
-        lights.assign(width, {});
+        bool any = false;
         for (int row = y * side; row < (y + 1) * side; ++row)
-            m_ownColours ? addColours(sums, row, lights) : addCounts(sums, row, lights);
-        for (const Light& light : lights)
-            *out++ = pixel(light);
+            any |= m_ownColours ? addColours(sums, row, lights) : addCounts(sums, row, lights);
+        if (!any) {
+            out = std::fill_n(out, width, m_pixels[0]);
+            continue;
+        }
+        for (Light& light : lights) {
+            *out++ = light.weight > 0 ? pixel(light) : m_pixels[0];
+            light = {};
+        }
     }
 }
 

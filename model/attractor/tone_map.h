@@ -3,10 +3,12 @@
 
 #include "attractor/cell_sums.h"
 #include "attractor/renderer.h"
+#include "attractor/workers.h"
 
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace attractor {
@@ -18,7 +20,8 @@ double tone(double density, double brightness, double whitePoint, double gamma);
 // the whole attractor, and for every value that `kept` does not give, white point and gain. Independent of
 // the number of samples but for noise. docs/mathematics.md, "Density to colour".
 Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, int cellsPerPixel,
-                          double samples, const std::optional<Exposure>& kept = std::nullopt);
+                          double samples, const std::optional<Exposure>& kept, Workers& workers,
+                          const std::stop_token& stop = {});
 
 // Samples in the pixels of some rows, and how many of these pixels would be occupied if only `share` of the
 // samples had been drawn; sums add up over rows.
@@ -26,7 +29,7 @@ struct Occupancy {
     double samples = 0;
     double occupied = 0;
 };
-Occupancy occupancy(const CellSums& sums, int cellsPerPixel, double share);
+Occupancy occupancy(const CellSums& sums, int cellsPerPixel, double share, Workers& workers);
 // The share of the samples at which occupancy is compared.
 double referenceShare(double pixels, double samples);
 
@@ -49,7 +52,7 @@ public:
     void apply(const CellSums& sums, int firstRow, int endRow, std::span<std::uint32_t> pixels) const;
 
 private:
-    struct Entry {       // what a cell with a certain count contributes
+    struct Entry {       // what a cell of tone v contributes
         float alpha = 0; // v
         float light = 0; // the same as linear light
         float red = 0;   // colour, linear light
@@ -63,11 +66,14 @@ private:
         double blue = 0;
         float alpha = 0; // of the last cell
     };
-    Entry entry(double samples) const;
+    double toneOf(double samples) const;
+    Entry entry(double v) const;
     std::uint32_t pixel(double alpha, double red, double green, double blue) const;
     std::uint32_t pixel(const Light& light) const;
-    void addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const;
-    void addColours(const CellSums& sums, int row, std::vector<Light>& lights) const;
+    void applyTable(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const;
+    // False where the row is empty.
+    bool addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const;
+    bool addColours(const CellSums& sums, int row, std::vector<Light>& lights) const;
 
     ToneSettings m_settings;
     bool m_ownColours; // the sums carry colours

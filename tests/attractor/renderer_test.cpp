@@ -161,6 +161,23 @@ private slots:
         QVERIFY(rendering.frame().pixels == undisturbed.frame().pixels);
     }
 
+    // A frame nobody waits for any more is given up before its first rows.
+    void aStoppedFrameIsNotFinished() {
+        for (const int side : {1, 4}) {
+            RenderRequest request = systems::request(systems::maple(), 1'000'000);
+            request.appearance.supersample = side;
+            Rendering rendering(request);
+            rendering.refine();
+            std::stop_source stop;
+            stop.request_stop();
+            Frame untouched;
+            untouched.pixels.assign(320 * 200, 0x12345678U);
+            const std::vector<std::uint32_t> before = untouched.pixels;
+            QVERIFY(rendering.frame(std::move(untouched), stop.get_token()).pixels == before);
+            QVERIFY(rendering.frame().pixels == render(request).pixels);
+        }
+    }
+
     void massIsConserved() {
         const RenderRequest request = systems::request(systems::maple(), 1'000'000);
         const Frame frame = render(request);
