@@ -8,6 +8,8 @@
 #include "render_view.h"
 #include "usage_error.h"
 
+#include "ifs/hull_cage.h"
+#include "ifs/support_function.h"
 #include "io/export_job.h"
 
 #include <QCoreApplication>
@@ -106,6 +108,34 @@ void applyAppearance(attractor::Appearance& appearance, const Arguments& argumen
     if (arguments.supersample) appearance.supersample = *arguments.supersample;
 }
 
+// N of "hull:N".
+int hullCorners(const std::string& text) {
+    constexpr int Usual = 8;
+    if (text == "hull") return Usual;
+    bool isNumber = false;
+    const int corners = QString::fromStdString(text.substr(5)).toInt(&isNumber);
+    if (!isNumber || corners < 3 || corners > 64)
+        throw UsageError{tr("--rest-cage hull:N takes 3 to 64 corners, and not “%1”.")
+                             .arg(QString::fromStdString(text.substr(5)))};
+    return corners;
+}
+
+// A certified box or hull around the attractor.
+std::vector<ifs::Vector<2>> verticesAround(const document::Fractal& fractal, const std::string& text) {
+    const auto maps = ifs::activeMaps(*document::system2(fractal)).maps;
+    const auto support = ifs::SupportFunction<2>::of(maps);
+    if (!support)
+        throw UsageError{tr("--rest-cage %1 is not possible here: the system has no certified attractor.")
+                             .arg(QString::fromStdString(text))};
+    const auto box = ifs::boundingBox(*support);
+    if (text == "box") {
+        const ifs::Vector<2> min = box.min.array() - box.error, max = box.max.array() + box.error;
+        return {min, {max.x(), min.y()}, max, {min.x(), max.y()}};
+    }
+    const auto hull = ifs::convexHull(*support, 1e-6 * (box.max - box.min).norm());
+    return ifs::simplifiedHull(ifs::enlargedHull(hull.vertices, hull.error), hullCorners(text));
+}
+
 // The rest vertices that --rest-cage and the entry ask for.
 std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const Arguments& arguments) {
     if (!arguments.restCage) return document::effectiveCage(fractal).rest;
@@ -115,11 +145,7 @@ std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const
         bare.cage.reset();
         return document::effectiveCage(bare).rest;
     }
-    if (text == "box" || text.rfind("hull", 0) == 0)
-        throw UsageError{
-            tr("--rest-cage %1 is not possible here: a cage of more than three corners bends the "
-               "picture, which this version cannot draw.")
-                .arg(QString::fromStdString(text))};
+    if (text == "box" || text == "hull" || text.starts_with("hull:")) return verticesAround(fractal, text);
     return pointsArgument("--rest-cage", text);
 }
 
@@ -132,12 +158,13 @@ void applyCage(document::Fractal& fractal, const Arguments& arguments) {
         throw UsageError{tr("The cage has %1 corners and the rest cage %2: they must have the same number.")
                              .arg(cage.current.size())
                              .arg(cage.rest.size())};
-    if (cage.rest.size() != 3)
+    if (cage.rest.size() != 3 && cage.current != cage.rest)
         throw UsageError{
             tr("A cage of %1 corners bends the picture, which this version cannot draw: give three.")
                 .arg(cage.rest.size())};
     if (!ifs::isValid(cage))
-        throw UsageError{tr("The corners of the rest cage lie on one line, so they hold no coordinates.")};
+        throw UsageError{
+            tr("The corners of the rest cage hold no coordinates: they lie on one line, or two coincide.")};
     fractal.cage = cage;
 }
 
@@ -323,8 +350,9 @@ void addFramingOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--margin", arguments.margin, "Margin around the picture in per cent (5)");
     command.add_option("--view", arguments.view, "What is seen: \"cx,cy,height\"");
     command.add_flag("--y-down", arguments.yDown, "The y axis points down");
-    command.add_option("--cage", arguments.cage, "Where the corners are: \"x,y x,y x,y\"");
-    command.add_option("--rest-cage", arguments.restCage, "Where they were: \"x,y x,y x,y\", or canonical");
+    command.add_option("--cage", arguments.cage, "Where the corners are: \"x,y x,y x,y …\"");
+    command.add_option("--rest-cage", arguments.restCage,
+                       "Where they were: \"x,y x,y x,y\", canonical, box, hull or hull:N");
 }
 
 } // namespace

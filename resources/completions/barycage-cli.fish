@@ -17,7 +17,7 @@ complete -c barycage-cli -n $render -l colour -x -a "density map address none" -
 complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deterministic" -d "How it is drawn"
 complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of SVG"
 complete -c barycage-cli -n $render -l background -x -a "transparent black white" -d "Background"
-complete -c barycage-cli -n $render -l rest-cage -x -a canonical -d "Corners at rest"
+complete -c barycage-cli -n $render -l rest-cage -x -a "canonical box hull" -d "Corners at rest"
 complete -c barycage-cli -n $render -l bits -x -a "8 16" -d "Bits a channel"
 complete -c barycage-cli -n $render -l supersample -x -a "1 2 3 4" -d "Cells along a pixel"
 complete -c barycage-cli -n $render -l simd -x -a "scalar sse4 avx2 avx3 neon" -d "Instruction set"
