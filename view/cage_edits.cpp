@@ -9,7 +9,6 @@ namespace view {
 
 namespace {
 
-constexpr std::size_t triangle = 3;
 constexpr double relativeTolerance = 1e-10; // finer than anybody sees, and never slow
 
 QString sentence(const char* text) {
@@ -30,6 +29,14 @@ std::vector<ifs::AffineMap<2>> displayedMaps(const document::Fractal& fractal) {
     return system ? ifs::activeMaps(*system).maps : std::vector<ifs::AffineMap<2>>{};
 }
 
+// The same picture held by other vertices.
+std::optional<document::Fractal> withCageThrough(const document::Fractal& fractal,
+                                                 const std::vector<ifs::Vector<2>>& vertices) {
+    document::Fractal after = fractal;
+    after.cage = ifs::redefine<2>(document::effectiveCage(fractal), vertices);
+    return after.cage ? std::optional(after) : std::nullopt;
+}
+
 } // namespace
 
 bool isAtRest(const document::Fractal& fractal) {
@@ -42,14 +49,13 @@ QString bakeObstacle(const document::Fractal& fractal) {
     if (isAtRest(fractal))
         return sentence(
             QT_TRANSLATE_NOOP("CageEdits", "The cage is at rest: the code is what is displayed."));
-    if (fractal.cage->current.size() != triangle)
-        return sentence(QT_TRANSLATE_NOOP("CageEdits",
-                                          "A cage of more than three vertices bends the picture, and no "
-                                          "affine code has a bent picture."));
+    if (ifs::bends(*fractal.cage))
+        return sentence(QT_TRANSLATE_NOOP(
+            "CageEdits", "The cage bends the picture, and no affine code has a bent picture. "
+                         "Choose “Affine fit” to bake what comes nearest to it."));
     if (!ifs::isInvertible(*fractal.cage))
-        return sentence(QT_TRANSLATE_NOOP("CageEdits",
-                                          "The cage is flat: no code has this picture. Open the triangle "
-                                          "first."));
+        return sentence(QT_TRANSLATE_NOOP(
+            "CageEdits", "The cage is flat: no code has this picture. Open the cage first."));
     return {};
 }
 
@@ -66,6 +72,70 @@ std::optional<document::Fractal> baked(const document::Fractal& fractal) {
 document::Fractal withCageAtRest(document::Fractal fractal) {
     if (fractal.cage) fractal.cage->current = fractal.cage->rest;
     return fractal;
+}
+
+document::Fractal withCageMoved(document::Fractal fractal, ifs::ControlCage<2> cage,
+                                document::CageMode mode) {
+    fractal.cage = std::move(cage);
+    if (mode == document::CageMode::Rewrite)
+        if (auto rewritten = baked(fractal)) return *std::move(rewritten);
+    return fractal;
+}
+
+QString modeText(const document::Fractal& fractal, document::CageMode mode) {
+    const bool bendable =
+        fractal.cage && fractal.cage->rest.size() > 3 && fractal.cage->deformation == ifs::Deformation::Bend;
+    if (mode == document::CageMode::Place)
+        return sentence(QT_TRANSLATE_NOOP(
+            "CageEdits", "Moving the cage moves the picture. The code stays as it is until you bake."));
+    if (bendable)
+        return sentence(QT_TRANSLATE_NOOP("CageEdits",
+                                          "Moving the whole cage rewrites the code. Moving single vertices "
+                                          "bends the picture, which no code can follow, and leaves it."));
+    return sentence(QT_TRANSLATE_NOOP("CageEdits",
+                                      "Moving the cage rewrites every coefficient of the code, and the cage "
+                                      "rests where it is."));
+}
+
+QString unbakeObstacle(const document::Fractal& fractal) {
+    if (!document::system2(fractal))
+        return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry has no maps of the plane."));
+    if (!isAtRest(fractal))
+        return sentence(QT_TRANSLATE_NOOP("CageEdits", "The cage already places the code."));
+    if (fractal.cage && fractal.cage->rest.size() != 3)
+        return sentence(QT_TRANSLATE_NOOP("CageEdits", "Only a triangle can be taken out of the code."));
+    return {};
+}
+
+std::optional<document::Fractal> unbaked(const document::Fractal& fractal) {
+    if (!unbakeObstacle(fractal).isEmpty()) return std::nullopt;
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    const std::vector<ifs::Vector<2>> unit{{0, 0}, {1, 0}, {0, 1}};
+    const auto result = ifs::bake<2>(*document::system2(fractal), {cage.rest, unit});
+    if (!result) return std::nullopt;
+    document::Fractal after = fractal;
+    after.system = result->system;
+    after.cage = {unit, cage.current};
+    return after;
+}
+
+QString cageWarning(const document::Fractal& fractal) {
+    if (!fractal.cage || !ifs::bends(*fractal.cage)) return {};
+    // Either kind of coordinates tells, and this one needs no certified hull.
+    const auto kind = ifs::isStrictlyConvex(fractal.cage->rest) ? ifs::Coordinates::Wachspress
+                                                                : ifs::Coordinates::MeanValue;
+    switch (ifs::flawOf(*fractal.cage, {*fractal.cage, kind})) {
+    case ifs::CageFlaw::None:
+        return {};
+    case ifs::CageFlaw::Concave:
+        return sentence(
+            QT_TRANSLATE_NOOP("CageEdits", "The cage has a notch: the picture may fold over itself there."));
+    case ifs::CageFlaw::Folded:
+        return sentence(QT_TRANSLATE_NOOP("CageEdits",
+                                          "The cage is folded: parts of the picture lie over one another. "
+                                          "Move the vertices apart to unfold it."));
+    }
+    return {};
 }
 
 std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const document::Fractal& fractal,
@@ -93,15 +163,24 @@ std::optional<document::Fractal> withCageFitted(const document::Fractal& fractal
     return after;
 }
 
+std::optional<document::Fractal> withCageAroundBox(const document::Fractal& fractal) {
+    const auto support = ifs::SupportFunction<2>::of(displayedMaps(fractal));
+    if (!support) return std::nullopt;
+    const auto box = ifs::boundingBox(*support, relativeTolerance * support->radius());
+    const ifs::Vector<2> low = box.min - ifs::Vector<2>::Constant(box.error);
+    const ifs::Vector<2> high = box.max + ifs::Vector<2>::Constant(box.error);
+    return withCageThrough(fractal, {low, {high.x(), low.y()}, high, {low.x(), high.y()}});
+}
+
 QString fitObstacle(const document::Fractal& fractal) {
     const document::System2* system = document::system2(fractal);
     if (!system) return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry has no maps of the plane."));
     if (ifs::activeMaps(*system).maps.empty())
         return sentence(QT_TRANSLATE_NOOP("CageEdits", "No map takes part, so there is nothing to enclose."));
-    if (!isAtRest(fractal) && fractal.cage->current.size() != triangle)
+    if (fractal.cage && ifs::bends(*fractal.cage))
         return sentence(QT_TRANSLATE_NOOP("CageEdits",
-                                          "A bent picture cannot be held by a triangle. Reset the cage "
-                                          "first."));
+                                          "A bent picture cannot be held by another cage. Reset the cage, or "
+                                          "choose “Affine fit”, first."));
     if (!isAtRest(fractal) && !ifs::isInvertible(*fractal.cage))
         return sentence(
             QT_TRANSLATE_NOOP("CageEdits", "The cage is flat. Open the triangle, or reset it, first."));

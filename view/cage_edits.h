@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
+#include "document/document.h"
 #include "ifs/support_function.h"
 
 #include <QString>
@@ -19,13 +19,30 @@ std::optional<document::Fractal> baked(const document::Fractal& fractal);
 // The cage back to rest: the code as it is.
 document::Fractal withCageAtRest(document::Fractal fractal);
 
+// The fractal with its cage moved there. In the mode Rewrite the code follows and the cage rests; where no
+// affine code does (the cage is flat or bends), it is placed.
+document::Fractal withCageMoved(document::Fractal fractal, ifs::ControlCage<2> cage, document::CageMode mode);
+// What moving the cage will do to the code, as a sentence.
+QString modeText(const document::Fractal& fractal, document::CageMode mode);
+
+// The opposite of baking for a triangle: the code becomes that of the triangle (0, 0), (1, 0), (0, 1), and
+// the cage places it where the picture is.
+QString unbakeObstacle(const document::Fractal& fractal);
+std::optional<document::Fractal> unbaked(const document::Fractal& fractal);
+
+// What the user should know about a cage that bends: concave or folded, as a sentence; empty when it is
+// sound.
+QString cageWarning(const document::Fractal& fractal);
+
 // The displayed picture held by its smallest right isosceles triangle with legs along the axes, over all
 // orientations or for one; nullopt without an attractor or while the placement is flat.
 enum class SimplexChoice { Minimal, PlusPlus, MinusPlus, PlusMinus, MinusMinus };
 std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const document::Fractal& fractal,
                                                          SimplexChoice choice);
 std::optional<document::Fractal> withCageFitted(const document::Fractal& fractal, SimplexChoice choice);
-// Why no simplex can be fitted; empty when one can.
+// The displayed picture held by its bounding box; nullopt as above.
+std::optional<document::Fractal> withCageAroundBox(const document::Fractal& fractal);
+// Why no cage can be fitted; empty when one can.
 QString fitObstacle(const document::Fractal& fractal);
 
 // "(+, −)"

@@ -29,16 +29,12 @@ private:
     ifs::Vector<2> m_max = ifs::Vector<2>::Constant(-HUGE_VAL);
 };
 
-ifs::AffineMap<2> display(const document::Fractal& fractal) {
-    return fractal.cage ? ifs::displayMap(*fractal.cage) : ifs::AffineMap<2>();
-}
-
 } // namespace
 
 ViewBox boxOfAttractor(const document::Fractal& fractal) {
     if (const auto box = document::displayedBox(fractal)) return {box->min, box->max, true};
     const attractor::DrawableSystem system = attractor::drawable(*document::system2(fractal));
-    const ifs::AffineMap<2> toDisplay = display(fractal);
+    const ifs::Placement toDisplay = document::placement(fractal);
     Extent extent;
     for (const double x : {-1.0, 1.0})
         for (const double y : {-1.0, 1.0})
@@ -59,13 +55,14 @@ ViewBox boxOfIterate(const document::Fractal& fractal, int n) {
         int left;
     };
     const auto rest = document::effectiveCage(fractal).rest;
+    const ifs::Placement toDisplay = document::placement(fractal);
     Extent extent;
-    std::vector<Copy> open{{display(fractal), n}};
+    std::vector<Copy> open{{{}, n}};
     while (!open.empty()) {
         const Copy copy = open.back();
         open.pop_back();
         for (std::size_t i = 0; copy.left == 0 && i < rest.size(); ++i)
-            extent.add(copy.map(rest[i]));
+            extent.add(toDisplay(copy.map(rest[i])));
         for (std::size_t i = 0; copy.left > 0 && i < maps.size(); ++i)
             open.push_back({copy.map * maps[i], copy.left - 1});
     }

@@ -2,17 +2,29 @@
 #include "attractor/address_cut.h"
 
 #include "attractor/arithmetic.h"
+#include "attractor/bend_table.h"
 #include "attractor/chaos_game.h"
 #include "attractor/double_double.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace attractor {
 
 namespace {
 
-// camera·cage·w_σ(centre + δ) = offset + linear·δ, in cells.
+// What a node shows, in cells: the box around it, and how far its maps are off in it.
+struct Shown {
+    double xx = 0, xy = 0, yx = 0, yy = 0, x = 0, y = 0; // its first-order map, from box coordinates
+    double halfX = 0, halfY = 0;                         // infinite where nothing is known
+    double size = 0;                                     // of the box, without what is not known
+    double affineMiss = 0;                               // of its first-order map
+    double curvedMiss = 0;                               // of its second-order map
+};
+
+// camera·cage·w_σ(centre + δ) = offset + linear·δ, in cells; of a cage that bends, w_σ alone, in coordinates
+// of the code.
 template <class Real> struct Node {
     Real xx, xy, yx, yy;
     Real x, y;
@@ -22,6 +34,7 @@ template <class Real> struct Node {
     std::uint64_t key = 0;
     std::uint32_t firstMap = 0;
     int depth = 0;
+    Shown shown;
 };
 
 template <class Real> struct Branch {
@@ -30,17 +43,136 @@ template <class Real> struct Branch {
     double probability = 0;
 };
 
-template <class Real> class Tree {
+// Cages that do not bend are part of every node.
+template <class Real> class AffineView {
+public:
+    static constexpr bool bends = false;
+    static constexpr std::size_t most = 1U << 15; // words kept while refining
+
+    AffineView(const DrawableSystem& system, const Projection& projection)
+        : m_system(system), m_projection(projection) {}
+
+    Node<Real> root() const {
+        const ifs::AffineMap<2>& cage = m_projection.cage.affine();
+        const ifs::Matrix<2> linear = m_projection.scale * cage.linear;
+        const ifs::Vector<2>& centre = m_system.centre;
+        Node<Real> node;
+        node.xx = linear(0, 0);
+        node.xy = linear(0, 1);
+        node.yx = linear(1, 0);
+        node.yy = linear(1, 1);
+        const auto shown = [&](int row) { // of the cage applied to the centre, relative to the camera
+            return Real(cage.linear(row, 0)) * Real(centre.x()) +
+                   Real(cage.linear(row, 1)) * Real(centre.y()) +
+                   (Real(cage.translation[row]) - Real(m_projection.centre[row]));
+        };
+        node.x = Real(m_projection.scale(0, 0)) * shown(0) + Real(m_projection.grid.width / 2.0);
+        node.y = Real(m_projection.scale(1, 1)) * shown(1) + Real(m_projection.grid.height / 2.0);
+        return node;
+    }
+
+    Shown shown(const Node<Real>& node) const {
+        const ifs::Vector<2>& half = m_system.halfExtent;
+        Shown result;
+        result.xx = static_cast<double>(node.xx) * half.x();
+        result.xy = static_cast<double>(node.xy) * half.y();
+        result.yx = static_cast<double>(node.yx) * half.x();
+        result.yy = static_cast<double>(node.yy) * half.y();
+        result.x = static_cast<double>(node.x);
+        result.y = static_cast<double>(node.y);
+        result.halfX = std::abs(result.xx) + std::abs(result.xy);
+        result.halfY = std::abs(result.yx) + std::abs(result.yy);
+        result.size = 2 * std::max(result.halfX, result.halfY);
+        return result;
+    }
+
+private:
+    const DrawableSystem& m_system;
+    const Projection& m_projection;
+};
+
+// Cages that bend are applied to the nodes, to first order.
+class BentView {
+public:
+    static constexpr bool bends = true;
+    static constexpr std::size_t most = 1U << 17;
+
+    BentView(const DrawableSystem& system, const Projection& projection)
+        : m_system(system),
+          m_projection(projection),
+          m_scale(std::abs(projection.scale(0, 0))),
+          m_table(*projection.cage.bend(), system.centre, system.halfExtent.maxCoeff(),
+                  mostBendError / 2 * projection.cellsPerPixel / m_scale) {}
+
+    Node<double> root() const {
+        return {1, 0, 0, 1, m_system.centre.x(), m_system.centre.y(), 1, 0, 1, 0, 0, 0, {}};
+    }
+
+    Shown shown(const Node<double>& node) {
+        const BendTable::Piece piece = pieceOf(node);
+        const ifs::Vector<2> cell = m_projection.cell(piece.middle());
+        const ifs::Matrix<2> linear = m_projection.scale * piece.linear;
+        const ifs::Vector<2> half = linear.cwiseAbs().rowwise().sum();
+        const ifs::Vector<2> miss = m_scale * piece.miss;
+        const ifs::Vector<2> affineMiss = m_scale * piece.curvature() + miss;
+        return {linear(0, 0),
+                linear(0, 1),
+                linear(1, 0),
+                linear(1, 1),
+                cell.x(),
+                cell.y(),
+                half.x() + affineMiss.x(),
+                half.y() + affineMiss.y(),
+                2 * half.maxCoeff(),
+                affineMiss.maxCoeff(),
+                miss.maxCoeff()};
+    }
+
+    // For the second-order map: adds the terms, and takes out of the affine map what stands for them.
+    Curve curve(const Node<double>& node, Word& word) {
+        const BendTable::Piece piece = pieceOf(node);
+        const auto cells = [this](const ifs::Vector<2>& v, int row) {
+            return static_cast<float>(m_projection.scale(row, row) * v[row]);
+        };
+        const ifs::Vector<2> middle = m_projection.cell(piece.value);
+        word.x = static_cast<float>(middle.x());
+        word.y = static_cast<float>(middle.y());
+        return {cells(piece.aa, 0), cells(piece.ab, 0), cells(piece.bb, 0),
+                cells(piece.aa, 1), cells(piece.ab, 1), cells(piece.bb, 1)};
+    }
+
+    // From box coordinates to those of the code.
+    ifs::AffineMap<2> exactMap(const Node<double>& node) const { return {spread(node), {node.x, node.y}}; }
+
+private:
+    ifs::Matrix<2> spread(const Node<double>& node) const {
+        const ifs::Vector<2>& half = m_system.halfExtent;
+        return ifs::affineMap(node.xx * half.x(), node.xy * half.y(), node.yx * half.x(), node.yy * half.y(),
+                              0, 0)
+            .linear;
+    }
+    BendTable::Piece pieceOf(const Node<double>& node) {
+        return m_table.piece({node.x, node.y}, spread(node));
+    }
+
+    const DrawableSystem& m_system;
+    const Projection& m_projection;
+    double m_scale;
+    BendTable m_table;
+};
+
+template <class Real, class View> class Tree {
 public:
     Tree(const DrawableSystem& system, const Projection& projection, const CutSettings& settings)
         : m_settings(settings),
-          m_halfX(system.halfExtent.x()),
-          m_halfY(system.halfExtent.y()),
           m_width(projection.grid.width),
           m_height(projection.grid.height),
-          m_kept(std::clamp<std::size_t>((std::size_t{1} << 23) / system.maps.size(), 256, most)),
-          m_root(root(system, projection)) {
-        m_largest = 2.0 * std::max(m_width, m_height);
+          m_largest(2.0 * std::max(m_width, m_height)),
+          m_mostMiss(mostBendError * projection.cellsPerPixel),
+          m_kept(std::clamp<std::size_t>((std::size_t{1} << 23) / system.maps.size(), 256, View::most)),
+          m_view(system, projection),
+          m_root(m_view.root()) {
+        m_root.shown = m_view.shown(m_root);
         for (std::size_t i = 0; i < system.maps.size(); ++i)
             m_branches.push_back(branch(system.maps[i], system.centre, system.probabilities[i]));
     }
@@ -55,38 +187,19 @@ public:
         double threshold = 1;
         while (threshold > 0 && threshold > visible / m_settings.words)
             threshold /= 2;
-        AddressCut result;
-        for (const Node<Real>& node : leaves(threshold, Threshold::Absolute, stop)) {
-            result.words.push_back(word(node));
-            result.probability += node.probability;
-        }
+        m_exact = m_settings.samples > 0 ? fewest / m_settings.samples * visible : 0;
+        m_followsBend = View::bends;
+        AddressCut result = words(leaves(threshold, Threshold::Absolute, stop));
         return stop.stop_requested() ? AddressCut{} : result;
     }
 
 private:
     enum class Threshold { Absolute, Relative };
 
-    static constexpr std::size_t most = 1U << 15;         // words kept while refining
-    static constexpr std::size_t mostWaiting = 32 * most; // words of the next level before refining it
+    static constexpr std::size_t mostWaiting = 1U << 20; // words of the next level before refining it
     static constexpr std::size_t mostVisits = 3'000'000;
     static constexpr double smallest = 0.25; // cells; below, splitting shows nothing new
-
-    static Node<Real> root(const DrawableSystem& system, const Projection& projection) {
-        const ifs::Matrix<2> linear = projection.scale * projection.cage.linear;
-        Node<Real> node;
-        node.xx = linear(0, 0);
-        node.xy = linear(0, 1);
-        node.yx = linear(1, 0);
-        node.yy = linear(1, 1);
-        const auto shown = [&](int row) { // of the cage applied to the centre, relative to the camera
-            return Real(projection.cage.linear(row, 0)) * Real(system.centre.x()) +
-                   Real(projection.cage.linear(row, 1)) * Real(system.centre.y()) +
-                   (Real(projection.cage.translation[row]) - Real(projection.centre[row]));
-        };
-        node.x = Real(projection.scale(0, 0)) * shown(0) + Real(projection.grid.width / 2.0);
-        node.y = Real(projection.scale(1, 1)) * shown(1) + Real(projection.grid.height / 2.0);
-        return node;
-    }
+    static constexpr double fewest = 32;     // samples for which a first-order map is worth its while
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
                                double probability) {
@@ -98,7 +211,7 @@ private:
                 shift(0),         shift(1),         probability};
     }
 
-    Node<Real> child(const Node<Real>& node, std::size_t i) const {
+    Node<Real> child(const Node<Real>& node, std::size_t i) {
         const Branch<Real>& b = m_branches[i];
         Node<Real> result;
         result.xx = node.xx * b.xx + node.xy * b.yx;
@@ -113,37 +226,34 @@ private:
         result.key = mixed(node.key + i + 1);
         result.firstMap = node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap;
         result.depth = node.depth + 1;
+        result.shown = m_view.shown(result);
         return result;
     }
 
-    struct Extent {
-        double x = 0;
-        double y = 0;
-    };
-    Extent extent(const Node<Real>& node) const {
-        const auto size = [](const Real& value) { return std::abs(static_cast<double>(value)); };
-        return {size(node.xx) * m_halfX + size(node.xy) * m_halfY,
-                size(node.yx) * m_halfX + size(node.yy) * m_halfY};
+    bool visible(const Node<Real>& node) const { // false for anything not finite in its middle
+        const Shown& s = node.shown;
+        return s.x + s.halfX >= 0 && s.x - s.halfX <= m_width && s.y + s.halfY >= 0 &&
+               s.y - s.halfY <= m_height;
     }
 
-    bool visible(const Node<Real>& node, const Extent& half) const { // false for anything not finite
-        const auto x = static_cast<double>(node.x);
-        const auto y = static_cast<double>(node.y);
-        return x + half.x >= 0 && x - half.x <= m_width && y + half.y >= 0 && y - half.y <= m_height;
+    bool isTooBent(const Node<Real>& node) const {
+        return m_followsBend && !(node.shown.curvedMiss <= m_mostMiss);
     }
 
-    bool isLeaf(const Node<Real>& node, const Extent& half, double threshold) const {
-        const double size = 2 * std::max(half.x, half.y);
-        return node.depth >= m_settings.maxDepth || (node.depth >= m_settings.minDepth && size <= m_largest &&
-                                                     (node.probability <= threshold || size <= smallest));
+    bool isLeaf(const Node<Real>& node, double threshold) const {
+        if (node.depth >= m_settings.maxDepth) return true;
+        const double size = node.shown.size;
+        if (node.depth < m_settings.minDepth || !(size <= m_largest)) return false;
+        return (node.probability <= threshold || size <= smallest) &&
+               (!isTooBent(node) || node.probability <= m_exact);
     }
 
     // Level by level. With Threshold::Relative the limit is a number of words, each at most its share of what
     // is visible so far.
-    std::vector<Node<Real>> leaves(double limit, Threshold kind, const std::stop_token& stop) const {
+    std::vector<Node<Real>> leaves(double limit, Threshold kind, const std::stop_token& stop) {
         std::vector<Node<Real>> done;
         std::vector<Node<Real>> open;
-        if (visible(m_root, extent(m_root))) open.push_back(m_root);
+        if (visible(m_root)) open.push_back(m_root);
         std::size_t visits = 0;
         double settled = 0;
         std::vector<Node<Real>> next;
@@ -158,22 +268,33 @@ private:
             visits += open.size();
             next.clear();
             for (const Node<Real>& node : open) {
-                if (isLeaf(node, extent(node), threshold)) {
+                if (isLeaf(node, threshold)) {
                     done.push_back(node);
                     settled += node.probability;
                     continue;
                 }
                 for (std::size_t i = 0; i < m_branches.size(); ++i) {
                     const Node<Real> candidate = child(node, i);
-                    if (visible(candidate, extent(candidate))) next.push_back(candidate);
+                    if (visible(candidate)) next.push_back(candidate);
                 }
-                if (next.size() > mostWaiting) thinOut(next, most);
+                if (next.size() > mostWaiting) thinOut(next, View::most);
             }
             open.swap(next);
+            if (m_followsBend && open.size() > m_kept) settleBent(open, done, threshold);
             if (open.size() > m_kept) thinOut(open, m_kept);
         }
         done.insert(done.end(), open.begin(), open.end());
         return done;
+    }
+
+    // Nodes that wait for nothing but their bend.
+    void settleBent(std::vector<Node<Real>>& open, std::vector<Node<Real>>& done, double threshold) const {
+        const auto bentOnly = [&](const Node<Real>& node) {
+            return isTooBent(node) && node.depth >= m_settings.minDepth && node.shown.size <= m_largest &&
+                   node.probability <= threshold;
+        };
+        std::copy_if(open.begin(), open.end(), std::back_inserter(done), bentOnly);
+        std::erase_if(open, bentOnly);
     }
 
     // Overlapping systems have exponentially many words in a small view. A systematic sample of them, each
@@ -200,17 +321,38 @@ private:
         nodes.resize(kept);
     }
 
-    Word word(const Node<Real>& node) const {
-        const auto entry = [](const Real& value, double half) {
-            return static_cast<float>(static_cast<double>(value) * half);
-        };
+    AddressCut words(std::vector<Node<Real>> nodes) {
+        const auto curved = std::stable_partition(nodes.begin(), nodes.end(), [this](const Node<Real>& n) {
+            return n.shown.affineMiss <= m_mostMiss;
+        });
+        const auto bent =
+            std::stable_partition(curved, nodes.end(), [this](const Node<Real>& n) { return !isTooBent(n); });
+        AddressCut result;
+        result.words.reserve(nodes.size());
+        for (const Node<Real>& node : nodes) {
+            result.words.push_back(word(node));
+            result.probability += node.probability;
+        }
+        result.firstCurved = static_cast<std::size_t>(curved - nodes.begin());
+        result.firstExact = static_cast<std::size_t>(bent - nodes.begin());
+        if constexpr (View::bends) {
+            for (std::size_t k = result.firstCurved; k < result.firstExact; ++k)
+                result.curves.push_back(m_view.curve(nodes[k], result.words[k]));
+            for (std::size_t k = result.firstExact; k < nodes.size(); ++k)
+                result.exact.push_back(m_view.exactMap(nodes[k]));
+        }
+        return result;
+    }
+
+    static Word word(const Node<Real>& node) {
+        const Shown& s = node.shown;
         Word result;
-        result.xx = entry(node.xx, m_halfX);
-        result.xy = entry(node.xy, m_halfY);
-        result.yx = entry(node.yx, m_halfX);
-        result.yy = entry(node.yy, m_halfY);
-        result.x = entry(node.x, 1);
-        result.y = entry(node.y, 1);
+        result.xx = static_cast<float>(s.xx);
+        result.xy = static_cast<float>(s.xy);
+        result.yx = static_cast<float>(s.yx);
+        result.yy = static_cast<float>(s.yy);
+        result.x = static_cast<float>(s.x);
+        result.y = static_cast<float>(s.y);
         result.firstMap = node.firstMap;
         // Runs begin at multiples of the widest vector.
         result.offset = static_cast<std::uint32_t>(node.key % (SampleSet::size / 16)) * 16;
@@ -220,35 +362,41 @@ private:
     }
 
     CutSettings m_settings;
-    double m_halfX;
-    double m_halfY;
     double m_width;
     double m_height;
-    double m_largest = 0;
+    double m_largest;
+    double m_mostMiss;
+    double m_exact = 0; // probability below which samples are mapped one by one
+    bool m_followsBend = false;
     std::size_t m_kept; // fewer where every word has thousands of children
+    View m_view;
     Node<Real> m_root;
     std::vector<Branch<Real>> m_branches;
 };
 
 } // namespace
 
-Projection projection(const Camera& camera, const ifs::AffineMap<2>& cage, int cellsPerPixel) {
+Projection projection(const Camera& camera, const ifs::Placement& cage, int cellsPerPixel) {
     Projection result;
     result.scale = worldToPixel(camera).linear * cellsPerPixel;
     result.cage = cage;
     result.centre = camera.centre;
     result.grid = {camera.width * cellsPerPixel, camera.height * cellsPerPixel};
+    result.cellsPerPixel = cellsPerPixel;
     return result;
 }
 
 AddressCut addressCut(const DrawableSystem& system, const Projection& projection, const CutSettings& settings,
                       std::stop_token stop) {
     if (system.maps.empty()) return {};
-    const double reach = (projection.cage(system.centre) - projection.centre).cwiseAbs().maxCoeff() +
-                         projection.cage.linear.cwiseAbs().maxCoeff() * system.halfExtent.maxCoeff();
+    if (projection.cage.bend() != nullptr)
+        return Tree<double, BentView>(system, projection, settings).cut(stop);
+    const ifs::AffineMap<2>& cage = projection.cage.affine();
+    const double reach = (cage(system.centre) - projection.centre).cwiseAbs().maxCoeff() +
+                         cage.linear.cwiseAbs().maxCoeff() * system.halfExtent.maxCoeff();
     const bool deep = projection.scale.cwiseAbs().maxCoeff() * reach > 1e9;
-    return deep ? Tree<DoubleDouble>(system, projection, settings).cut(stop)
-                : Tree<double>(system, projection, settings).cut(stop);
+    return deep ? Tree<DoubleDouble, AffineView<DoubleDouble>>(system, projection, settings).cut(stop)
+                : Tree<double, AffineView<double>>(system, projection, settings).cut(stop);
 }
 
 } // namespace attractor

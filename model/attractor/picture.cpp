@@ -2,10 +2,10 @@
 #include "attractor/picture.h"
 
 #include "attractor/arithmetic.h"
+#include "attractor/curved_splat.h"
 #include "attractor/linear_light.h"
 #include "attractor/preattractor.h"
 #include "attractor/splat.h"
-#include "attractor/tone_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,32 +34,6 @@ int wordsFor(std::uint64_t samples) {
     return static_cast<int>(std::clamp<std::uint64_t>(samples / 8192, 128, 4096));
 }
 
-// The affine map that serves for the cage: its own with three vertices, with more the one that misses the
-// current vertices least.
-ifs::AffineMap<2> affinePart(const std::optional<ifs::ControlCage<2>>& cage) {
-    if (!cage || !ifs::isValid(*cage)) return {};
-    if (cage->rest.size() == 3) return ifs::displayMap(*cage);
-    if (cage->rest == cage->current) return {};
-    const double share = 1.0 / static_cast<double>(cage->rest.size());
-    ifs::Vector<2> restMean = ifs::Vector<2>::Zero();
-    ifs::Vector<2> currentMean = ifs::Vector<2>::Zero();
-    for (std::size_t j = 0; j < cage->rest.size(); ++j) {
-        restMean += share * cage->rest[j];
-        currentMean += share * cage->current[j];
-    }
-    ifs::Matrix<2> moments = ifs::Matrix<2>::Zero();
-    ifs::Matrix<2> mixedMoments = ifs::Matrix<2>::Zero();
-    for (std::size_t j = 0; j < cage->rest.size(); ++j) {
-        const ifs::Vector<2> rest = cage->rest[j] - restMean;
-        moments += rest * rest.transpose();
-        mixedMoments += (cage->current[j] - currentMean) * rest.transpose();
-    }
-    const auto inverse = ifs::inverse<2>({moments, ifs::Vector<2>::Zero()});
-    if (!inverse) return {};
-    const ifs::Matrix<2> linear = mixedMoments * inverse->linear;
-    return {linear, currentMean - linear * restMean};
-}
-
 } // namespace
 
 void Picture::start(RenderRequest newRequest) {
@@ -67,11 +41,14 @@ void Picture::start(RenderRequest newRequest) {
     request = std::move(newRequest);
     request.threads = std::clamp(request.threads, 1, 256);
     request.appearance.supersample = std::clamp(request.appearance.supersample, 1, 4);
-    if (!sameSystem) system = attractor::drawable(request.system);
+    if (!sameSystem) {
+        system = attractor::drawable(request.system);
+        bent.clear();
+    }
     const Camera& camera = request.camera;
     drawable = !system.maps.empty() && camera.width > 0 && camera.height > 0 && camera.pixelsPerUnit > 0 &&
                std::isfinite(camera.pixelsPerUnit) && camera.centre.allFinite();
-    projection = attractor::projection(camera, affinePart(request.cage), request.appearance.supersample);
+    projection = attractor::projection(camera, placement(), request.appearance.supersample);
     iterations = request.algorithm == Algorithm::Deterministic
                      ? affordableIterations(system.maps.size(), request.iterations)
                      : 0;
@@ -83,6 +60,17 @@ void Picture::start(RenderRequest newRequest) {
     passes = 0;
     exposure.reset();
     milliseconds = 0;
+}
+
+// Which coordinates bend the cage depends on system and rest alone, and is remembered with the rest.
+ifs::Placement Picture::placement() {
+    if (!request.cage || !ifs::isValid(*request.cage)) return {};
+    if (ifs::bends(*request.cage) && bent != request.cage->rest) {
+        const auto support = ifs::SupportFunction<2>::of(system.maps);
+        coordinates = ifs::suitableCoordinates(request.cage->rest, support ? &*support : nullptr);
+        bent = request.cage->rest;
+    }
+    return {*request.cage, coordinates};
 }
 
 void Picture::rewind(int firstRow, int endRow) {
@@ -104,12 +92,14 @@ RenderNote Picture::placementNote() const {
     if (system.note != RenderNote::None) return system.note;
     if (request.algorithm == Algorithm::Deterministic && iterations < request.iterations)
         return RenderNote::FewerIterations;
-    const ifs::Vector<2> stretch = ifs::singularValues<2>(projection.cage.linear);
-    if (!(stretch[1] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
-    // Beyond this the camera's own centre has no digits left for a pixel.
+    const bool bends = projection.cage.bend() != nullptr;
+    const ifs::Vector<2> stretch = ifs::singularValues<2>(projection.cage.affine().linear);
+    if (!bends && !(stretch[1] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
+    // Beyond this the camera's own centre has no digits left for a pixel; a bend is evaluated in double.
     const double farthest =
         std::max(request.camera.centre.cwiseAbs().maxCoeff(), system.halfExtent.maxCoeff());
-    return request.camera.pixelsPerUnit * farthest * 0x1p-53 > 0.5 ? RenderNote::TooDeep : RenderNote::None;
+    return request.camera.pixelsPerUnit * farthest * (bends ? 0x1p-45 : 0x1p-53) > 0.5 ? RenderNote::TooDeep
+                                                                                       : RenderNote::None;
 }
 
 void Picture::makeColours() {
@@ -134,6 +124,7 @@ const ColourCell& Picture::colourOf(std::uint32_t map, double addressCoordinate)
 bool Picture::finished() const {
     if (!drawable) return true;
     if (request.algorithm == Algorithm::ChaosGame) return drawn >= request.samples;
+    if (request.algorithm == Algorithm::Deterministic) return passes > 0;
     return cut && cut->words.empty();
 }
 
@@ -154,6 +145,7 @@ bool Picture::completeDensity(const std::stop_token& stop) {
         CutSettings settings;
         settings.words = wordsFor(request.samples);
         settings.seed = request.seed;
+        settings.samples = static_cast<double>(request.samples);
         if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
         if (request.appearance.colourBy == ColourBy::Address)
             for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
@@ -180,7 +172,7 @@ bool Picture::completeDensity(const std::stop_token& stop) {
 void Picture::planSampleSet() {
     const std::uint64_t number =
         std::min(remaining, system.meanLogarithm < 0 ? mostPerSampleSet : mostUninstanced);
-    if (sinceCarry + number >= std::uint64_t{1} << 32) {
+    if (!coloured() && sinceCarry + number >= std::uint64_t{1} << 32) {
         sums.carryOverCounts();
         sinceCarry = 0;
     }
@@ -189,16 +181,18 @@ void Picture::planSampleSet() {
     double sum = unitInterval(mixed(mixed(request.seed) ^ sampleSets));
     std::uint64_t before = 0;
     counts.clear();
+    const CellWindow& window = sums.window();
+    const bool whole = window.firstRow <= 0 && window.endRow >= projection.grid.height;
     for (const Word& word : cut->words) {
         sum += word.probability * perMeasure;
         const auto after = static_cast<std::uint64_t>(sum);
-        counts.push_back(after - before);
+        counts.push_back(whole || meets(word, samples, window) ? after - before : 0);
+        sinceCarry += counts.back();
         before = after;
     }
     planJobs();
     overAttractor += perMeasure;
     drawn += before;
-    sinceCarry += before;
     remaining -= number;
     ++sampleSets;
 }
@@ -244,7 +238,11 @@ void Picture::runJob(const Job& job, std::size_t thread) {
     for (std::uint32_t k = job.firstWord; k < job.endWord; ++k) {
         const Word& word = cut->words[k];
         const std::uint64_t count = job.part > 0 ? job.part : counts[k];
-        if (!coloured()) {
+        if (k >= cut->firstExact) {
+            plotExactly(k, count, thread);
+        } else if (k >= cut->firstCurved) {
+            plotCurved(k, count, thread);
+        } else if (!coloured()) {
             splat(word, samples, count, sums.window(), sums.counts(thread));
         } else if (splat(word, samples, count, sums.window(), colourOf(word.firstMap, word.addressCoordinate),
                          sums.colours(thread))) {
@@ -259,12 +257,15 @@ bool Picture::completeOrbit(const std::stop_token& stop) {
     while (remaining > 0) {
         if (stop.stop_requested()) return false;
         const std::uint64_t run = std::min<std::uint64_t>(remaining, 8192);
-        if (sinceCarry + run >= std::uint64_t{1} << (coloured() ? 20 : 32)) {
-            coloured() ? sums.carryOverColours(0) : sums.carryOverCounts();
+        if (!coloured() && sinceCarry + run >= std::uint64_t{1} << 32) {
+            sums.carryOverCounts();
             sinceCarry = 0;
         }
-        for (std::uint64_t n = 0; n < run; ++n)
-            plot(orbit->next());
+        for (std::uint64_t n = 0; n < run; ++n) {
+            const Orbit::Point point = orbit->next();
+            if (plot(point.x, coloured() ? &colourOf(point.lastMap, point.addressCoordinate) : nullptr, 0))
+                sums.carryOverColours(0);
+        }
         sinceCarry += run;
         drawn += run;
         remaining -= run;
@@ -272,25 +273,47 @@ bool Picture::completeOrbit(const std::stop_token& stop) {
     return true;
 }
 
-void Picture::plot(const Orbit::Point& point) {
-    const ifs::Vector<2> offset = projection.cage(point.x) - projection.centre;
-    const double column = projection.scale(0, 0) * offset.x() + projection.grid.width / 2.0;
-    const double row = projection.scale(1, 1) * offset.y() + projection.grid.height / 2.0;
-    const CellWindow& window = sums.window();
-    if (!(column >= 0 && column < window.width && row >= window.firstRow && row < window.endRow)) return;
-    const std::size_t cell = static_cast<std::size_t>(static_cast<int>(row) - window.firstRow) *
-                                 static_cast<std::size_t>(window.width) +
-                             static_cast<std::size_t>(column);
-    if (!coloured()) {
-        ++sums.counts(0)[cell];
-        return;
+void Picture::plotCurved(std::uint32_t k, std::uint64_t count, std::size_t thread) {
+    const Word& word = cut->words[k];
+    const Curve& curve = cut->curves[k - cut->firstCurved];
+    if (!coloured())
+        splatCurved(word, curve, samples, count, sums.window(), sums.counts(thread));
+    else if (splatCurved(word, curve, samples, count, sums.window(),
+                         colourOf(word.firstMap, word.addressCoordinate), sums.colours(thread)))
+        sums.carryOverColours(thread);
+}
+
+// The samples of a word that bends too much for a second-order map, in coordinates of the code.
+void Picture::plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread) {
+    const Word& word = cut->words[k];
+    const ifs::AffineMap<2>& map = cut->exact[k - cut->firstExact];
+    const ColourCell* colour = coloured() ? &colourOf(word.firstMap, word.addressCoordinate) : nullptr;
+    for (std::uint64_t n = 0; n < count; ++n) {
+        const std::size_t at = word.offset + static_cast<std::size_t>(n % SampleSet::size);
+        if (plot(map({samples.x[at], samples.y[at]}), colour, thread)) sums.carryOverColours(thread);
     }
-    const ColourCell& colour = colourOf(point.lastMap, point.addressCoordinate);
-    ColourCell& sum = sums.colours(0)[cell];
+}
+
+// Counts one point of the code; true when some sum of colours is past 2³¹ and wants to be carried over.
+bool Picture::plot(const ifs::Vector<2>& x, const ColourCell* colour, std::size_t thread) {
+    const ifs::Vector<2> place = projection.cell(projection.cage(x));
+    const CellWindow& window = sums.window();
+    if (!(place.x() >= 0 && place.x() < window.width && place.y() >= window.firstRow &&
+          place.y() < window.endRow))
+        return false;
+    const std::size_t cell = static_cast<std::size_t>(static_cast<int>(place.y()) - window.firstRow) *
+                                 static_cast<std::size_t>(window.width) +
+                             static_cast<std::size_t>(place.x());
+    if (colour == nullptr) {
+        ++sums.counts(thread)[cell];
+        return false;
+    }
+    ColourCell& sum = sums.colours(thread)[cell];
     sum.samples += 1;
-    sum.red += colour.red;
-    sum.green += colour.green;
-    sum.blue += colour.blue;
+    sum.red += colour->red;
+    sum.green += colour->green;
+    sum.blue += colour->blue;
+    return (sum.samples | sum.red | sum.green | sum.blue) >> 31 != 0;
 }
 
 std::vector<ifs::Vector<2>> Picture::restPolygon() const {
@@ -342,15 +365,23 @@ void Picture::measureExposure() {
                                     samplesOverAttractor(), request.exposure);
 }
 
-void Picture::tonePixels(std::span<std::uint32_t> pixels) {
-    const bool deterministic = request.algorithm == Algorithm::Deterministic;
+ToneSettings Picture::toneSettings() const {
     const int side = request.appearance.supersample;
     ToneSettings settings{request.appearance, side, 0, exposure->whitePoint, exposure->gain};
-    if (deterministic)
+    if (request.algorithm == Algorithm::Deterministic)
         settings.densityPerSample = 1;
     else if (samplesOverAttractor() > 0)
         settings.densityPerSample = side * side / (samplesOverAttractor() * exposure->meanDensity);
-    const ToneMap toneMap(settings, deterministic ? 1U << 20 : drawn);
+    return settings;
+}
+
+std::uint64_t Picture::mostInACell() const {
+    return request.algorithm == Algorithm::Deterministic ? 1U << 20 : drawn;
+}
+
+void Picture::tonePixels(std::span<std::uint32_t> pixels) {
+    const ToneMap toneMap(toneSettings(), mostInACell());
+    const int side = request.appearance.supersample;
     const int rows = (sums.window().endRow - sums.window().firstRow) / side;
     workers->run([&](std::size_t thread) {
         const auto bound = [&](std::size_t part) {

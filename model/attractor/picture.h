@@ -6,6 +6,7 @@
 #include "attractor/chaos_game.h"
 #include "attractor/drawable_system.h"
 #include "attractor/renderer.h"
+#include "attractor/tone_map.h"
 #include "attractor/workers.h"
 
 #include <atomic>
@@ -35,6 +36,8 @@ struct Picture {
     std::unique_ptr<Workers> workers;
     std::vector<ColourCell> colours; // by map, or along the address coordinate
     RenderNote note = RenderNote::None;
+    std::vector<ifs::Vector<2>> bent; // rest of a cage that bends, for which the coordinates were chosen
+    ifs::Coordinates coordinates = ifs::Coordinates::MeanValue;
     bool drawable = false; // there is something to draw and something to draw on
 
     // Density
@@ -58,6 +61,7 @@ struct Picture {
 
     void start(RenderRequest newRequest);  // rewind() comes next
     void rewind(int firstRow, int endRow); // nothing drawn yet; counts rows [firstRow, endRow) of the pixels
+    ifs::Placement placement();
     RenderNote placementNote() const;
     void makeColours();
     bool finished() const;
@@ -69,7 +73,9 @@ struct Picture {
     void runJobs(const std::stop_token& stop);
     void runJob(const Job& job, std::size_t thread);
     bool completeOrbit(const std::stop_token& stop);
-    void plot(const Orbit::Point& point);
+    void plotCurved(std::uint32_t k, std::uint64_t count, std::size_t thread);
+    void plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread);
+    bool plot(const ifs::Vector<2>& x, const ColourCell* colour, std::size_t thread);
     bool completePreattractor(const std::stop_token& stop);
     std::vector<ifs::Vector<2>> restPolygon() const;
     const ColourCell& colourOf(std::uint32_t map, double addressCoordinate) const;
@@ -81,6 +87,8 @@ struct Picture {
         return request.algorithm == Algorithm::Density ? overAttractor : static_cast<double>(drawn);
     }
     void measureExposure();
+    ToneSettings toneSettings() const; // after measureExposure()
+    std::uint64_t mostInACell() const;
     void tonePixels(std::span<std::uint32_t> pixels); // of the rows that are counted
     Frame frame(Frame reuse);
 };

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/preattractor.h"
 
+#include "attractor/bend_table.h"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace attractor {
 
@@ -22,6 +25,9 @@ public:
             m_low = m_low.cwiseMin(vertex);
             m_high = m_high.cwiseMax(vertex);
         }
+        if (const ifs::PolygonDeformation* bend = projection.cage.bend())
+            m_bend.emplace(*bend, (m_low + m_high) / 2, (m_high - m_low).maxCoeff() / 2,
+                           mostBendError * projection.cellsPerPixel / std::abs(projection.scale(0, 0)));
     }
 
     bool paint(const std::stop_token& stop) {
@@ -61,22 +67,45 @@ private:
         double size = 0; // cells
     };
 
-    ifs::Vector<2> cell(const ifs::Vector<2>& world) const {
-        const ifs::Vector<2> offset = m_projection.cage(world) - m_projection.centre;
-        return {m_projection.scale(0, 0) * offset.x() + m_projection.grid.width / 2.0,
-                m_projection.scale(1, 1) * offset.y() + m_projection.grid.height / 2.0};
-    }
-
     // Images of the polygon may leave the box of an expanding system; what has left the view then comes back
     // only by chance, so it is not followed.
-    Reach reachOf(const ifs::AffineMap<2>& map) const {
-        const ifs::Vector<2> middle = cell(map((m_low + m_high) / 2));
-        const ifs::Matrix<2> linear = m_projection.scale * m_projection.cage.linear * map.linear;
-        const ifs::Vector<2> half = linear.cwiseAbs() * ((m_high - m_low) / 2);
+    Reach reachOf(const ifs::AffineMap<2>& map) {
+        const ifs::Vector<2> centre = map((m_low + m_high) / 2);
+        const ifs::Vector<2> halfBox = (m_high - m_low) / 2;
+        ifs::Matrix<2> spread = map.linear;
+        spread.col(0) *= halfBox.x();
+        spread.col(1) *= halfBox.y();
+        ifs::Vector<2> shown = m_projection.cage.affine()(centre);
+        ifs::Vector<2> half = (m_projection.cage.affine().linear * spread).cwiseAbs().rowwise().sum();
+        if (m_bend) {
+            const BendTable::Piece piece = m_bend->piece(centre, spread);
+            shown = piece.middle();
+            half = piece.linear.cwiseAbs().rowwise().sum() + piece.curvature() + piece.miss;
+        }
+        half *= std::abs(m_projection.scale(0, 0));
+        const ifs::Vector<2> middle = m_projection.cell(shown);
         const CellWindow& window = m_sums.window();
         return {middle.x() + half.x() >= 0 && middle.x() - half.x() <= window.width &&
                     middle.y() + half.y() >= window.firstRow && middle.y() - half.y() <= window.endRow,
                 2 * half.maxCoeff()};
+    }
+
+    // The image of the edge from a to b without b, straight pieces within a quarter of a pixel.
+    void addEdge(const ifs::Vector<2>& a, const ifs::Vector<2>& b, int depth) {
+        const auto shown = [this](const ifs::Vector<2>& x) {
+            return m_projection.cell(m_projection.cage(x));
+        };
+        if (m_bend && depth < 10) {
+            const ifs::Vector<2> middle = (a + b) / 2;
+            const ifs::Vector<2> off = shown(middle) - (shown(a) + shown(b)) / 2;
+            // A short edge may be straight by chance, a long one too.
+            if (depth < 2 || off.cwiseAbs().maxCoeff() > mostBendError * m_projection.cellsPerPixel) {
+                addEdge(a, middle, depth + 1);
+                addEdge(middle, b, depth + 1);
+                return;
+            }
+        }
+        m_corners.push_back(shown(a));
     }
 
     void add(int x, int y, const ColourCell& colour) {
@@ -98,11 +127,12 @@ private:
     // Even-odd rule at the middles of cells.
     void fill(const ifs::AffineMap<2>& map, const ColourCell& colour) {
         m_corners.clear();
+        for (std::size_t j = 0; j < m_job.polygon.size(); ++j)
+            addEdge(map(m_job.polygon[j]), map(m_job.polygon[(j + 1) % m_job.polygon.size()]), 0);
         ifs::Vector<2> middle = ifs::Vector<2>::Zero();
-        for (const ifs::Vector<2>& vertex : m_job.polygon) {
-            m_corners.push_back(cell(map(vertex)));
-            if (!m_corners.back().allFinite()) return;
-            middle += m_corners.back() / static_cast<double>(m_job.polygon.size());
+        for (const ifs::Vector<2>& corner : m_corners) {
+            if (!corner.allFinite()) return;
+            middle += corner / static_cast<double>(m_corners.size());
         }
         const CellWindow& window = m_sums.window();
         const auto [low, high] = std::minmax_element(
@@ -147,6 +177,7 @@ private:
     CellSums& m_sums;
     ifs::Vector<2> m_low;
     ifs::Vector<2> m_high;
+    std::optional<BendTable> m_bend;
     std::vector<ifs::Vector<2>> m_corners;
     std::vector<double> m_crossings;
 };

@@ -162,4 +162,10 @@ void Document::commitGesture() {
     if (m_gesture != nullptr) m_gesture->commit();
 }
 
+void Document::setCageMode(CageMode mode) {
+    if (mode == m_cageMode) return;
+    m_cageMode = mode;
+    emit cageModeChanged(mode);
+}
+
 } // namespace document

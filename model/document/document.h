@@ -36,6 +36,12 @@ struct Change {
 // The parts in which two fractals differ.
 Change::Parts difference(const Fractal& a, const Fractal& b);
 
+// What moving the cage does to the code.
+enum class CageMode {
+    Place,   // nothing: the code is drawn elsewhere
+    Rewrite, // it becomes that of the moved picture, and the cage rests where it is
+};
+
 // The open file, the entry being edited, and the history. Lives in the GUI thread.
 // One step of the history holds whole values before and after; undoing an edit shows the entry it belongs to.
 // Undo or redo while a gesture is open drops what the gesture was showing.
@@ -65,8 +71,13 @@ public:
     void edit(const QString& text, Fractal after);
     void editFile(const QString& text, FractalFile after, EntryId current = EntryId::None);
 
+    // How the user edits now; no part of the file, no step of the history.
+    CageMode cageMode() const { return m_cageMode; }
+    void setCageMode(CageMode mode);
+
 signals:
     void changed(const document::Change& change);
+    void cageModeChanged(document::CageMode mode);
 
 private:
     friend class EditGesture;
@@ -90,6 +101,7 @@ private:
     qsizetype m_index = -1; // of the current entry
     std::uint64_t m_revision = 0;
     QUndoStack m_undoStack;
+    CageMode m_cageMode = CageMode::Place;
     EditGesture* m_gesture = nullptr; // at most one is open
 };
 

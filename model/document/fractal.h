@@ -42,14 +42,18 @@ int dimension(const Fractal& fractal); // 2 or 3; 0 for an unreadable entry
 // code has no attractor, a unit triangle). Costs a certified simplex when none is stored.
 ifs::ControlCage<2> effectiveCage(const Fractal& fractal);
 
-// The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is
-// flat.
+// Coordinates of the code → displayed ones.
+ifs::Placement placement(const Fractal& fractal);
+
+// The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is flat
+// or bent.
 std::optional<System2> effectiveSystem(const Fractal& fractal);
 
 // The request that draws the fractal through the camera with default quality.
 attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera);
 
-// Certified box of what is displayed (the attractor under its cage); nullopt when there is none.
+// Certified box of what is displayed (the attractor under its cage), under a bend to a hundredth of its size;
+// nullopt when there is none.
 struct Box {
     ifs::Vector<2> min;
     ifs::Vector<2> max;

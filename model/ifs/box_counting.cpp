@@ -7,31 +7,42 @@
 
 namespace ifs {
 
-void CellGrid::mark(const Vector<2>& x) {
+bool CellGrid::mark(const Vector<2>& x) {
     const double across = std::ldexp(1, levels);
     const double column = std::floor((x.x() - origin.x()) / side * across);
     const double row = std::floor((x.y() - origin.y()) / side * across);
-    if (column >= 0 && row >= 0 && column < across && row < across)
-        occupied[(std::size_t(row) << levels) + std::size_t(column)] = 1;
+    if (!(column >= 0 && row >= 0 && column < across && row < across)) return false;
+    std::uint8_t& cell = occupied[(std::size_t(row) << levels) + std::size_t(column)];
+    const bool isNew = cell == 0;
+    cell = 1;
+    return isNew;
 }
 
 CellGrid emptyGrid(const Vector<2>& origin, double side, int levels) {
     return {origin, side, levels, std::vector<std::uint8_t>(std::size_t(1) << 2 * levels)};
 }
 
+namespace {
+
+// Cells of twice the side.
+CellGrid halved(const CellGrid& grid) {
+    CellGrid result = emptyGrid(grid.origin, grid.side, grid.levels - 1);
+    const std::size_t across = std::size_t(1) << grid.levels;
+    for (std::size_t k = 0; k < grid.occupied.size(); ++k) {
+        const std::size_t row = k / across, column = k % across;
+        result.occupied[row / 2 * (across / 2) + column / 2] |= grid.occupied[k];
+    }
+    return result;
+}
+
+} // namespace
+
 std::vector<std::uint64_t> boxCounts(CellGrid grid) {
     std::vector<std::uint64_t> counts(std::size_t(grid.levels) + 1);
-    for (int level = grid.levels;; --level) {
-        const std::size_t across = std::size_t(1) << level;
-        counts[std::size_t(level)] = std::accumulate(
-            grid.occupied.begin(), grid.occupied.begin() + std::ptrdiff_t(across * across), std::uint64_t{0});
-        if (level == 0) return counts;
-        for (std::size_t row = 0; row < across / 2; ++row) // in place: what is read lies ahead
-            for (std::size_t column = 0; column < across / 2; ++column) {
-                const std::uint8_t* cell = &grid.occupied[2 * row * across + 2 * column];
-                grid.occupied[row * (across / 2) + column] =
-                    cell[0] | cell[1] | cell[across] | cell[across + 1];
-            }
+    for (;; grid = halved(grid)) {
+        counts[std::size_t(grid.levels)] =
+            std::accumulate(grid.occupied.begin(), grid.occupied.end(), std::uint64_t{0});
+        if (grid.levels == 0) return counts;
     }
 }
 
@@ -55,28 +66,23 @@ std::optional<LogLogFit> fitted(const std::vector<std::uint64_t>& counts, int fi
     return LogLogFit{slope, meanY - slope * meanX, std::sqrt(std::max(0.0, yy - slope * xy) / size)};
 }
 
-std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int levels, double cells,
-                                      std::size_t maxWords) {
+std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int levels) {
     const BoundingBox<2> box = boundingBox(support, 1e-9 * support.radius());
     // A little more than the box, so that its upper and right borders fall inside.
-    const double extent = (box.max - box.min).maxCoeff() + 2 * box.error, side = extent * (1 + 0x1p-30);
-    if (!(side > 0)) return std::nullopt;
-    CellGrid grid = emptyGrid(box.min - Vector<2>::Constant(box.error), side, levels);
-    const double size = cells * std::ldexp(side, -levels) / (2 * support.radius());
-    std::vector<AffineMap<2>> open{{}};
-    std::size_t words = 0;
+    const double side = ((box.max - box.min).maxCoeff() + 2 * box.error) * (1 + 0x1p-30);
+    if (!(side > 64 * box.error)) return std::nullopt;
+    CellGrid fine = emptyGrid(box.min - Vector<2>::Constant(box.error), side, levels + 1);
+    std::vector<Vector<2>> open{support.pointOfAttractor()};
+    fine.mark(open.back());
     while (!open.empty()) {
-        const AffineMap<2> map = open.back();
+        const Vector<2> point = open.back();
         open.pop_back();
-        if (++words > maxWords) return std::nullopt;
-        if (spectralNorm<2>(map.linear) <= size) {
-            grid.mark(map(support.pointOfAttractor()));
-            continue;
+        for (const auto& map : support.maps()) {
+            const Vector<2> image = map(point);
+            if (fine.mark(image)) open.push_back(image);
         }
-        for (const auto& next : support.maps())
-            open.push_back(map * next);
     }
-    return grid;
+    return halved(fine);
 }
 
 } // namespace ifs

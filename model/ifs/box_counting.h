@@ -17,7 +17,7 @@ struct CellGrid {
     int levels = 0;
     std::vector<std::uint8_t> occupied; // 4^levels, each 0 or 1
 
-    void mark(const Vector<2>& x); // ignores what lies outside
+    bool mark(const Vector<2>& x); // whether the cell was empty; false for a point outside
 };
 CellGrid emptyGrid(const Vector<2>& origin, double side, int levels); // 0 ≤ levels ≤ 14
 
@@ -33,10 +33,9 @@ struct LogLogFit {
 // nullopt with fewer than two counts or one that is 0.
 std::optional<LogLogFit> fitted(const std::vector<std::uint64_t>& counts, int first, int last);
 
-// The cells of a square around the attractor that hold a point of it: one point of every word whose piece is
-// at most `cells` cells wide is marked, so every occupied cell is within that many cells of a marked one.
-// nullopt when that takes more than `maxWords` words.
-std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int levels, double cells = 0.5,
-                                      std::size_t maxWords = 20'000'000);
+// Cells of a square around the attractor, each of which certainly holds a point of it. In work bounded by the
+// number of cells, whatever overlaps: one point per half-cell is followed, so that every point of the
+// attractor lies within half a diagonal · C/(1 − γ) of one that marked its cell. nullopt for a single point.
+std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int levels); // levels ≤ 12
 
 } // namespace ifs

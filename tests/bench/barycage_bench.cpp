@@ -77,6 +77,23 @@ RenderRequest dragged(RenderRequest request, int frame) {
     return request;
 }
 
+// The same in a cage of eight corners around the maple, of which two are moved by 20 % of its size.
+RenderRequest bent(RenderRequest request, int frame) {
+    ifs::ControlCage<2> cage = ifs::polygonAtRest<2>({{3.264, 1.794},
+                                                      {2.045, 4.100},
+                                                      {0.992, 5.113},
+                                                      {-1.210, 5.113},
+                                                      {-3.018, 2.776},
+                                                      {-3.434, 1.320},
+                                                      {-0.116, -3.215},
+                                                      {3.428, -0.152}});
+    const double shift = 1e-3 * (frame % 100);
+    cage.current[0] += ifs::Vector<2>(1.65 + shift, 0);
+    cage.current[4] += ifs::Vector<2>(0, 1.65);
+    request.cage = cage;
+    return request;
+}
+
 void addBenchmarks(Case& c) {
     const auto add = [&](const std::string& what, auto work) {
         benchmark::RegisterBenchmark((what + "/" + c.name).c_str(),
@@ -145,6 +162,16 @@ void addBenchmarks(Case& c) {
             int frame = 0;
             for (auto _ : state) {
                 engineGrid(rendering, dragged(request, ++frame));
+                shown = rendering.frame(std::move(shown));
+            }
+        });
+    if (c.name == "maple")
+        add("cage8", [&c, engineGrid](benchmark::State& state) {
+            Rendering rendering(c.request);
+            Frame shown;
+            int frame = 0;
+            for (auto _ : state) {
+                engineGrid(rendering, bent(c.request, ++frame));
                 shown = rendering.frame(std::move(shown));
             }
         });
@@ -346,6 +373,7 @@ std::vector<Metric> ratios(const std::map<std::string, double>& times) {
     const auto found = [&](const char* name) { return times.contains(name) ? times.at(name) : std::nan(""); };
     metrics.push_back(
         {"chaos_game.many_maps", found("orbit_engine/random32") / found("orbit_engine/maple"), "<= 1.1"});
+    metrics.push_back({"cage8.vs_triangle", found("cage8/maple") / found("redraw1/maple"), "<= 1.5"});
     return metrics;
 }
 

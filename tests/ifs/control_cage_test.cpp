@@ -11,6 +11,8 @@ namespace {
 
 const Simplex<2> Triangle{Vector<2>(0, 0), Vector<2>(4, 0), Vector<2>(0, 3)};
 
+const std::vector<Vector<2>> SquareVertices{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
 template <int Dim> Simplex<Dim> randomSimplex(Random& random, double size = 5) {
     for (;;) {
         Simplex<Dim> simplex;
@@ -168,7 +170,8 @@ private slots:
         ControlCage<2> flat = cageAtRest<2>(Triangle);
         flat.current[2] = flat.current[1];
         QVERIFY(!redefine<2>(flat, Triangle));
-        QVERIFY(!redefine<2>(cageAtRest<2>(Triangle), {Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(2, 0)}));
+        const Simplex<2> line{Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(2, 0)};
+        QVERIFY(!redefine<2>(cageAtRest<2>(Triangle), line));
     }
 
     void validity() {
@@ -190,6 +193,103 @@ private slots:
         cage.rest = {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
         QVERIFY(!isValid(cage));
         QVERIFY(!isValid(ControlCage<2>{}));
+        cage = polygonAtRest<2>({{0, 0}, {1, 1}, {1, 0}, {0, 1}}); // crosses itself
+        QVERIFY(!isValid(cage));
+        std::vector<Vector<2>> many;
+        for (int j = 0; j < 65; ++j)
+            many.emplace_back(std::cos(0.09 * j), std::sin(0.09 * j));
+        QVERIFY(!isValid(polygonAtRest<2>(many)));
+        many.pop_back();
+        QVERIFY(isValid(polygonAtRest<2>(many)));
+    }
+
+    void aCageOfManyVerticesBends() {
+        ControlCage<2> cage = polygonAtRest<2>(SquareVertices);
+        QVERIFY(!bends(cage));
+        cage.current[2] = {2, 2};
+        QVERIFY(bends(cage) && !isInvertible(cage) && isValid(cage));
+        QVERIFY(!bake(system<2>(sierpinskiRight()), cage));
+        QVERIFY(!redefine<2>(cage, Triangle));
+        const Placement placement(cage, Coordinates::Wachspress);
+        QVERIFY(placement.bend() != nullptr);
+        for (std::size_t j = 0; j < 4; ++j)
+            QVERIFY((placement(cage.rest[j]) - cage.current[j]).norm() <= 1e-15);
+        cage.deformation = Deformation::AffineFit;
+        QVERIFY(!bends(cage) && isInvertible(cage));
+        const Placement fit(cage, Coordinates::Wachspress);
+        QVERIFY(fit.bend() == nullptr);
+        QVERIFY((fit(Vector<2>(1, 1)) - Vector<2>(1.75, 1.75)).norm() <= 1e-14);
+        const auto baked = bake(system<2>(sierpinskiRight()), cage);
+        QVERIFY(baked && baked->cage.rest == baked->cage.current);
+        QVERIFY((baked->cage.rest[2] - Vector<2>(1.75, 1.75)).norm() <= 1e-14);
+        // An affine move of all vertices is no bend.
+        cage.deformation = Deformation::Bend;
+        for (auto& vertex : cage.current)
+            vertex = affineMap(0.3, 1, -2, 0.7, 5, 6)(vertex);
+        cage.current = cage.rest;
+        for (auto& vertex : cage.current)
+            vertex = affineMap(0.3, 1, -2, 0.7, 5, 6)(vertex);
+        QVERIFY(!bends(cage) && isInvertible(cage) && bake(system<2>(sierpinskiRight()), cage));
+    }
+
+    void wachspressOnlyInsideAConvexCage() {
+        const auto support = SupportFunction<2>::of(sierpinskiRight()); // in (0,0), (1,0), (0,1)
+        const auto choice = [&](const std::vector<Vector<2>>& rest) {
+            return suitableCoordinates(rest, &*support);
+        };
+        QCOMPARE(choice(SquareVertices), Coordinates::Wachspress); // touches two edges
+        QCOMPARE(choice({{0, 1}, {1, 1}, {1, 0}, {0, 0}}), Coordinates::Wachspress);
+        QCOMPARE(choice({{0.01, 0}, {1, 0}, {1, 1}, {0, 1}}), Coordinates::MeanValue);  // a bit sticks out
+        QCOMPARE(choice({{0, 0}, {2, 0}, {0.9, 0.9}, {0, 2}}), Coordinates::MeanValue); // notch
+        QCOMPARE(choice({{0, 0}, {1, 0}, {2, 0}, {0, 2}}), Coordinates::MeanValue);     // straight corner
+        QCOMPARE(suitableCoordinates(SquareVertices, nullptr), Coordinates::MeanValue);
+    }
+
+    void flawsAreTold() {
+        const auto flaw = [](const ControlCage<2>& cage) {
+            return flawOf(cage, Placement(cage, Coordinates::MeanValue));
+        };
+        ControlCage<2> cage = polygonAtRest<2>(SquareVertices);
+        QCOMPARE(flaw(cage), CageFlaw::None);
+        cage.current[2] = {1.5, 1.5};
+        QCOMPARE(flaw(cage), CageFlaw::None);
+        cage.current[2] = {0.4, 0.4};
+        QVERIFY(flaw(cage) != CageFlaw::None);
+        cage.current[2] = {-1, -1}; // turned inside out
+        QCOMPARE(flaw(cage), CageFlaw::Folded);
+        cage.current = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+        QCOMPARE(flaw(cage), CageFlaw::Folded);
+        cage = polygonAtRest<2>({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+        cage.current[0] = {-0.1, 0};
+        QCOMPARE(flaw(cage), CageFlaw::Concave);
+        cage = polygonAtRest<2>(SquareVertices); // mirrored, but not folded
+        for (auto& vertex : cage.current)
+            vertex.x() = -vertex.x();
+        cage.current[2].y() = 1.2;
+        QCOMPARE(flaw(cage), CageFlaw::None);
+    }
+
+    void verticesComeAndGo() {
+        ControlCage<2> cage = polygonAtRest<2>(SquareVertices);
+        cage.current[1] = {2, 0};
+        const auto more = withVertexInserted(cage, 3, 0.25);
+        QVERIFY(more && more->rest.size() == 5);
+        QCOMPARE(more->rest[4], Vector<2>(0, 0.75));
+        const Vector<2> x(0.3, 0.6);
+        // A vertex on an edge changes nothing by itself.
+        QVERIFY((Placement(*more, Coordinates::MeanValue)(x) - Placement(cage, Coordinates::MeanValue)(x))
+                    .norm() <= 1e-13);
+        QCOMPARE(*withVertexRemoved(*more, 4), cage);
+        QVERIFY(!withVertexRemoved(cageAtRest<2>(Triangle), 0));
+        const auto regular = regularPolygonNear(std::vector<Vector<2>>{{0, 0}, {1, 0}, {1.1, 1}, {0, 1}});
+        QVERIFY(regular.has_value());
+        for (std::size_t j = 0; j < 4; ++j) {
+            const Vector<2> edge = (*regular)[(j + 1) % 4] - (*regular)[j];
+            const Vector<2> next = (*regular)[(j + 2) % 4] - (*regular)[(j + 1) % 4];
+            QVERIFY((next - Vector<2>(-edge.y(), edge.x())).norm() <= 1e-14);
+            QVERIFY(((*regular)[j] - SquareVertices[j]).norm() < 0.11);
+        }
+        QVERIFY(!regularPolygonNear(std::vector<Vector<2>>(4, Vector<2>(1, 1))));
     }
 };
 

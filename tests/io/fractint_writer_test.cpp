@@ -252,6 +252,15 @@ void FractintWriterTest::newEntryReadsBack() {
     for (auto& map : maps(fractal))
         map.weight.reset();
     QCOMPARE(*io::readFractint(io::writeEntry(fractal)).entries.value(0).fractal, fractal);
+    std::vector<ifs::Vector<2>> corners;
+    for (int j = 0; j < 64; ++j)
+        corners.emplace_back(std::cos(0.09 * j), std::sin(0.09 * j));
+    for (const auto deformation : {ifs::Deformation::Bend, ifs::Deformation::AffineFit}) {
+        fractal.cage = ifs::polygonAtRest<2>(corners);
+        fractal.cage->current[7] = {2, 1};
+        fractal.cage->deformation = deformation;
+        QCOMPARE(*io::readFractint(io::writeEntry(fractal)).entries.value(0).fractal, fractal);
+    }
 }
 
 void FractintWriterTest::ownLinesAreShort() {

@@ -66,6 +66,65 @@ private slots:
         QCOMPARE(y->value(), 6.0);
     }
 
+    void rewriteModeRewritesTheCode() {
+        QVERIFY(m_panel->modeButton(document::CageMode::Place)->isChecked());
+        QTest::mouseClick(m_panel->modeButton(document::CageMode::Rewrite), Qt::LeftButton);
+        QCOMPARE(m_document->cageMode(), document::CageMode::Rewrite);
+        document::Fractal placed = m_document->fractal();
+        placed.cage->current[1].x() = 6.5;
+        const auto expected = *document::effectiveSystem(placed);
+        NumberField* x = m_panel->field(CagePanel::Vertices::Current, 1, 0);
+        type(x, QStringLiteral("6.5"));
+        QTest::keyClick(x, Qt::Key_Return);
+        QVERIFY(cage().rest == cage().current && cage().rest[1].x() == 6.5);
+        const auto& maps = document::system2(m_document->fractal())->maps;
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            QVERIFY(distance(maps[i].map, expected.maps[i].map) < 1e-12);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        // A flat cage has no code: it is placed.
+        type(m_panel->field(CagePanel::Vertices::Current, 1, 0), QStringLiteral("-3"));
+        type(m_panel->field(CagePanel::Vertices::Current, 1, 1), QStringLiteral("-3"));
+        QVERIFY(cage().rest != cage().current);
+    }
+
+    void aBentCageSaysSoAndCannotBeBaked() {
+        m_panel->fitBox();
+        QCOMPARE(cage().rest.size(), std::size_t{4});
+        QVERIFY(m_panel->status().startsWith(QStringLiteral("4 ")));
+        document::Fractal fractal = m_document->fractal();
+        fractal.cage->current[2] += ifs::Vector<2>(2, 1);
+        m_document->edit(QStringLiteral("bend"), fractal);
+        QVERIFY(m_panel->deformationButton(ifs::Deformation::Bend)->isVisible());
+        QVERIFY(m_panel->status().contains(QStringLiteral("Wachspress")));
+        QVERIFY(!m_panel->bakeAction()->isEnabled());
+        QVERIFY(m_panel->bakeAction()->toolTip().contains(QStringLiteral("bends")));
+        QVERIFY(m_panel->warning().isEmpty());
+        fractal.cage->current[2] = fractal.cage->current[0] - ifs::Vector<2>(1, 1);
+        m_document->edit(QStringLiteral("fold"), fractal);
+        QVERIFY(m_panel->warning().contains(QStringLiteral("folded")));
+        QTest::mouseClick(m_panel->deformationButton(ifs::Deformation::AffineFit), Qt::LeftButton);
+        QVERIFY(cage().deformation == ifs::Deformation::AffineFit);
+        QVERIFY(m_panel->bakeAction()->isEnabled() && m_panel->warning().isEmpty());
+        const auto shown = *document::effectiveSystem(m_document->fractal());
+        m_panel->bake();
+        QVERIFY(cage().rest == cage().current);
+        const auto& maps = document::system2(m_document->fractal())->maps;
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            QVERIFY(distance(maps[i].map, shown.maps[i].map) < 1e-12);
+    }
+
+    void unbakeKeepsThePicture() {
+        const auto before = *document::effectiveSystem(m_document->fractal());
+        const auto after = view::unbaked(m_document->fractal());
+        QVERIFY(after.has_value());
+        QVERIFY(after->cage->rest[1] == ifs::Vector<2>(1, 0));
+        const auto now = *document::effectiveSystem(*after);
+        for (std::size_t i = 0; i < before.maps.size(); ++i)
+            QVERIFY(distance(before.maps[i].map, now.maps[i].map) < 1e-12);
+        QVERIFY(distance(document::system2(*after)->maps[0].map, before.maps[0].map) > 1e-3);
+        QVERIFY(!view::unbaked(*after));
+    }
+
     void saysMirroredAndFlat() {
         document::Fractal fractal = m_document->fractal();
         QVERIFY(m_panel->status().contains(QStringLiteral("At rest")));

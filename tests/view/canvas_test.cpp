@@ -429,6 +429,42 @@ private slots:
         QVERIFY((*position.barycentric - ifs::Barycentric<2>(0, 1, 0)).norm() < 0.02);
     }
 
+    void doubleClickOnAnEdgeInsertsAVertex() {
+        const QPoint edge = at({Kind::Edge, 1});
+        const auto before = vertices();
+        QTest::mouseDClick(m_canvas->viewport(), Qt::LeftButton, {}, edge);
+        QCOMPARE(steps(), 1);
+        QCOMPARE(vertices().size(), std::size_t{4});
+        QVERIFY((vertices()[2] - (before[1] + before[2]) / 2).norm() < 0.01 * (before[1] - before[2]).norm());
+        const ifs::ControlCage<2> cage = *m_canvas->canvas().cage();
+        QVERIFY((cage.rest[2] - (cage.rest[1] + cage.rest[3]) / 2).norm() <
+                0.01 * (cage.rest[1] - cage.rest[3]).norm());
+        // The new vertex bends the picture, and one that folds it is warned of.
+        drag(vertex(2), QPointF(25, -25));
+        QVERIFY(ifs::bends(*m_document->fractal().cage));
+        QCOMPARE(view::bakeCage(*m_document).has_value(), true);
+        const QPointF across = (vertex(0) - vertex(2)) * 1.6;
+        drag(vertex(2), across);
+        QVERIFY2(m_canvas->canvas().note().contains(QStringLiteral("folded")),
+                 qPrintable(m_canvas->canvas().note()));
+        QCOMPARE(view::removeVertex(*m_document, 2), std::nullopt);
+        QCOMPARE(vertices().size(), std::size_t{3});
+        QVERIFY(m_canvas->canvas().note().isEmpty());
+        QVERIFY(view::removeVertex(*m_document, 2).has_value());
+    }
+
+    void rewriteModeLeavesTheCageAtRest() {
+        m_document->setCageMode(document::CageMode::Rewrite);
+        drag(vertex(1), QPointF(40, -30));
+        const document::Fractal& fractal = m_document->fractal();
+        QVERIFY(fractal.cage && fractal.cage->rest == fractal.cage->current);
+        QVERIFY(!(*document::system2(fractal) == *document::system2(document::sierpinskiTriangle())));
+        QCOMPARE(steps(), 1);
+        m_document->undoStack()->undo();
+        QVERIFY(*document::system2(m_document->fractal()) ==
+                *document::system2(document::sierpinskiTriangle()));
+    }
+
     void saysWhyThereIsNoPicture() {
         document::Fractal fractal = m_document->fractal();
         document::system2(fractal)->maps[1].map.linear *= 3;

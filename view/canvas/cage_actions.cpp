@@ -74,6 +74,7 @@ Failure defineTriangle(document::Document& document, const ifs::Simplex<2>& vert
     document::Fractal fractal = document.fractal();
     if (!document::system2(fractal)) return notPlanar();
     if (!ifs::isAffineBasis<2>(vertices)) return onOneLine();
+    if (fractal.cage && ifs::bends(*fractal.cage)) return fitObstacle(fractal);
     fractal.cage = ifs::redefine<2>(document::effectiveCage(fractal), vertices);
     if (!fractal.cage) return tooFlat();
     document.edit(Actions::tr("Define the control triangle"), std::move(fractal));
@@ -87,8 +88,53 @@ Failure moveVertex(document::Document& document, int index, const ifs::Vector<2>
     if (cage.current.at(std::size_t(index)) == position)
         return Actions::tr("Vertex %1 is there already.").arg(index + 1);
     cage.current[std::size_t(index)] = position;
-    fractal.cage = std::move(cage);
-    document.edit(Actions::tr("Move vertex %1").arg(index + 1), std::move(fractal));
+    document.edit(Actions::tr("Move vertex %1").arg(index + 1),
+                  withCageMoved(std::move(fractal), std::move(cage), document.cageMode()));
+    return std::nullopt;
+}
+
+Failure insertVertex(document::Document& document, int edge, double share) {
+    document::Fractal fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    if (cage.rest.size() >= ifs::mostCorners)
+        return Actions::tr("A cage has at most %1 vertices.").arg(ifs::mostCorners);
+    fractal.cage = ifs::withVertexInserted(cage, std::size_t(edge), share);
+    if (!fractal.cage) return Actions::tr("There is no room for a vertex here.");
+    document.edit(Actions::tr("Insert a vertex"), std::move(fractal));
+    return std::nullopt;
+}
+
+Failure removeVertex(document::Document& document, int index) {
+    document::Fractal fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    if (cage.rest.size() <= 3) return Actions::tr("A cage has at least three vertices.");
+    fractal.cage = ifs::withVertexRemoved(cage, std::size_t(index));
+    if (!fractal.cage)
+        return Actions::tr("Without this vertex the cage at rest would cross itself or be flat.");
+    document.edit(Actions::tr("Delete vertex %1").arg(index + 1), std::move(fractal));
+    return std::nullopt;
+}
+
+Failure makeCageRegular(document::Document& document) {
+    const document::Fractal& fractal = document.fractal();
+    if (!document::system2(fractal)) return notPlanar();
+    ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    const auto regular = ifs::regularPolygonNear(cage.current);
+    if (!regular) return tooFlat();
+    cage.current = *regular;
+    document.edit(Actions::tr("Make the cage regular"),
+                  withCageMoved(fractal, std::move(cage), document.cageMode()));
+    return std::nullopt;
+}
+
+Failure unbakeCage(document::Document& document) {
+    const document::Fractal& fractal = document.fractal();
+    if (const QString obstacle = unbakeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    auto after = unbaked(fractal);
+    if (!after) return tooFlat();
+    document.edit(Actions::tr("Unbake: take the placement out of the code"), *std::move(after));
     return std::nullopt;
 }
 

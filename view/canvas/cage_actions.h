@@ -25,6 +25,15 @@ std::optional<QString> bakeCage(document::Document& document);
 // These three vertices hold the picture from now on. The picture stays.
 std::optional<QString> defineTriangle(document::Document& document, const ifs::Simplex<2>& vertices);
 
+// One vertex more on the edge from vertex `edge` to the next, `share` of the way; one vertex less; the
+// vertices on the regular polygon nearest to them.
+std::optional<QString> insertVertex(document::Document& document, int edge, double share);
+std::optional<QString> removeVertex(document::Document& document, int index);
+std::optional<QString> makeCageRegular(document::Document& document);
+
+// Bake the other way round: the placement is taken out of the code. The picture stays.
+std::optional<QString> unbakeCage(document::Document& document);
+
 std::optional<QString> moveVertex(document::Document& document, int index, const ifs::Vector<2>& position);
 
 // Whether the placement can be undone, as fitting, defining and baking need it.

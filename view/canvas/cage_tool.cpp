@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/cage_tool.h"
 
+#include "cage_edits.h"
+
 #include "canvas/canvas_cursors.h"
 #include "canvas/canvas_geometry.h"
 #include "document/fractal.h"
@@ -153,7 +155,8 @@ void CageTool::dragTo(const Pointer& pointer) {
 
 void CageTool::preview(const DragResult& result) {
     document::Fractal fractal = m_gesture->before();
-    if (result.cage != m_drag.cage) fractal.cage = result.cage;
+    if (result.cage != m_drag.cage)
+        fractal = withCageMoved(std::move(fractal), result.cage, m_scene->document().cageMode());
     const bool whole = m_drag.vertices.size() == m_drag.cage.current.size();
     if (m_ownPivotAtPress && whole && m_drag.mode == CageDrag::Mode::Move)
         m_scene->setPivot(m_pivotAtPress + result.cage.current.front() - m_drag.cage.current.front());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_menu.h"
 
+#include "cage_edits.h"
 #include "canvas/cage_actions.h"
 #include "canvas/canvas_scene.h"
 #include "canvas/canvas_view.h"
@@ -73,8 +74,19 @@ void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
                     return moveVertex(document, index, {0, position.y()});
                 }))
         ->setEnabled(position.x() != 0);
+    add(menu, Menu::tr("&Delete This Vertex"), Menu::tr("Takes this vertex out of the cage"),
+        attempt(context, [&document, index] { return removeVertex(document, index); }))
+        ->setEnabled(cage.rest.size() > 3);
     add(menu, Menu::tr("Put the &Pivot Here"), Menu::tr("Turns and scales the cage about this vertex"),
         [context, position] { context.scene.setPivot(position); });
+}
+
+void addEdgeActions(QMenu& menu, const MenuContext& context, int edge, const QPoint& global) {
+    menu.addSection(Menu::tr("Edge"));
+    const QPointF position = context.view.viewport()->mapFromGlobal(global);
+    add(menu, Menu::tr("&Insert a Vertex Here"),
+        Menu::tr("Puts one more vertex on this edge; a double click does the same"),
+        [context, edge, position] { context.view.insertVertexAt(edge, position); });
 }
 
 void addPivotActions(QMenu& menu, const MenuContext& context) {
@@ -98,10 +110,15 @@ void addCageActions(QMenu& menu, const MenuContext& context) {
     add(menu, Menu::tr("R&eset Cage"), Menu::tr("Puts every vertex back to rest"),
         attempt(context, [&document] { return resetCage(document); }))
         ->setEnabled(displaced);
+    add(menu, Menu::tr("Make Re&gular"), Menu::tr("Puts the vertices on the regular polygon nearest to them"),
+        attempt(context, [&document] { return makeCageRegular(document); }));
+    const QString obstacle = bakeObstacle(document.fractal());
     add(menu, Menu::tr("&Bake Placement into the Code"),
-        Menu::tr("Rewrites the maps so that they draw what is shown, with the cage at rest"),
+        obstacle.isEmpty()
+            ? Menu::tr("Rewrites the maps so that they draw what is shown, with the cage at rest")
+            : obstacle,
         attempt(context, [&document] { return bakeCage(document); }))
-        ->setEnabled(displaced);
+        ->setEnabled(obstacle.isEmpty());
 }
 
 void addToggle(QMenu& menu, const QString& text, const QString& tip, bool checked,
@@ -142,6 +159,7 @@ void popUpCanvasMenu(const MenuContext& context, const CanvasPart& part, const Q
     menu->setAttribute(Qt::WA_DeleteOnClose);
     if (context.scene.cage()) {
         if (part.kind == Kind::Vertex) addVertexActions(*menu, context, part.index);
+        if (part.kind == Kind::Edge) addEdgeActions(*menu, context, part.index, global);
         if (part.kind == Kind::Pivot || part.kind == Kind::Rotate || part.kind == Kind::Scale)
             addPivotActions(*menu, context);
         if (part.kind != Kind::None) addCageActions(*menu, context);

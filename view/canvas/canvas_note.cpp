@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_note.h"
 
+#include "cage_edits.h"
 #include "ifs/attractor_existence.h"
 #include "ifs/iterated_function_system.h"
 
@@ -68,7 +69,7 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
                    : Notes::tr("This entry could not be read. Its text is kept as it is in the file.");
     switch (note) {
     case attractor::RenderNote::None:
-        return {};
+        return cageWarning(fractal);
     case attractor::RenderNote::NoMaps:
         return Notes::tr("No map takes part, so there is nothing to draw. Add a map or switch one on.");
     case attractor::RenderNote::NoAttractor:

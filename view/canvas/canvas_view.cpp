@@ -294,6 +294,10 @@ Snapping CanvasView::snapping() const {
     return m_scene->snapping();
 }
 
+void CanvasView::showTrail(const std::vector<ifs::Vector<2>>& points) {
+    m_scene->showTrail(points);
+}
+
 void CanvasView::setHint(const QString& hint) {
     m_hint = hint;
     m_scene->setHint(hint);
@@ -453,7 +457,20 @@ void CanvasView::mousePressEvent(QMouseEvent* event) {
 }
 
 void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
+    const CanvasPart part = m_scene->partAt(event->position(), Reach::Mouse);
+    if (event->button() == Qt::LeftButton && m_tool == Tool::Cage && part.kind == CanvasPart::Kind::Edge)
+        insertVertexAt(part.index, event->position());
     mousePressEvent(event);
+}
+
+void CanvasView::insertVertexAt(int edge, const QPointF& position) {
+    const QPolygonF polygon = m_scene->cagePolygon();
+    const QPointF from = polygon[edge];
+    const QPointF along = polygon[(edge + 1) % polygon.size()] - from;
+    const double length = QPointF::dotProduct(along, along);
+    const double share = length > 0 ? QPointF::dotProduct(position - from, along) / length : 0.5;
+    if (const auto failure = insertVertex(*m_document, edge, std::clamp(share, 0.02, 0.98)))
+        emit message(*failure);
 }
 
 void CanvasView::mouseMoveEvent(QMouseEvent* event) {

@@ -56,7 +56,7 @@ void VertexDialog::follow() {
     ifs::ControlCage<2> cage = document::effectiveCage(fractal);
     if (cage.current[std::size_t(m_index)] != ifs::Vector<2>(*x, *y)) {
         cage.current[std::size_t(m_index)] = {*x, *y};
-        fractal.cage = std::move(cage);
+        fractal = withCageMoved(std::move(fractal), std::move(cage), m_document->cageMode());
     }
     m_gesture.preview(std::move(fractal));
 }

@@ -64,7 +64,7 @@ std::optional<ifs::Vector<2>> displayedMean(const document::Fractal& fractal) {
     const auto moments = ifs::moments(ifs::activeMaps(*system));
     if (!moments) return std::nullopt;
     const bool atRest = !fractal.cage || fractal.cage->rest == fractal.cage->current;
-    if (!atRest && fractal.cage->rest.size() != 3)
+    if (!atRest && ifs::bends(*fractal.cage))
         return std::nullopt; // a bent picture's mean is no image of the code's
     return atRest ? moments->mean : ifs::displayMap(*fractal.cage)(moments->mean);
 }

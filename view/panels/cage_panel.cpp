@@ -5,6 +5,7 @@
 #include "panels/number_field.h"
 
 #include <QAction>
+#include <QButtonGroup>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
@@ -35,6 +36,26 @@ QLabel* factLabel(const QString& name, QWidget* parent) {
     return label;
 }
 
+// Two buttons side by side of which one is down.
+QWidget* segments(QButtonGroup* group, const std::array<QString, 2>& texts,
+                  const std::array<QString, 2>& tips, QWidget* parent) {
+    auto* box = new QWidget(parent);
+    auto* layout = new QHBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        auto* button = new QToolButton(box);
+        button->setText(texts[i]);
+        button->setAccessibleName(texts[i]);
+        button->setToolTip(tips[i]);
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        group->addButton(button, static_cast<int>(i));
+        layout->addWidget(button);
+    }
+    return box;
+}
+
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     QFont font = label->font();
@@ -51,10 +72,17 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(10);
+    layout->addWidget(makeMode());
     layout->addLayout(makeButtons());
-    layout->addWidget(makeVertices());
+    layout->addWidget(makeDeformation());
     m_status = factLabel(tr("State of the cage"), this);
     layout->addWidget(m_status);
+    m_warning = factLabel(tr("Warning about the cage"), this);
+    QFont bold = m_warning->font();
+    bold.setBold(true);
+    m_warning->setFont(bold);
+    layout->addWidget(m_warning);
+    layout->addWidget(makeVertices());
     layout->addWidget(makeSimplex());
     layout->addWidget(makePoint());
     layout->addStretch();
@@ -63,6 +91,64 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     connect(&m_settled, &QTimer::timeout, this, &CagePanel::showSimplex);
     connect(document, &document::Document::changed, this, &CagePanel::follow);
     showCage();
+}
+
+QWidget* CagePanel::makeMode() {
+    auto* box = new QWidget(this);
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    m_mode = new QButtonGroup(this);
+    layout->addWidget(segments(
+        m_mode, {tr("Place"), tr("Rewrite")},
+        {tr("Moving the cage moves the picture; the code stays"), tr("Moving the cage rewrites the code")},
+        box));
+    m_modeText = quietLabel({}, box);
+    m_modeText->setWordWrap(true);
+    layout->addWidget(m_modeText);
+    connect(m_mode, &QButtonGroup::idClicked, this,
+            [this](int id) { m_document->setCageMode(static_cast<document::CageMode>(id)); });
+    connect(m_document, &document::Document::cageModeChanged, this, &CagePanel::showMode);
+    return box;
+}
+
+QWidget* CagePanel::makeDeformation() {
+    m_deformation = new QButtonGroup(this);
+    m_deformationBox = segments(
+        m_deformation, {tr("Bend"), tr("Affine fit")},
+        {tr("Every vertex is followed; the picture bends, which cannot be baked into a code"),
+         tr("The picture moves by the affine map that comes nearest to the vertices; it can be baked")},
+        this);
+    connect(m_deformation, &QButtonGroup::idClicked, this,
+            [this](int id) { setDeformation(static_cast<ifs::Deformation>(id)); });
+    return m_deformationBox;
+}
+
+QAbstractButton* CagePanel::modeButton(document::CageMode mode) const {
+    return m_mode->button(static_cast<int>(mode));
+}
+
+QAbstractButton* CagePanel::deformationButton(ifs::Deformation deformation) const {
+    return m_deformation->button(static_cast<int>(deformation));
+}
+
+QString CagePanel::warning() const {
+    return m_warning->text();
+}
+
+void CagePanel::showMode() {
+    const document::CageMode mode = m_document->cageMode();
+    modeButton(mode)->setChecked(true);
+    m_modeText->setText(modeText(m_document->fractal(), mode));
+}
+
+void CagePanel::setDeformation(ifs::Deformation deformation) {
+    document::Fractal fractal = m_document->fractal();
+    if (!fractal.cage || fractal.cage->deformation == deformation) return;
+    fractal.cage->deformation = deformation;
+    m_document->edit(deformation == ifs::Deformation::Bend ? tr("Bend the picture")
+                                                           : tr("Fit the picture by an affine map"),
+                     std::move(fractal));
 }
 
 QLayout* CagePanel::makeButtons() {
@@ -85,6 +171,8 @@ QLayout* CagePanel::makeButtons() {
     const std::array<ifs::Orientation<2>, 4> orientations{{{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
     for (std::size_t i = 0; i < choices.size(); ++i)
         add(tr("Canonical Simplex %1").arg(orientationText(orientations[i])), choices[i]);
+    menu->addSeparator();
+    menu->addAction(tr("Bounding Box"), this, &CagePanel::fitBox);
 
     auto* row = new QHBoxLayout;
     row->setSpacing(2);
@@ -231,7 +319,7 @@ void CagePanel::editCurrent(std::size_t vertex, int axis, double value) {
     m_edit.preview(tr("Move vertex %1").arg(vertex + 1), [&](document::Fractal& fractal) {
         auto cage = document::effectiveCage(fractal);
         cage.current.at(vertex)[axis] = value;
-        fractal.cage = std::move(cage);
+        fractal = withCageMoved(std::move(fractal), std::move(cage), m_document->cageMode());
     });
 }
 
@@ -240,7 +328,9 @@ void CagePanel::editRest(std::size_t vertex, int axis, double value) {
     const auto placement = ifs::displayMap(cage);
     cage.rest.at(vertex)[axis] = value;
     if (!ifs::isValid(cage)) {
-        emit message(tr("The three points are on one line: the rest cage must enclose an area."));
+        emit message(cage.rest.size() == triangle
+                         ? tr("The three points are on one line: the rest cage must enclose an area.")
+                         : tr("The rest cage must be a polygon that does not cross itself."));
         return;
     }
     // The picture stays; only the points by which it is held are others.
@@ -254,6 +344,15 @@ void CagePanel::fit(SimplexChoice choice) {
         m_document->edit(tr("Fit the cage"), std::move(*fitted));
     else
         emit message(fitObstacle(m_document->fractal()));
+}
+
+void CagePanel::fitBox() {
+    const QString obstacle = fitObstacle(m_document->fractal());
+    auto fitted = obstacle.isEmpty() ? withCageAroundBox(m_document->fractal()) : std::nullopt;
+    if (fitted)
+        m_document->edit(tr("Fit the bounding box"), std::move(*fitted));
+    else
+        emit message(obstacle.isEmpty() ? tr("The bounding box is flat and cannot be a cage.") : obstacle);
 }
 
 void CagePanel::reset() {
@@ -294,7 +393,7 @@ void CagePanel::showCage() {
             NumberField* rest = field(Vertices::Rest, i, axis);
             current->setVisible(used);
             rest->setVisible(used && m_restShown);
-            rest->setReadOnly(m_cage.current.size() != triangle);
+            rest->setReadOnly(ifs::bends(m_cage));
             if (used) {
                 current->setValue(m_cage.current[i][axis]);
                 rest->setValue(m_cage.rest[i][axis]);
@@ -304,6 +403,11 @@ void CagePanel::showCage() {
     for (QWidget* widget : m_restWidgets)
         widget->setVisible(m_restShown);
     m_status->setText(status());
+    m_deformationBox->setVisible(m_cage.current.size() > triangle);
+    deformationButton(m_cage.deformation)->setChecked(true);
+    m_warning->setText(plane ? cageWarning(fractal) : QString());
+    m_warning->setVisible(!m_warning->text().isEmpty());
+    showMode();
     updateActions();
     showPoint();
     m_settled.start();
@@ -313,11 +417,18 @@ QString CagePanel::status() const {
     const document::Fractal& fractal = m_document->fractal();
     if (document::dimension(fractal) == 3) return tr("3D: not yet shown.");
     if (document::dimension(fractal) == 0) return tr("This entry could not be read, so it has no cage.");
-    if (isAtRest(fractal)) return tr("At rest: the picture is that of the code.");
-    if (m_cage.current.size() != triangle)
-        return tr("A cage of %1 vertices: it bends the picture.").arg(m_cage.current.size());
+    const std::size_t count = m_cage.current.size();
+    if (isAtRest(fractal))
+        return count == triangle ? tr("At rest: the picture is that of the code.")
+                                 : tr("%1 vertices, at rest: the picture is that of the code.").arg(count);
+    if (ifs::bends(m_cage)) {
+        const bool smooth =
+            document::placement(fractal).bend()->coordinates() == ifs::Coordinates::Wachspress;
+        return smooth ? tr("%1 vertices: bent by Wachspress coordinates, not bakeable.").arg(count)
+                      : tr("%1 vertices: bent by mean value coordinates, not bakeable.").arg(count);
+    }
     if (!ifs::isInvertible(m_cage))
-        return tr("Flat: the picture lies on one line. Open the triangle and it comes back.");
+        return tr("Flat: the picture lies on one line. Open the cage and it comes back.");
     const double factor = ifs::determinant<2>(ifs::displayMap(m_cage).linear);
     return factor < 0 ? tr("Placed and mirrored: areas change by the factor %1, and the sense of rotation is "
                            "reversed.")
@@ -361,7 +472,7 @@ void CagePanel::updateActions() {
     const bool plane = document::dimension(fractal) == 2;
     m_define->setEnabled(plane);
     m_fit->setEnabled(plane);
-    m_fit->setToolTip(tr("Hold the picture by a fitted triangle; the picture stays"));
+    m_fit->setToolTip(tr("Hold the picture by a fitted cage; the picture stays"));
     const bool atRest = isAtRest(fractal);
     m_reset->setEnabled(plane && !atRest);
     m_reset->setToolTip(atRest ? tr("The cage is at rest.")

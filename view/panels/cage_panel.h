@@ -10,7 +10,9 @@
 #include <array>
 #include <vector>
 
+class QAbstractButton;
 class QAction;
+class QButtonGroup;
 class QGridLayout;
 class QLabel;
 class QLayout;
@@ -34,9 +36,14 @@ public:
     QString barycentric() const; // of the point typed in the panel
 
     void fit(SimplexChoice choice);
+    void fitBox();
+    void setDeformation(ifs::Deformation deformation);
     void reset();
     void bake();
     QAction* bakeAction() const { return m_bake; }
+    QAbstractButton* modeButton(document::CageMode mode) const;
+    QAbstractButton* deformationButton(ifs::Deformation deformation) const;
+    QString warning() const; // of a cage that is concave or folded; empty when it is sound
     NumberField* pointField(int axis) const { return axis == 0 ? m_pointX : m_pointY; }
 
 signals:
@@ -54,6 +61,8 @@ private:
     };
     QWidget* makeVertices();
     QLayout* makeButtons();
+    QWidget* makeMode();
+    QWidget* makeDeformation();
     QWidget* makeSimplex();
     QWidget* makePoint();
     void addRow();
@@ -64,6 +73,7 @@ private:
     void showCage();
     void showPoint();
     void showSimplex();
+    void showMode();
     void updateActions();
     void showRest(bool shown);
 
@@ -74,7 +84,12 @@ private:
     std::vector<VertexRow> m_rows;
     std::vector<QWidget*> m_restWidgets;
     bool m_restShown = false;
+    QButtonGroup* m_mode = nullptr;
+    QLabel* m_modeText = nullptr;
+    QWidget* m_deformationBox = nullptr;
+    QButtonGroup* m_deformation = nullptr;
     QLabel* m_status = nullptr;
+    QLabel* m_warning = nullptr;
     QLabel* m_simplex = nullptr;
     QLabel* m_barycentric = nullptr;
     NumberField* m_pointX = nullptr;
