@@ -9,6 +9,8 @@
 #include "usage_error.h"
 
 #include "attractor/kernels.h"
+#include "ifs/hull_cage.h"
+#include "ifs/support_function.h"
 #include "io/export_job.h"
 
 #include <QCoreApplication>
@@ -145,6 +147,34 @@ void applyAppearance(attractor::Appearance& appearance, const Arguments& argumen
     if (arguments.supersample) appearance.supersample = *arguments.supersample;
 }
 
+// N of "hull:N".
+int hullCorners(const std::string& text) {
+    constexpr int Usual = 8;
+    if (text == "hull") return Usual;
+    bool isNumber = false;
+    const int corners = QString::fromStdString(text.substr(5)).toInt(&isNumber);
+    if (!isNumber || corners < 3 || corners > 64)
+        throw UsageError{tr("--rest-cage hull:N takes 3 to 64 corners, and not “%1”.")
+                             .arg(QString::fromStdString(text.substr(5)))};
+    return corners;
+}
+
+// A certified box or hull around the attractor.
+std::vector<ifs::Vector<2>> verticesAround(const document::Fractal& fractal, const std::string& text) {
+    const auto maps = ifs::activeMaps(*document::system2(fractal)).maps;
+    const auto support = ifs::SupportFunction<2>::of(maps);
+    if (!support)
+        throw UsageError{tr("--rest-cage %1 is not possible here: the system has no certified attractor.")
+                             .arg(QString::fromStdString(text))};
+    const auto box = ifs::boundingBox(*support);
+    if (text == "box") {
+        const ifs::Vector<2> min = box.min.array() - box.error, max = box.max.array() + box.error;
+        return {min, {max.x(), min.y()}, max, {min.x(), max.y()}};
+    }
+    const auto hull = ifs::convexHull(*support, 1e-6 * (box.max - box.min).norm());
+    return ifs::simplifiedHull(ifs::enlargedHull(hull.vertices, hull.error), hullCorners(text));
+}
+
 // The rest vertices that --rest-cage and the entry ask for.
 std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const Arguments& arguments) {
     if (!arguments.restCage) return document::effectiveCage(fractal).rest;
@@ -154,13 +184,7 @@ std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const
         bare.cage.reset();
         return document::effectiveCage(bare).rest;
     }
-    if (text == "box") {
-        document::Fractal bare = fractal;
-        bare.cage.reset();
-        const auto box = document::displayedBox(bare);
-        if (!box) throw UsageError{tr("--rest-cage box: the system has no attractor to put a box around.")};
-        return {box->min, {box->max.x(), box->min.y()}, box->max, {box->min.x(), box->max.y()}};
-    }
+    if (text == "box" || text == "hull" || text.starts_with("hull:")) return verticesAround(fractal, text);
     return pointsArgument("--rest-cage", text);
 }
 
@@ -380,7 +404,7 @@ void addFramingOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--cage", arguments.cage,
                        "Where the corners are: \"x,y x,y x,y\", up to 64; more than three bend the picture");
     command.add_option("--rest-cage", arguments.restCage,
-                       "Where they were: \"x,y x,y x,y\", canonical or box");
+                       "Where they were: \"x,y x,y x,y\", canonical, box, hull or hull:N");
 }
 
 } // namespace

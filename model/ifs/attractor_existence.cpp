@@ -84,9 +84,16 @@ double normEquivalence(const std::vector<double>& norms, double contractivity) {
     return constant;
 }
 
-// Contraction in the ellipsoidal norm √(xᵀPx) of the invariant form P.
+constexpr double Emphases[] = {0, 8, 64};
+
+template <int Dim> struct Ellipsoidal {
+    ContractingNorm<Dim> norm;
+    int slowest = 0; // the map that contracts least
+};
+
+// The norm √(xᵀPx) of the invariant form P, when every map contracts in it.
 template <int Dim>
-std::optional<Existence> contractsEllipsoid(std::span<const AffineMap<Dim>> maps, double emphasis) {
+std::optional<Ellipsoidal<Dim>> ellipsoidalNorm(std::span<const AffineMap<Dim>> maps, double emphasis) {
     const auto invariant = invariantForm<Dim>(maps, emphasis);
     if (!invariant) return std::nullopt;
     const Matrix<Dim>& form = *invariant;
@@ -103,11 +110,8 @@ std::optional<Existence> contractsEllipsoid(std::span<const AffineMap<Dim>> maps
     // κ times the rounding unit is what the change of coordinates may have cost.
     const double condition = std::sqrt(eigenvalues[Dim - 1] / eigenvalues[0]);
     if (!(norm.value < 1 - 1e-12 * condition)) return std::nullopt;
-    return Existence{.verdict = Verdict::EventuallyContractive,
-                     .contractivity = std::max(norm.value, SmallestContractivity),
-                     .wordLength = 1,
-                     .witness = {int(norm.index)},
-                     .normEquivalence = condition * (1 + 1e-12)};
+    return Ellipsoidal<Dim>{{root, std::max(norm.value, SmallestContractivity), condition * (1 + 1e-12)},
+                            int(norm.index)};
 }
 
 } // namespace
@@ -154,12 +158,49 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
         if (!allFinite<Dim>(level.products)) return undecided;
     }
     if (generators.size() > allowed) return undecided;
-    for (const double emphasis : {0.0, 8.0, 64.0})
-        if (const auto existence = contractsEllipsoid<Dim>(maps, emphasis)) return *existence;
+    for (const double emphasis : Emphases)
+        if (const auto ellipsoidal = ellipsoidalNorm<Dim>(maps, emphasis))
+            return {.verdict = Verdict::EventuallyContractive,
+                    .contractivity = ellipsoidal->norm.contractivity,
+                    .wordLength = 1,
+                    .witness = {ellipsoidal->slowest},
+                    .normEquivalence = ellipsoidal->norm.equivalence};
     return undecided;
+}
+
+template <int Dim>
+ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const Existence& existence) {
+    constexpr double Tight = 20; // not worth the search for a better one
+    ContractingNorm<Dim> best{.contractivity = existence.contractivity,
+                              .equivalence = existence.normEquivalence};
+    const auto cost = [](const auto& norm) { return norm.equivalence / (1 - norm.contractivity); };
+    const auto offer = [&](const ContractingNorm<Dim>& norm) {
+        if (norm.contractivity < ContractionLimit && cost(norm) < cost(best)) best = norm;
+    };
+    if (cost(best) <= Tight) return best;
+    for (const double emphasis : Emphases)
+        if (const auto ellipsoidal = ellipsoidalNorm<Dim>(maps, emphasis)) offer(ellipsoidal->norm);
+    if (cost(best) <= Tight) return best;
+
+    constexpr std::size_t MostProducts = 20'000;
+    Matrices<Dim> generators;
+    for (const auto& map : maps)
+        generators.push_back(map.linear);
+    WordLevel<Dim> level{generators};
+    std::vector<double> norms;
+    while (level.products.size() * maps.size() <= MostProducts && maps.size() > 1) {
+        norms.push_back(largestNorm<Dim>(level.products).value);
+        extend(level, generators);
+        const double root = std::max(std::pow(largestNorm<Dim>(level.products).value, 1.0 / level.length),
+                                     SmallestContractivity);
+        offer({.contractivity = root, .equivalence = normEquivalence(norms, root)});
+    }
+    return best;
 }
 
 template Existence classify<2>(std::span<const AffineMap<2>>, int);
 template Existence classify<3>(std::span<const AffineMap<3>>, int);
+template ContractingNorm<2> contractingNorm<2>(std::span<const AffineMap<2>>, const Existence&);
+template ContractingNorm<3> contractingNorm<3>(std::span<const AffineMap<3>>, const Existence&);
 
 } // namespace ifs

@@ -35,4 +35,17 @@ struct Existence {
 // system have an attractor?"
 template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int maxProducts = 20'000);
 
+// A norm in which every map contracts by `contractivity`, with |x| ≤ ‖x‖ ≤ equivalence·|x| after scaling:
+// ‖x‖ = |root·x| when every root·A_i·root⁻¹ has a norm below 1, and else ‖·‖_* of longer words, root = I.
+template <int Dim> struct ContractingNorm {
+    Matrix<Dim> root = Matrix<Dim>::Identity();
+    double contractivity = 0;
+    double equivalence = 1;
+};
+
+// The norm with the smallest equivalence/(1 − contractivity), by which certificates widen, among those of
+// words and the ellipsoidal ones. `existence` must be Hyperbolic or EventuallyContractive.
+template <int Dim>
+ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const Existence& existence);
+
 } // namespace ifs

@@ -30,8 +30,10 @@ template <class Function> double bisect(Function function, double low, double hi
 class TransferOperator {
 public:
     explicit TransferOperator(std::span<const AffineMap<2>> maps) {
-        constexpr std::size_t MostCells = 500, FewestCells = 50, MostImages = 500'000;
+        constexpr std::size_t MostCells = 500, FewestCells = 50, MostImages = 50'000;
         m_cells = std::clamp(MostImages / maps.size(), FewestCells, MostCells);
+        // So that thousands of maps do not cost more than a hundred.
+        m_iterations = int(std::clamp<std::size_t>(200 * MostImages / (m_cells * maps.size()), 20, 200));
         for (const auto& map : maps) {
             m_determinants.push_back(std::abs(determinant<2>(map.linear)));
             for (std::size_t j = 0; j < m_cells; ++j) {
@@ -46,14 +48,13 @@ public:
     double pressure(double t) const {
         const std::vector<double> weights = weightsFor(t);
         std::vector<double> f(m_cells, 1), next(m_cells);
-        constexpr int Iterations = 200;
         double growth = 0;
         int counted = 0;
-        for (int n = 0; n < Iterations; ++n) {
+        for (int n = 0; n < m_iterations; ++n) {
             apply(weights, f, next);
             const double largest = std::ranges::max(next);
             if (!(largest > 0)) return -std::numeric_limits<double>::infinity();
-            if (2 * n >= Iterations) { // the first half only forgets where it started
+            if (2 * n >= m_iterations) { // the first half only forgets where it started
                 growth += std::log(largest);
                 ++counted;
             }
@@ -108,6 +109,7 @@ private:
     }
 
     std::size_t m_cells;
+    int m_iterations;
     std::vector<double> m_determinants;
     std::vector<Image> m_images; // map by map, cell by cell
 };

@@ -21,8 +21,12 @@ public:
     // Unit vectors; the first 2·Dim are e_1, −e_1, e_2, −e_2, …
     const std::vector<Vector<Dim>>& directions() const { return m_directions; }
 
-    // The upper bound of h(v), given one value per direction.
-    double bound(const Vector<Dim>& v, const std::vector<double>& values) const {
+    // v = Σ factor_k · directions()[index_k], with factors ≥ 0.
+    struct Combination {
+        std::array<std::uint32_t, Dim> index;
+        Vector<Dim> factor;
+    };
+    Combination combination(const Vector<Dim>& v) const {
         std::size_t cell = 1;
         Vector<Dim> p;
         for (int k = 0; k < Dim; ++k) {
@@ -42,10 +46,15 @@ public:
             smaller *= split.length;
             cell = 2 * cell + nearB;
         }
-        const Cone& cone = m_cones[cell - m_splits.size()];
+        return {m_cones[cell - m_splits.size()], p};
+    }
+
+    // The upper bound of h(v), given one value per direction.
+    double bound(const Vector<Dim>& v, const std::vector<double>& values) const {
+        const Combination parts = combination(v);
         double result = 0;
         for (int k = 0; k < Dim; ++k)
-            result += p[k] * values[cone[std::size_t(k)]];
+            result += parts.factor[k] * values[parts.index[std::size_t(k)]];
         return result;
     }
 

@@ -9,18 +9,25 @@ namespace ifs {
 
 namespace {
 
-constexpr int NodesPerFace = 3'000; // keeps a box and a canonical simplex within one frame
+constexpr int NodesPerFace = 6'000; // keeps a box and a canonical simplex within one frame
 
-template <int Dim> using AxisSupports = std::array<SupportValue<Dim>, 2 * Dim>;
+template <int Dim> using Supports = std::vector<SupportValue<Dim>>;
 
-// h_A(e_k), h_A(−e_k) for every axis.
-template <int Dim> AxisSupports<Dim> axisSupports(const SupportFunction<Dim>& support, double tolerance) {
-    AxisSupports<Dim> result;
-    for (int k = 0; k < Dim; ++k) {
-        const Vector<Dim> axis = Vector<Dim>::Unit(k);
-        result[std::size_t(2 * k)] = support(axis, tolerance, NodesPerFace);
-        result[std::size_t(2 * k + 1)] = support(-axis, tolerance, NodesPerFace);
-    }
+template <int Dim>
+Supports<Dim> supportsIn(const std::vector<Vector<Dim>>& directions, const SupportFunction<Dim>& support,
+                         double tolerance) {
+    Supports<Dim> result;
+    for (const auto& direction : directions)
+        result.push_back(support(direction, tolerance, NodesPerFace));
+    return result;
+}
+
+// e_1, −e_1, e_2, −e_2, …
+template <int Dim> std::vector<Vector<Dim>> axes() {
+    std::vector<Vector<Dim>> result;
+    for (int k = 0; k < Dim; ++k)
+        for (const double sign : {1.0, -1.0})
+            result.push_back(sign * Vector<Dim>::Unit(k));
     return result;
 }
 
@@ -32,10 +39,9 @@ template <int Dim> Vector<Dim> signs(const Orientation<Dim>& orientation) {
 }
 
 template <int Dim>
-CanonicalSimplex<Dim> simplexFrom(const AxisSupports<Dim>& axes, const SupportFunction<Dim>& support,
-                                  const Orientation<Dim>& orientation, double tolerance) {
+CanonicalSimplex<Dim> simplexFrom(const Supports<Dim>& axes, const SupportValue<Dim>& oblique,
+                                  const Orientation<Dim>& orientation) {
     const Vector<Dim> omega = signs<Dim>(orientation);
-    const SupportValue<Dim> oblique = support(omega, tolerance, NodesPerFace);
     CanonicalSimplex<Dim> result;
     result.orientation = orientation;
     result.leg = oblique.value;
@@ -59,14 +65,23 @@ CanonicalSimplex<Dim> simplexFrom(const AxisSupports<Dim>& axes, const SupportFu
     return result;
 }
 
+// In the order of ties: x flips fastest.
+template <int Dim> std::vector<Orientation<Dim>> allOrientations() {
+    std::vector<Orientation<Dim>> result(std::size_t(1) << Dim);
+    for (std::size_t flips = 0; flips < result.size(); ++flips)
+        for (std::size_t k = 0; k < Dim; ++k)
+            result[flips][k] = flips >> k & 1 ? -1 : 1;
+    return result;
+}
+
 } // namespace
 
 template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& support, double tolerance) {
-    const auto axes = axisSupports<Dim>(support, tolerance);
+    const auto faces = supportsIn<Dim>(axes<Dim>(), support, tolerance);
     BoundingBox<Dim> box;
     for (int k = 0; k < Dim; ++k) {
-        const auto& high = axes[std::size_t(2 * k)];
-        const auto& low = axes[std::size_t(2 * k + 1)];
+        const auto& high = faces[std::size_t(2 * k)];
+        const auto& low = faces[std::size_t(2 * k + 1)];
         box.max[k] = high.value;
         box.min[k] = 0.0 - low.value;
         box.error = std::max({box.error, high.error, low.error});
@@ -76,28 +91,37 @@ template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& supp
 }
 
 template <int Dim>
+std::vector<CanonicalSimplex<Dim>> canonicalSimplices(const SupportFunction<Dim>& support, double tolerance) {
+    const auto orientations = allOrientations<Dim>();
+    auto directions = axes<Dim>();
+    for (const auto& orientation : orientations)
+        directions.push_back(signs<Dim>(orientation));
+    const auto faces = supportsIn<Dim>(directions, support, tolerance);
+    std::vector<CanonicalSimplex<Dim>> result;
+    for (std::size_t k = 0; k < orientations.size(); ++k)
+        result.push_back(simplexFrom<Dim>(faces, faces[2 * Dim + k], orientations[k]));
+    return result;
+}
+
+template <int Dim>
 CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
                                        const std::type_identity_t<Orientation<Dim>>& orientation,
                                        double tolerance) {
-    return simplexFrom<Dim>(axisSupports<Dim>(support, tolerance), support, orientation, tolerance);
+    const auto all = canonicalSimplices(support, tolerance);
+    return *std::ranges::find(all, orientation, &CanonicalSimplex<Dim>::orientation);
 }
 
 template <int Dim>
 CanonicalSimplex<Dim> minimalCanonicalSimplex(const SupportFunction<Dim>& support, double tolerance) {
-    const auto axes = axisSupports<Dim>(support, tolerance);
-    std::vector<CanonicalSimplex<Dim>> candidates;
-    for (unsigned flips = 0; flips < (1u << Dim); ++flips) {
-        Orientation<Dim> orientation;
-        for (unsigned k = 0; k < Dim; ++k)
-            orientation[k] = flips >> k & 1 ? -1 : 1;
-        candidates.push_back(simplexFrom<Dim>(axes, support, orientation, tolerance));
-    }
-    const double smallest = std::ranges::min(candidates, {}, &CanonicalSimplex<Dim>::leg).leg;
-    return *std::ranges::find_if(candidates, [=](const auto& c) { return c.leg <= smallest * (1 + 1e-12); });
+    const auto all = canonicalSimplices(support, tolerance);
+    const double smallest = std::ranges::min(all, {}, &CanonicalSimplex<Dim>::leg).leg;
+    return *std::ranges::find_if(all, [=](const auto& c) { return c.leg <= smallest * (1 + 1e-12); });
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template BoundingBox<Dim> boundingBox<Dim>(const SupportFunction<Dim>&, double);                         \
+    template std::vector<CanonicalSimplex<Dim>> canonicalSimplices<Dim>(const SupportFunction<Dim>&,         \
+                                                                        double);                             \
     template CanonicalSimplex<Dim> canonicalSimplex<Dim>(const SupportFunction<Dim>&,                        \
                                                          const Orientation<Dim>&, double);                   \
     template CanonicalSimplex<Dim> minimalCanonicalSimplex<Dim>(const SupportFunction<Dim>&, double);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_set>
 
 namespace ifs {
@@ -23,19 +24,23 @@ std::vector<double> shares(std::vector<double> masses, double floor) {
         if (!(mass > 0 && std::isfinite(mass))) mass = 0;
     const double largest = masses.empty() ? 0 : std::ranges::max(masses);
     if (largest == 0) return equalWeights(masses.size());
-    // The largest mass goes first: a sum of finite masses may overflow, a sum of ratios does not.
-    const auto normalise = [&masses](double scale) {
-        double sum = 0;
-        for (double& mass : masses)
-            sum += mass /= scale;
+    // A power of two goes first: a sum of finite masses may overflow, and this scaling rounds nothing.
+    const int exponent = std::ilogb(largest);
+    for (double& mass : masses)
+        mass = std::ldexp(mass, -exponent);
+    const auto normalise = [&masses] {
+        // What is a power of two but for the rounding of the sum is one: .7, .2 and .1 stay what they are.
+        double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
+        const double power = std::ldexp(1, int(std::lround(std::log2(sum))));
+        if (std::abs(sum - power) <= 0x1p-53 * power * double(masses.size())) sum = power;
         for (double& mass : masses)
             mass /= sum;
     };
-    normalise(largest);
+    normalise();
     if (floor > 0) {
         for (double& mass : masses)
             mass = std::max(mass, floor);
-        normalise(1);
+        normalise();
     }
     return masses;
 }

@@ -21,13 +21,6 @@ void dropSuperfluous(Polygon& polygon, double flatness) {
     }
 }
 
-double distanceToSegment(const Vector<2>& x, const Vector<2>& p, const Vector<2>& q) {
-    const Vector<2> chord = q - p;
-    const double squared = chord.squaredNorm();
-    const double t = squared > 0 ? std::clamp((x - p).dot(chord) / squared, 0.0, 1.0) : 0;
-    return (x - p - t * chord).norm();
-}
-
 // By bisection over the fan of triangles at the first vertex.
 bool contains(const Polygon& polygon, const Vector<2>& x) {
     if (polygon.size() < 3) return false;
@@ -68,6 +61,13 @@ Polygon convexHull(std::vector<Vector<2>> points, double flatness) {
     lower.pop_back();
     dropSuperfluous(lower, flatness);
     return lower;
+}
+
+double distanceToSegment(const Vector<2>& x, const Vector<2>& p, const Vector<2>& q) {
+    const Vector<2> chord = q - p;
+    const double squared = chord.squaredNorm();
+    const double t = squared > 0 ? std::clamp((x - p).dot(chord) / squared, 0.0, 1.0) : 0;
+    return (x - p - t * chord).norm();
 }
 
 double area(const Polygon& polygon) {

@@ -19,6 +19,8 @@ Polygon convexHull(std::vector<Vector<2>> points, double flatness);
 
 double area(const Polygon& convex);
 
+double distanceToSegment(const Vector<2>& x, const Vector<2>& p, const Vector<2>& q);
+
 // 0 inside.
 double distanceToConvex(const Polygon& convex, const Vector<2>& x);
 

@@ -3,6 +3,7 @@
 
 #include "ifs/attractor_existence.h"
 #include "ifs/direction_fan.h"
+#include "ifs/outline.h"
 
 #include <Eigen/LU>
 
@@ -35,40 +36,46 @@ template <int Dim> AffineMap<Dim> meanMap(std::span<const AffineMap<Dim>> maps) 
     return mean;
 }
 
-template <int Dim> struct Ball {
+// {centre + shape·y : |y| ≤ 1}
+template <int Dim> struct Ellipsoid {
     Vector<Dim> centre;
-    double radius = 0;
+    Matrix<Dim> shape;
+
+    double bound(const Vector<Dim>& v) const { return v.dot(centre) + (shape.transpose() * v).norm(); }
 };
 
-// A ball about the attractor: max_i |w_i(c) − c| / (1 − s_i) is a radius about any c. A slow map does not
-// widen it when c is its fixed point.
-template <int Dim> Ball<Dim> enclosingBall(std::span<const AffineMap<Dim>> maps, const Existence& existence) {
-    const bool hyperbolic = existence.verdict == Verdict::Hyperbolic;
+// An ellipsoid about the attractor: a ball of the norm, of radius max_i ‖w_i(c) − c‖ / (1 − s_i) about any c.
+// A slow map does not widen it when c is its fixed point.
+template <int Dim>
+Ellipsoid<Dim> enclosingEllipsoid(std::span<const AffineMap<Dim>> maps, const ContractingNorm<Dim>& norm) {
+    const Matrix<Dim> unroot = norm.root.inverse();
     std::vector<double> reach;
     for (const auto& map : maps)
-        reach.push_back(existence.normEquivalence /
-                        (1 - (hyperbolic ? spectralNorm<Dim>(map.linear) : existence.contractivity)));
-    const auto about = [&](const Vector<Dim>& centre) {
-        Ball<Dim> ball{centre};
+        reach.push_back(1 / (1 - spectralNorm<Dim>(norm.root * map.linear * unroot)));
+    if (std::ranges::any_of(reach, [](double r) { return !(r > 0 && std::isfinite(r)); })) // longer words
+        std::ranges::fill(reach, norm.equivalence / (1 - norm.contractivity));
+    const auto radius = [&](const Vector<Dim>& centre) {
+        double result = 0;
         for (std::size_t i = 0; i < maps.size(); ++i)
-            ball.radius = std::max(ball.radius, (maps[i](centre) - centre).norm() * reach[i] * (1 + 1e-12));
-        return ball;
+            result = std::max(result, (norm.root * (maps[i](centre) - centre)).norm() * reach[i]);
+        return result * (1 + 1e-12 * norm.equivalence);
     };
-    const Ball<Dim> middle = about(solveFixedPoint<Dim>(meanMap<Dim>(maps)));
+    const Vector<Dim> middle = solveFixedPoint<Dim>(meanMap<Dim>(maps));
     const auto slowest = std::size_t(std::ranges::max_element(reach) - reach.begin());
-    const Ball<Dim> aside = about(solveFixedPoint<Dim>(maps[slowest]));
-    return aside.radius < middle.radius ? aside : middle;
+    const Vector<Dim> aside = solveFixedPoint<Dim>(maps[slowest]);
+    const Vector<Dim>& centre = radius(aside) < radius(middle) ? aside : middle;
+    return {centre, radius(centre) * unroot};
 }
 
 } // namespace
 
-// The attractor seen from its centre, inside both a ball and the polytope {x : ⟨g,x⟩ ≤ H_g} over the
+// The attractor seen from its centre, inside both an ellipsoid and the polytope {x : ⟨g,x⟩ ≤ H_g} over the
 // directions g of a fan. The maps are x ↦ A x + offset there; vectors u travel by the transposed matrices.
 template <int Dim> struct SupportFunction<Dim>::Container {
     std::vector<Matrix<Dim>> transposed;
     std::vector<Vector<Dim>> offsets;
     Vector<Dim> anchor; // a point of the attractor
-    Ball<Dim> ball;
+    Ellipsoid<Dim> ellipsoid;
     double radius = 0; // about the centre
     DirectionFan<Dim> fan;
     std::vector<double> heights;
@@ -76,19 +83,72 @@ template <int Dim> struct SupportFunction<Dim>::Container {
 
     explicit Container(int depth) : fan(depth) {}
 
-    double bound(const Vector<Dim>& v) const {
-        return std::min(fan.bound(v, heights), v.dot(ball.centre) + ball.radius * v.norm());
-    }
+    double bound(const Vector<Dim>& v) const { return std::min(fan.bound(v, heights), ellipsoid.bound(v)); }
+    Outline::Bracket bracket(const Vector<Dim>& v) const { return {bound(v), v.dot(anchor), 0}; }
+    const Vector<Dim>& point(std::size_t) const { return anchor; }
 
+    double rounding() const { return 16 * RoundingUnit * radius; }
+    bool solve();
     void shrink();
     Vector<Dim> recentre();
 };
+
+// The smallest polytope with these normals that every map takes into itself satisfies
+// H_g = max_i ⟨g,offset_i⟩ + H(A_iᵀg): linear equations once the maximising maps are known, which a few
+// rounds of choosing them find (Howard's policy iteration), however slowly the maps contract. The solution is
+// widened and then verified; false when the fan is too coarse for maps that hardly contract.
+template <int Dim> bool SupportFunction<Dim>::Container::solve() {
+    constexpr int Rounds = 20;
+    constexpr double Widening = 1e-9;
+    const auto& directions = fan.directions();
+    const auto count = Eigen::Index(directions.size());
+    if (directions.size() * offsets.size() > TableWork / Rounds) return false;
+    std::vector<double> solution = heights;
+    std::vector<std::size_t> chosen(directions.size(), offsets.size());
+    for (int round = 0; round < Rounds; ++round) {
+        Eigen::MatrixXd equations = Eigen::MatrixXd::Identity(count, count);
+        Eigen::VectorXd constants(count);
+        bool changed = false;
+        for (std::size_t g = 0; g < directions.size(); ++g) {
+            double most = -std::numeric_limits<double>::infinity();
+            std::size_t best = 0;
+            for (std::size_t i = 0; i < offsets.size(); ++i) {
+                const double height =
+                    directions[g].dot(offsets[i]) + fan.bound(transposed[i] * directions[g], solution);
+                if (height > most + (i == chosen[g] ? 0 : rounding())) {
+                    most = height;
+                    best = i;
+                }
+            }
+            changed = changed || best != chosen[g];
+            chosen[g] = best;
+            const auto parts = fan.combination(transposed[best] * directions[g]);
+            for (int k = 0; k < Dim; ++k)
+                equations(Eigen::Index(g), parts.index[std::size_t(k)]) -= parts.factor[k];
+            constants[Eigen::Index(g)] = directions[g].dot(offsets[best]);
+        }
+        if (!changed) break;
+        const Eigen::VectorXd solved = equations.partialPivLu().solve(constants);
+        if (!solved.allFinite()) return false;
+        solution.assign(solved.begin(), solved.end());
+    }
+    for (std::size_t g = 0; g < directions.size(); ++g)
+        solution[g] += Widening * (ellipsoid.shape.transpose() * directions[g]).norm();
+    for (std::size_t g = 0; g < directions.size(); ++g)
+        for (std::size_t i = 0; i < offsets.size(); ++i)
+            if (!(directions[g].dot(offsets[i]) + fan.bound(transposed[i] * directions[g], solution) +
+                      rounding() <=
+                  solution[g]))
+                return false;
+    for (std::size_t g = 0; g < directions.size(); ++g)
+        heights[g] = std::min(heights[g], solution[g]);
+    return true;
+}
 
 // H_g ← max_i ⟨g,offset_i⟩ + H(A_iᵀg) as long as it lowers the H: from any container to the smallest polytope
 // with these normals that every map takes into itself.
 template <int Dim> void SupportFunction<Dim>::Container::shrink() {
     const auto& directions = fan.directions();
-    const double rounding = 16 * RoundingUnit * radius;
     const std::size_t sweepWork = directions.size() * offsets.size();
     double progress = radius;
     for (std::size_t work = 0; work < TableWork && progress > 1e-6 * radius; work += sweepWork) {
@@ -98,7 +158,7 @@ template <int Dim> void SupportFunction<Dim>::Container::shrink() {
             for (std::size_t i = 0; i < offsets.size(); ++i)
                 height =
                     std::max(height, directions[g].dot(offsets[i]) + bound(transposed[i] * directions[g]));
-            height += rounding;
+            height += rounding();
             progress = std::max(progress, heights[g] - height);
             heights[g] = std::min(heights[g], height);
         }
@@ -113,13 +173,13 @@ template <int Dim> Vector<Dim> SupportFunction<Dim>::Container::recentre() {
         middle[k] = (low + high) / 2;
         half[k] = (high - low) / 2;
     }
-    const double rounding = 4 * RoundingUnit * radius;
-    if (half.norm() + rounding >= radius) return Vector<Dim>::Zero();
+    const double moved = rounding();
+    if (half.norm() + moved >= radius) return Vector<Dim>::Zero();
     for (std::size_t g = 0; g < heights.size(); ++g)
-        heights[g] += rounding - fan.directions()[g].dot(middle);
-    ball.centre -= middle;
-    ball.radius += rounding;
-    radius = half.norm() + rounding;
+        heights[g] += moved - fan.directions()[g].dot(middle);
+    ellipsoid.centre -= middle;
+    ellipsoid.shape *= 1 + 1e-12;
+    radius = half.norm() + moved;
     return middle;
 }
 
@@ -128,9 +188,11 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     const Existence existence = classify(maps);
     if (existence.verdict != Verdict::Hyperbolic && existence.verdict != Verdict::EventuallyContractive)
         return std::nullopt;
-    const Ball<Dim> ball = enclosingBall(maps, existence);
+    const ContractingNorm<Dim> norm = contractingNorm(maps, existence);
+    const Ellipsoid<Dim> ellipsoid = enclosingEllipsoid(maps, norm);
     const Vector<Dim> anchor = solveFixedPoint<Dim>(maps.front());
-    if (!std::isfinite(ball.radius) || !ball.centre.allFinite() || !anchor.allFinite()) return std::nullopt;
+    const double radius = spectralNorm<Dim>(ellipsoid.shape);
+    if (!std::isfinite(radius) || !ellipsoid.centre.allFinite() || !anchor.allFinite()) return std::nullopt;
 
     int depth = TableDepth;
     while (depth > 0 && (std::size_t(4) << depth) * maps.size() > TableWork)
@@ -138,10 +200,11 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     auto container = std::make_shared<Container>(depth);
     for (const auto& map : maps)
         container->transposed.push_back(map.linear.transpose());
-    container->ball = {Vector<Dim>::Zero(), ball.radius};
-    container->radius = ball.radius;
-    container->heights.assign(container->fan.directions().size(), ball.radius);
-    container->mergeLimit = (1 - existence.contractivity) / existence.normEquivalence;
+    container->ellipsoid = {Vector<Dim>::Zero(), ellipsoid.shape};
+    container->radius = radius;
+    for (const auto& direction : container->fan.directions())
+        container->heights.push_back(container->ellipsoid.bound(direction) * (1 + 1e-15));
+    container->mergeLimit = (1 - norm.contractivity) / norm.equivalence;
 
     SupportFunction result;
     const auto centreOn = [&](const Vector<Dim>& centre) {
@@ -151,16 +214,20 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
             container->offsets.push_back(map(centre) - centre);
         container->anchor = anchor - centre;
     };
-    centreOn(ball.centre);
-    container->shrink();
+    centreOn(ellipsoid.centre);
+    if (!container->solve()) container->shrink();
     centreOn(result.m_centre + container->recentre());
 
     result.m_maps.assign(maps.begin(), maps.end());
     result.m_radius = container->radius;
-    result.m_contractivity = existence.contractivity;
-    result.m_normEquivalence = existence.normEquivalence;
+    result.m_contractivity = norm.contractivity;
+    result.m_normEquivalence = norm.equivalence;
     result.m_container = std::move(container);
     return result;
+}
+
+template <int Dim> Vector<Dim> SupportFunction<Dim>::pointOfAttractor() const {
+    return m_centre + m_container->anchor;
 }
 
 template <int Dim> double SupportFunction<Dim>::roundingError(int depth) const {
@@ -179,6 +246,20 @@ template <int Dim> struct State {
     int parent = -1;
     int symbol = -1;
     int depth = 0;
+};
+
+// A container with a known outline, which alone bounds better once it has more lines than the fan.
+template <class Container> struct OutlinedContainer {
+    const Container& container;
+    const Outline& outline;
+
+    Outline::Bracket bracket(const Vector<2>& v) const {
+        Outline::Bracket result = outline.bracket(v);
+        if (outline.lines().size() < container.heights.size())
+            result.upper = std::min(result.upper, container.bound(v));
+        return result;
+    }
+    const Vector<2>& point(std::size_t k) const { return outline.points()[k]; }
 };
 
 // The places of states by their v, rounded to `bits` bits of its largest component. The grid is shifted, for
@@ -237,10 +318,12 @@ private:
 // Best first over addresses. Whatever leaves the frontier without being followed is accounted for: in
 // `ceiling` when it cannot beat the best value by more than the tolerance, in `slack` when an equal state
 // stands for it.
-template <int Dim, class Container> class AddressSearch {
+template <int Dim, class Container, class Known> class AddressSearch {
 public:
-    AddressSearch(const Container& container, const Vector<Dim>& u, double tolerance, int mergeBits)
+    AddressSearch(const Container& container, const Known& known, const Vector<Dim>& u, double tolerance,
+                  int mergeBits)
         : m_container(container),
+          m_brackets(known),
           m_tolerance(tolerance),
           m_known(mergeBits),
           m_cell(mergeBits == ExactMerging ? 0 : std::ldexp(4, -mergeBits)),
@@ -281,6 +364,9 @@ public:
         return address;
     }
 
+    // Where on the attractor, as known before, the best address begins.
+    const Vector<Dim>& bestStart() const { return m_brackets.point(m_bestPoint); }
+
     int depth() const { return m_depth; }
 
 private:
@@ -293,8 +379,8 @@ private:
     void consider(const State<Dim>& state) {
         ++m_considered;
         m_depth = std::max(m_depth, state.depth);
-        const double attained = state.o + state.v.dot(m_container.anchor);
-        const double bound = state.o + m_container.bound(state.v);
+        const Outline::Bracket known = m_brackets.bracket(state.v);
+        const double attained = state.o + known.lower, bound = state.o + known.upper;
         const bool isBest = attained > m_best;
         if (!isBest && bound <= m_best + m_tolerance) {
             m_ceiling = std::max(m_ceiling, bound);
@@ -303,6 +389,7 @@ private:
         if (isBest) {
             m_best = attained;
             m_bestState = m_states.size();
+            m_bestPoint = known.point;
         } else if (isMerged(state)) {
             return;
         }
@@ -345,6 +432,7 @@ private:
     }
 
     const Container& m_container;
+    const Known& m_brackets;
     double m_tolerance;
     StateTable<Dim> m_known;
     double m_cell; // how far apart, relative to |v|, states may be merged; 0 for exact ties
@@ -352,7 +440,7 @@ private:
     std::vector<State<Dim>> m_states;
     std::priority_queue<Open> m_frontier;
     double m_best = -std::numeric_limits<double>::infinity();
-    std::size_t m_bestState = 0;
+    std::size_t m_bestState = 0, m_bestPoint = 0;
     double m_ceiling = -std::numeric_limits<double>::infinity();
     double m_slack = 0;
     int m_merged = 0;
@@ -363,10 +451,20 @@ private:
 } // namespace
 
 template <int Dim>
-SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double tolerance,
-                                                   int maxNodes) const {
+SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double tolerance, int maxNodes,
+                                                   const Outline* known) const {
+    if constexpr (Dim == 2)
+        if (known != nullptr)
+            return search(OutlinedContainer<Container>{*m_container, *known}, u, tolerance, maxNodes);
+    return search(*m_container, u, tolerance, maxNodes);
+}
+
+template <int Dim>
+template <class Known>
+SupportValue<Dim> SupportFunction<Dim>::search(const Known& known, const Vector<Dim>& u, double tolerance,
+                                               int maxNodes) const {
     SupportValue<Dim> result;
-    result.point = follow({});
+    result.point = pointOfAttractor();
     const double size = u.cwiseAbs().maxCoeff();
     if (!u.allFinite() || size == 0) {
         result.error = size == 0 ? 0 : std::numeric_limits<double>::infinity();
@@ -379,15 +477,19 @@ SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double 
     for (int k = 0; k < Dim; ++k)
         scaled[k] = std::ldexp(u[k], -exponent);
     const double smallest = 8 * RoundingUnit * m_radius * scaled.norm();
-    const double wanted = std::ldexp(tolerance, -exponent);
-    // Codes whose digits were rounded have near ties by the thousand. If exact merging does not settle them
-    // within half of the nodes, coarser and coarser merging does, at a price that the error states.
+    const double wanted = std::max(std::ldexp(tolerance, -exponent), smallest);
+    // Codes whose digits were rounded have near ties by the thousand. If merging at a quarter of the
+    // tolerance does not settle them within half of the nodes, coarser and coarser merging does, at a price
+    // that the error states.
+    const double fineness = 16 * m_radius * scaled.norm() / (wanted * m_container->mergeLimit);
+    const int withinTolerance = fineness < 0x1p43 ? std::max(14, std::ilogb(fineness) + 1) : ExactMerging;
     double leastError = std::numeric_limits<double>::infinity();
-    for (const auto& [mergeBits, share] : {std::pair{ExactMerging, 2}, {26, 4}, {14, 4}}) {
-        AddressSearch<Dim, Container> search(*m_container, scaled, std::max(wanted, smallest), mergeBits);
+    for (const auto& [mergeBits, share] : {std::pair{withinTolerance, 2}, {26, 4}, {14, 4}}) {
+        if (mergeBits > withinTolerance) continue;
+        AddressSearch<Dim, Container, Known> search(*m_container, known, scaled, wanted, mergeBits);
         search.run(maxNodes / share);
         const auto address = search.bestAddress();
-        const Vector<Dim> point = follow(address);
+        const Vector<Dim> point = follow(address, search.bestStart());
         const double value = scaled.dot(point);
         const double gap = std::max(0.0, search.upperBound() + scaled.dot(m_centre) - value);
         const double error = gap + roundingError(search.depth()) * scaled.norm();
@@ -400,9 +502,11 @@ SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double 
     return result;
 }
 
-// φ(σ…) from the anchor on, innermost map first: every map shrinks what rounding has done before.
-template <int Dim> Vector<Dim> SupportFunction<Dim>::follow(const std::vector<int>& address) const {
-    Vector<Dim> point = m_centre + m_container->anchor;
+// φ(σ…) from a point seen from the centre on, innermost map first: every map shrinks what rounding has done
+// before.
+template <int Dim>
+Vector<Dim> SupportFunction<Dim>::follow(const std::vector<int>& address, const Vector<Dim>& start) const {
+    Vector<Dim> point = m_centre + start;
     for (auto symbol = address.rbegin(); symbol != address.rend(); ++symbol)
         point = m_maps[std::size_t(*symbol)](point);
     return point;

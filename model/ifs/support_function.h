@@ -22,6 +22,8 @@ template <int Dim> struct SupportValue {
     std::vector<int> address; // its address as far as it was followed, outermost first
 };
 
+class Outline;
+
 // Answers h_A(u) for one list of maps. Construction classifies the system and finds a container of the
 // attractor.
 template <int Dim> class SupportFunction {
@@ -30,15 +32,18 @@ public:
     static std::optional<SupportFunction> of(std::span<const AffineMap<Dim>> maps);
 
     // Stops at `tolerance` (absolute, ≥ a few ulps of the size) or when `maxNodes` words are open; either way
-    // the error returned is certified. u need not be unit; u = 0 gives 0.
-    SupportValue<Dim> operator()(const Vector<Dim>& u, double tolerance = 0, int maxNodes = 200'000) const;
+    // the error returned is certified. u need not be unit; u = 0 gives 0. In the plane, a known outline of
+    // the attractor as seen from centre() shortens the search: the better it is, the more.
+    SupportValue<Dim> operator()(const Vector<Dim>& u, double tolerance = 0, int maxNodes = 200'000,
+                                 const Outline* known = nullptr) const;
 
     // A ⊂ Ball(centre, radius).
     const Vector<Dim>& centre() const { return m_centre; }
     double radius() const { return m_radius; }
+    Vector<Dim> pointOfAttractor() const; // the fixed point of the first map
     const std::vector<AffineMap<Dim>>& maps() const { return m_maps; }
 
-    // max ‖A_i‖_* < 1 and C with |x| ≤ ‖x‖_* ≤ C|x|, as classify() found them.
+    // max ‖A_i‖_* < 1 and C with |x| ≤ ‖x‖_* ≤ C|x|, as contractingNorm() found them.
     double contractivity() const { return m_contractivity; }
     double normEquivalence() const { return m_normEquivalence; }
 
@@ -47,7 +52,9 @@ public:
 
 private:
     SupportFunction() = default;
-    Vector<Dim> follow(const std::vector<int>& address) const;
+    Vector<Dim> follow(const std::vector<int>& address, const Vector<Dim>& start) const;
+    template <class Known>
+    SupportValue<Dim> search(const Known& known, const Vector<Dim>& u, double tolerance, int maxNodes) const;
 
     std::vector<AffineMap<Dim>> m_maps;
     Vector<Dim> m_centre = Vector<Dim>::Zero();
@@ -75,12 +82,15 @@ template <int Dim> struct CanonicalSimplex {
     Simplex<Dim> vertices; // V_0 the right-angle corner, V_k = V_0 + ω_k·leg·e_k
     double error = 0;      // A lies within this distance of the simplex
 };
+// Of every orientation, in the order (+,+), (−,+), (+,−), (−,−); in space likewise, x changing fastest.
+template <int Dim>
+std::vector<CanonicalSimplex<Dim>> canonicalSimplices(const SupportFunction<Dim>& support,
+                                                      double tolerance = 0);
 template <int Dim>
 CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
                                        const std::type_identity_t<Orientation<Dim>>& orientation,
                                        double tolerance = 0);
-// The smallest leg over the 2^Dim orientations; ties (relative 1e-12) go to (+,+),(−,+),(+,−),(−,−) in this
-// order.
+// The one with the smallest leg; ties (relative 1e-12) go to the first.
 template <int Dim>
 CanonicalSimplex<Dim> minimalCanonicalSimplex(const SupportFunction<Dim>& support, double tolerance = 0);
 
@@ -91,5 +101,17 @@ struct ConvexHull {
     double error = 0; // conv A lies within this distance of the polygon (a-posteriori certificate)
 };
 ConvexHull convexHull(const SupportFunction<2>& support, double tolerance);
+
+// The same in space. A set within a plane, on a line or in one point has volume 0, and facets only on one
+// side of the plane, or none.
+struct ConvexHull3 {
+    std::vector<Vector<3>> vertices;
+    std::vector<std::array<int, 3>> facets; // triangles, counter-clockwise seen from outside
+    double volume = 0;
+    double error = 0;
+};
+ConvexHull3 convexHull(const SupportFunction<3>& support, double tolerance);
+
+template <int Dim> using HullIn = std::conditional_t<Dim == 2, ConvexHull, ConvexHull3>;
 
 } // namespace ifs

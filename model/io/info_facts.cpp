@@ -7,15 +7,6 @@
 
 namespace io {
 
-namespace {
-
-std::optional<ifs::ConvexHull> hullOf(const ifs::SupportFunction<2>& support, const ifs::BoundingBox<2>& box,
-                                      std::optional<double> tolerance) {
-    return ifs::convexHull(support, tolerance.value_or(1e-6 * (box.max - box.min).norm()));
-}
-
-} // namespace
-
 template <int Dim>
 Facts<Dim> factsOf(const ifs::IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance) {
     Facts<Dim> facts;
@@ -28,11 +19,11 @@ Facts<Dim> factsOf(const ifs::IteratedFunctionSystem<Dim>& system, std::optional
     facts.box = ifs::boundingBox(*support);
     facts.simplex = ifs::minimalCanonicalSimplex(*support);
     facts.similarityDimension = ifs::similarityDimension<Dim>(active.maps);
-    if constexpr (Dim == 2) {
-        facts.hull = hullOf(*support, *facts.box, hullTolerance);
+    const double diagonal = (facts.box->max - facts.box->min).norm();
+    facts.hull = ifs::convexHull(*support, hullTolerance.value_or(1e-6 * diagonal));
+    if constexpr (Dim == 2)
         if (const auto dimension = ifs::affinityDimension(active.maps))
             facts.affinityDimension = std::min(*dimension, double(Dim));
-    }
     return facts;
 }
 

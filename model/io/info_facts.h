@@ -18,7 +18,7 @@ template <int Dim> struct Facts {
     std::optional<ifs::Moments<Dim>> moments;
     std::optional<ifs::BoundingBox<Dim>> box;
     std::optional<ifs::CanonicalSimplex<Dim>> simplex; // the minimal one
-    std::optional<ifs::ConvexHull> hull;               // in the plane
+    std::optional<ifs::HullIn<Dim>> hull;
     std::optional<double> similarityDimension;
     std::optional<double> affinityDimension; // not above Dim; in the plane
 };

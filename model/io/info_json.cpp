@@ -125,13 +125,26 @@ void writeSimplex(JsonWriter& json, const std::optional<ifs::CanonicalSimplex<Di
     json.endObject();
 }
 
-void writeHull(JsonWriter& json, const std::optional<ifs::ConvexHull>& hull) {
+template <int Dim> void writeHull(JsonWriter& json, const std::optional<ifs::HullIn<Dim>>& hull) {
     if (!hull) return writeNull(json, "hull");
     json.key("hull");
     json.beginObject(Layout::Inline);
     json.key("vertices");
-    writePoints<2>(json, hull->vertices);
-    json.member("area", hull->area);
+    writePoints<Dim>(json, hull->vertices);
+    if constexpr (Dim == 2) {
+        json.member("area", hull->area);
+    } else {
+        json.member("volume", hull->volume);
+        json.key("facets");
+        json.beginArray(Layout::Inline);
+        for (const auto& facet : hull->facets) {
+            json.beginArray(Layout::Inline);
+            for (const int corner : facet)
+                json.value(corner);
+            json.endArray();
+        }
+        json.endArray();
+    }
     json.member("error", hull->error);
     json.endObject();
 }
@@ -160,7 +173,7 @@ void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& syste
     writeMoments<Dim>(json, facts.moments);
     writeBox<Dim>(json, facts.box);
     writeSimplex<Dim>(json, facts.simplex);
-    writeHull(json, facts.hull);
+    writeHull<Dim>(json, facts.hull);
     json.member("similarity_dimension", facts.similarityDimension);
     json.member("affinity_dimension", facts.affinityDimension);
 }

@@ -97,9 +97,17 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
     if (facts.box)
         lines.add(tr("bounding box"), tuple(facts.box->min) + QStringLiteral(" ") + tuple(facts.box->max));
     if (facts.simplex) lines.add(tr("canonical simplex"), list(facts.simplex->vertices));
-    if (facts.hull)
-        lines.add(tr("convex hull"),
-                  tr("%1 vertices, area %2").arg(facts.hull->vertices.size()).arg(digits(facts.hull->area)));
+    if constexpr (Dim == 2) {
+        if (facts.hull)
+            lines.add(tr("convex hull"), tr("%1 vertices, area %2; error at most %3")
+                                             .arg(facts.hull->vertices.size())
+                                             .arg(digits(facts.hull->area), digits(facts.hull->error)));
+    } else if (facts.hull) {
+        lines.add(tr("convex hull"), tr("%1 vertices, %2 facets, volume %3; error at most %4")
+                                         .arg(facts.hull->vertices.size())
+                                         .arg(facts.hull->facets.size())
+                                         .arg(digits(facts.hull->volume), digits(facts.hull->error)));
+    }
     lines.add(tr("similarity dimension"), digits(facts.similarityDimension));
     lines.add(tr("affinity dimension"), digits(facts.affinityDimension));
 }

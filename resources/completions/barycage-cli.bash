@@ -15,7 +15,7 @@ _barycage_cli() {
     --supersample) values="1 2 3 4" ;;
     --simd) values="scalar sse4 avx2 avx3 neon" ;;
     --progress) values="always never auto" ;;
-    --rest-cage) values="canonical" ;;
+    --rest-cage) values="canonical box hull hull:8" ;;
     --background) values="transparent black white" ;;
     --to) [ "$subcommand" = render ] && values="png svg pdf" || values="fractint flame aifs csv tsv ply pdf" ;;
     --paper) values="dark light" ;;

@@ -25,7 +25,7 @@ complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deter
 complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of scalable picture"
 complete -c barycage-cli -n $render -l to -x -a "png svg pdf" -d "Format"
 complete -c barycage-cli -n $render -l background -x -a "transparent black white" -d "Background"
-complete -c barycage-cli -n $render -l rest-cage -x -a canonical -d "Corners at rest"
+complete -c barycage-cli -n $render -l rest-cage -x -a "canonical box hull" -d "Corners at rest"
 complete -c barycage-cli -n $render -l palette -r -d "Palette by name or from a file"
 complete -c barycage-cli -n $render -l bits -x -a "8 16" -d "Bits a channel"
 complete -c barycage-cli -n $render -l supersample -x -a "1 2 3 4" -d "Cells along a pixel"

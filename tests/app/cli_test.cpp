@@ -29,6 +29,7 @@ private slots:
     void missingFiles();
     void factsOfTheMaple();
     void factsOfTheFern();
+    void factsInSpace();
     void unknownFactsAreNull();
     void brokenEntries();
     void standardInput();
@@ -37,6 +38,8 @@ private slots:
     void pictureReopens();
     void viewShowsTheWholeAttractor();
     void cageMovesThePicture();
+    void restCagesAroundTheAttractor_data();
+    void restCagesAroundTheAttractor();
     void cageOfManyCornersBendsThePicture();
     void copyKeepsEveryByte();
     void bakedCodeDrawsTheSame();
@@ -166,7 +169,8 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.svg --svg outline");
     row("render systems.ifs -o x.svg --depth 150");
     row("render systems.ifs -o x.png --algorithm deterministic");
-    row("render systems.ifs -o x.png --rest-cage hull:8");
+    row("render systems.ifs -o x.png --rest-cage hull:2");
+    row("render systems.ifs -o x.png --rest-cage hull:many");
     row("render systems.ifs -o x.png --rest-cage 0,0;1,0");
     row("render systems.ifs -o x.png --view 1,2");
     row("render systems.ifs -o x.png --view 1,2,0");
@@ -342,6 +346,33 @@ void CliTest::factsOfTheFern() {
     compare(fern[QLatin1String("maps")][1][QLatin1String("weight_in_file")].toDouble(), 0.85, 0);
 }
 
+void CliTest::factsInSpace() {
+    const Result result = run({QStringLiteral("info"), QStringLiteral("-"), QStringLiteral("--json")},
+                              "tetra (3D) {\n"
+                              " .5 0 0 0 .5 0 0 0 .5 0 0 0 .25\n .5 0 0 0 .5 0 0 0 .5 .5 0 0 .25\n"
+                              " .5 0 0 0 .5 0 0 0 .5 0 .5 0 .25\n .5 0 0 0 .5 0 0 0 .5 0 0 .5 .25\n}\n");
+    QCOMPARE(result.status, 0);
+    const QJsonObject tetra = entryOf(result);
+    QCOMPARE(tetra[QLatin1String("dimension")].toInt(), 3);
+    const QJsonValue hull = tetra[QLatin1String("hull")];
+    QCOMPARE(hull[QLatin1String("vertices")].toArray().size(), 4);
+    QCOMPARE(hull[QLatin1String("vertices")][0].toArray().size(), 3);
+    compare(hull[QLatin1String("volume")].toDouble(), 1.0 / 6, 1e-11);
+    QVERIFY(hull[QLatin1String("error")].toDouble(1) < 1e-10);
+    const QJsonArray facets = hull[QLatin1String("facets")].toArray();
+    QCOMPARE(facets.size(), 4);
+    for (const QJsonValue& facet : facets) {
+        QCOMPARE(facet.toArray().size(), 3);
+        for (const QJsonValue& corner : facet.toArray())
+            QVERIFY(corner.toInt(-1) >= 0 && corner.toInt() < 4);
+    }
+    QCOMPARE(tetra[QLatin1String("canonical_simplex")][QLatin1String("orientation")].toString(),
+             QStringLiteral("+++"));
+    compare(tetra[QLatin1String("similarity_dimension")].toDouble(), 2, 1e-12);
+    QVERIFY(tetra[QLatin1String("affinity_dimension")].isNull());
+    QVERIFY(!hull.toObject().contains(QLatin1String("area")));
+}
+
 void CliTest::unknownFactsAreNull() {
     const Result result = run({QStringLiteral("info"), QStringLiteral("systems.ifs"),
                                QStringLiteral("--entry"), QStringLiteral("spin"), QStringLiteral("--json")});
@@ -466,6 +497,23 @@ void CliTest::cageMovesThePicture() {
             different += std::abs(qGray(up.pixel(x, y)) - qGray(down.pixel(x, y))) > 60;
     QVERIFY2(different < 150, qPrintable(QString::number(different)));
     QVERIFY(QImage(path("up.png")) != down);
+}
+
+void CliTest::restCagesAroundTheAttractor_data() {
+    QTest::addColumn<QString>("rest");
+    for (const char* rest : {"canonical", "box", "hull", "hull:4"})
+        QTest::newRow(rest) << QString::fromLatin1(rest);
+}
+
+// A cage at rest leaves the picture as it is, whatever holds it.
+void CliTest::restCagesAroundTheAttractor() {
+    QFETCH(QString, rest);
+    const QStringList common{QStringLiteral("render"), QStringLiteral("systems.ifs"),
+                             QStringLiteral("--size"), QStringLiteral("60x60"), QStringLiteral("-o")};
+    QCOMPARE(run(common + QStringList{QStringLiteral("plain.png")}).status, 0);
+    QCOMPARE(
+        run(common + QStringList{QStringLiteral("held.png"), QStringLiteral("--rest-cage"), rest}).status, 0);
+    QCOMPARE(QImage(path("held.png")), QImage(path("plain.png")));
 }
 
 void CliTest::cageOfManyCornersBendsThePicture() {

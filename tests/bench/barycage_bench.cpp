@@ -10,6 +10,7 @@
 #include "attractor/splat.h"
 #include "attractor/systems.h"
 #include "attractor/tone_map.h"
+#include "bench/geometry_bench.h"
 #include "bench/plain_rivals.h"
 
 #include <benchmark/benchmark.h>
@@ -394,6 +395,19 @@ void addWholeEngine(std::vector<Metric>& metrics, bool quick) {
     metrics.push_back({"refine.psnr_db.maple", refinementPsnr(maple, reference), ">= 40"});
 }
 
+void addGeometry(std::vector<Metric>& metrics, bool quick) {
+    for (const auto& distribution : geometry::measureCollection(quick ? 1 : 5)) {
+        const auto& times = distribution.milliseconds;
+        const auto add = [&](const char* what, double value, const char* target) {
+            metrics.push_back({distribution.name + "." + what, value, target});
+        };
+        add("ms.p50", times[times.size() / 2], "reported");
+        add("ms.p95", times[times.size() * 95 / 100], "<= 16");
+        add("ms.max", times.back(), "reported");
+        add("missed", distribution.missed, ("of " + std::to_string(times.size())).c_str());
+    }
+}
+
 void writeJson(const std::vector<Metric>& metrics, const std::string& path) {
     std::ofstream file(path);
     file << "{\n";
@@ -427,6 +441,7 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&count, rest.data());
     if (benchmark::ReportUnrecognizedArguments(count, rest.data())) return 2;
     std::vector<Metric> whole;
+    addGeometry(whole, quick);
     addWholeEngine(whole, quick);
     for (Case& c : cases())
         addBenchmarks(c);

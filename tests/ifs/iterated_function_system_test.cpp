@@ -52,6 +52,11 @@ private slots:
         QVERIFY(determinantWeights<2>({}).empty());
     }
 
+    void sharesThatSumToOneStay() {
+        for (const std::vector<double>& p : {std::vector<double>{.9, .1}, {.7, .2, .1}, {.01, .85, .07, .07}})
+            QCOMPARE(shares(p), p);
+    }
+
     void sharesSurviveAnyMasses() {
         QVERIFY(near(shares({1e308, 1e308}), {.5, .5}, 0));
         QVERIFY(near(shares({1e-320, 3e-320}), {.25, .75}, 1e-3));

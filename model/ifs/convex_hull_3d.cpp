@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/polygon.h"
+#include "ifs/support_function.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+extern "C" {
+#include <libqhull_r/qhull_ra.h>
+}
+
+namespace ifs {
+
+namespace {
+
+using Points = std::vector<Vector<3>>;
+using Facet = std::array<int, 3>;
+
+constexpr std::size_t MostPoints = 1'000;
+constexpr int NodesPerFacet = 4'000;
+
+Vector<3> outward(const Points& points, const Facet& facet) {
+    const Vector<3>& a = points[std::size_t(facet[0])];
+    return (points[std::size_t(facet[1])] - a).cross(points[std::size_t(facet[2])] - a);
+}
+
+Vector<3> meanOf(const Points& points) {
+    Vector<3> mean = Vector<3>::Zero();
+    for (const auto& point : points)
+        mean += point / double(points.size());
+    return mean;
+}
+
+// The directions in which the points extend, widest first, and how far from their mean.
+Eigen::JacobiSVD<Eigen::Matrix3Xd> spread(const Points& points) {
+    Eigen::Matrix3Xd offsets(3, points.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+        offsets.col(Eigen::Index(k)) = points[k] - meanOf(points);
+    return Eigen::JacobiSVD<Eigen::Matrix3Xd>(offsets, Eigen::ComputeFullU);
+}
+
+bool areFlat(const Points& points) {
+    constexpr double Flat = 1e-9;
+    if (points.size() < 4) return true;
+    const auto extents = spread(points).singularValues();
+    return !(extents[2] > Flat * extents[0]);
+}
+
+// The triangles of the hull, counter-clockwise seen from outside; none when the points do not span space.
+std::vector<Facet> facetsOf(const Points& points) {
+    if (areFlat(points)) return {};
+    const Vector<3> inside = meanOf(points);
+    std::vector<coordT> coordinates;
+    for (const auto& point : points)
+        coordinates.insert(coordinates.end(), point.begin(), point.end());
+    qhT context;
+    qhT* qh = &context;
+    qh_zero(qh, nullptr);
+    char command[] = "qhull Qt Pp";
+    const int failure =
+        qh_new_qhull(qh, 3, int(points.size()), coordinates.data(), False, command, nullptr, nullptr);
+    std::vector<Facet> facets;
+    if (failure == 0) {
+        facetT* facet = nullptr;
+        FORALLfacets {
+            Facet corners{};
+            std::size_t k = 0;
+            vertexT* vertex = nullptr;
+            vertexT** vertexp = nullptr;
+            FOREACHvertex_(facet->vertices) if (k < 3) corners[k++] = qh_pointid(qh, vertex->point);
+            if (outward(points, corners).dot(inside - points[std::size_t(corners[0])]) > 0)
+                std::swap(corners[1], corners[2]);
+            facets.push_back(corners);
+        }
+    }
+    qh_freeqhull(qh, qh_ALL);
+    int remaining = 0, blocks = 0;
+    qh_memfreeshort(qh, &remaining, &blocks);
+    return facets;
+}
+
+// Extreme points, refined over the facets until none has one farther out than the tolerance, or none that
+// lies apart from the points already there.
+struct Refined {
+    Points points;
+    std::vector<Facet> facets;
+};
+Refined refine(const SupportFunction<3>& support, double tolerance) {
+    Refined hull;
+    const double apart = 1e-13 * (support.radius() + support.centre().norm());
+    const auto ask = [&](const Vector<3>& normal) {
+        const auto h = support(normal, tolerance / 8, NodesPerFacet);
+        const bool isNew = std::ranges::none_of(
+            hull.points, [&](const Vector<3>& known) { return (known - h.point).norm() <= apart; });
+        if (isNew) hull.points.push_back(h.point);
+        return h.value + h.error;
+    };
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x != 0 || y != 0 || z != 0) ask(Vector<3>(x, y, z).normalized());
+    std::vector<std::pair<Vector<3>, double>> asked; // normals and heights of earlier rounds
+    for (;;) {
+        hull.facets = facetsOf(hull.points);
+        double widest = 0;
+        const Points known = hull.points;
+        for (const Facet& facet : hull.facets) {
+            Vector<3> normal = outward(known, facet);
+            if (!(normal.norm() > apart * apart)) continue;
+            normal.normalize();
+            const auto again = std::ranges::find_if(
+                asked, [&](const auto& earlier) { return (earlier.first - normal).norm() < 1e-12; });
+            const double height = again != asked.end() ? again->second : ask(normal);
+            if (again == asked.end()) asked.emplace_back(normal, height);
+            widest = std::max(widest, height - normal.dot(known[std::size_t(facet[0])]));
+        }
+        if (hull.points.size() == known.size() || widest <= tolerance || hull.points.size() >= MostPoints ||
+            hull.facets.empty())
+            return hull;
+    }
+}
+
+// Distance to a triangle: in its plane where the foot falls inside, else to an edge.
+double distanceToTriangle(const Vector<3>& x, const Vector<3>& a, const Vector<3>& b, const Vector<3>& c) {
+    const auto toSegment = [&x](const Vector<3>& p, const Vector<3>& q) {
+        const Vector<3> chord = q - p;
+        const double squared = chord.squaredNorm();
+        const double t = squared > 0 ? std::clamp((x - p).dot(chord) / squared, 0.0, 1.0) : 0;
+        return (x - p - t * chord).norm();
+    };
+    const Vector<3> normal = (b - a).cross(c - a);
+    const auto inside = [&](const Vector<3>& p, const Vector<3>& q) {
+        return (q - p).cross(x - p).dot(normal) >= 0;
+    };
+    if (normal.squaredNorm() > 0 && inside(a, b) && inside(b, c) && inside(c, a))
+        return std::abs(normal.normalized().dot(x - a));
+    return std::min({toSegment(a, b), toSegment(b, c), toSegment(c, a)});
+}
+
+// How far the images of the vertices leave the polytope.
+double escape(const ConvexHull3& hull, const std::vector<AffineMap<3>>& maps) {
+    double result = 0;
+    for (const auto& map : maps)
+        for (const auto& vertex : hull.vertices) {
+            const Vector<3> image = map(vertex);
+            bool outside = hull.volume == 0;
+            double distance = std::numeric_limits<double>::infinity();
+            for (const Facet& facet : hull.facets) {
+                const auto corner = [&](std::size_t k) { return hull.vertices[std::size_t(facet[k])]; };
+                outside = outside || outward(hull.vertices, facet).dot(image - corner(0)) > 0;
+                distance = std::min(distance, distanceToTriangle(image, corner(0), corner(1), corner(2)));
+            }
+            if (hull.facets.empty()) // a point or a segment
+                distance = distanceToTriangle(image, hull.vertices.front(), hull.vertices.back(),
+                                              hull.vertices.back());
+            if (outside) result = std::max(result, distance);
+        }
+    return result;
+}
+
+// Only the points that are corners, numbered anew.
+ConvexHull3 compact(const Points& points, const std::vector<Facet>& facets) {
+    ConvexHull3 hull;
+    std::vector<int> place(points.size(), -1);
+    for (Facet facet : facets) {
+        for (int& corner : facet) {
+            int& known = place[std::size_t(corner)];
+            if (known < 0) {
+                known = int(hull.vertices.size());
+                hull.vertices.push_back(points[std::size_t(corner)]);
+            }
+            corner = known;
+        }
+        hull.facets.push_back(facet);
+    }
+    for (const Facet& facet : hull.facets)
+        hull.volume +=
+            (hull.vertices[std::size_t(facet[0])] - hull.vertices[0]).dot(outward(hull.vertices, facet)) / 6;
+    return hull;
+}
+
+// Points in a plane, on a line or all in one place: the polygon of their hull there, cut into triangles.
+ConvexHull3 flatHull(const Points& points, double flatness) {
+    const auto axes = spread(points);
+    const Vector<3>&origin = points.front(), along = axes.matrixU().col(0), across = axes.matrixU().col(1);
+    Polygon plane;
+    for (const auto& point : points)
+        plane.emplace_back(along.dot(point - origin), across.dot(point - origin));
+    ConvexHull3 hull;
+    for (const auto& corner : convexHull(std::move(plane), flatness))
+        hull.vertices.push_back(origin + corner.x() * along + corner.y() * across);
+    for (int k = 2; k < int(hull.vertices.size()); ++k)
+        hull.facets.push_back({0, k - 1, k});
+    return hull;
+}
+
+} // namespace
+
+ConvexHull3 convexHull(const SupportFunction<3>& support, double tolerance) {
+    const double size = support.radius() + support.centre().norm(), flatness = 1e-12 * size;
+    const double widening = support.normEquivalence() / (1 - support.contractivity());
+    const Refined refined = refine(support, std::max(tolerance / widening, 1e-11 * size));
+    ConvexHull3 hull =
+        refined.facets.empty() ? flatHull(refined.points, flatness) : compact(refined.points, refined.facets);
+    // W(P + rB) ⊂ P + rB for r = e/(1 − γ), in the norm in which the maps contract.
+    hull.error = widening * escape(hull, support.maps()) + support.roundingError(64);
+    return hull;
+}
+
+} // namespace ifs
