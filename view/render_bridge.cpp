@@ -45,6 +45,27 @@ void RenderBridge::setQuality(std::uint64_t samples) {
     request(Haste::Now);
 }
 
+void RenderBridge::showDensity() {
+    show({});
+}
+
+void RenderBridge::showSteps(int iterations) {
+    show({attractor::Algorithm::Deterministic, iterations, 0, 1});
+}
+
+void RenderBridge::showChaosGame(std::uint64_t points, std::uint64_t seed) {
+    show({attractor::Algorithm::ChaosGame, 0, points, seed});
+}
+
+void RenderBridge::show(const Shown& shown) {
+    if (shown == m_shown) return;
+    const bool otherwise = shown.algorithm != m_shown.algorithm;
+    m_shown = shown;
+    m_exposing = Exposing::Measured;
+    if (otherwise) m_shownFrom = m_requested + 1;
+    request(otherwise ? Haste::Now : Haste::InTurn);
+}
+
 bool RenderBridge::isCurrent() const {
     return m_frame && m_frame->revision == m_requested && !m_waiting;
 }
@@ -85,12 +106,22 @@ void RenderBridge::submit() {
     request.revision = ++m_requested;
     request.threads = attractor::coreCount();
     request.samples = m_live ? m_liveSamples : most;
+    std::uint64_t quality = m_quality;
+    if (m_shown.algorithm != attractor::Algorithm::Density) {
+        request.algorithm = m_shown.algorithm;
+        request.iterations = m_shown.iterations;
+        request.seed = m_shown.seed;
+        quality = request.samples = m_shown.points;
+        m_exposing = Exposing::Measured;
+        if (m_shown.algorithm == attractor::Algorithm::Deterministic)
+            request.cage = document::effectiveCage(fractal);
+    }
     if (m_exposing == Exposing::Measured)
         m_measuredFrom = m_requested;
     else if (m_frame && m_frame->revision >= m_measuredFrom)
         request.exposure = m_frame->exposure;
     m_exposing = Exposing::Kept;
-    m_thread->submit(std::move(request), m_quality);
+    m_thread->submit(std::move(request), quality);
     m_underWay.start();
 }
 
@@ -98,7 +129,9 @@ void RenderBridge::takeFrame() {
     std::shared_ptr<const attractor::Frame> frame = m_thread->newestFrame();
     if (!frame || frame == m_frame || !document::system2(m_document->fractal())) return;
     m_frame = std::move(frame);
-    if (m_frame->passes == 1) adaptBudget(*m_frame);
+    const bool density =
+        m_shown.algorithm == attractor::Algorithm::Density && m_frame->revision >= m_shownFrom;
+    if (m_frame->passes == 1 && density) adaptBudget(*m_frame);
     if (m_frame->revision == m_requested) {
         m_underWay.stop();
         if (m_waiting) submit();

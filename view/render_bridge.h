@@ -28,6 +28,12 @@ public:
     void setQuality(std::uint64_t samples);
     std::uint64_t quality() const { return m_quality; }
 
+    // What is drawn of the fractal: its density, refined while at rest; Wⁿ of the cage at rest; or exactly so
+    // many points of the chaos game.
+    void showDensity();
+    void showSteps(int iterations);
+    void showChaosGame(std::uint64_t points, std::uint64_t seed);
+
     // nullptr before the first, and while the entry is not a system of the plane.
     std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
     bool isCurrent() const; // whether the frame shows the document and the camera as they are now
@@ -49,6 +55,15 @@ private:
                 // frame
     };
 
+    struct Shown {
+        attractor::Algorithm algorithm = attractor::Algorithm::Density;
+        int iterations = 0;
+        std::uint64_t points = 0;
+        std::uint64_t seed = 1;
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+
+    void show(const Shown& shown);
     void follow(const document::Change& change);
     void request(Haste haste);
     void submit();
@@ -58,6 +73,8 @@ private:
     document::Document* m_document;
     attractor::Camera m_camera;
     std::shared_ptr<const attractor::Frame> m_frame;
+    Shown m_shown;
+    std::uint64_t m_shownFrom = 1; // requests since this revision ask for it
     std::uint64_t m_quality = 200'000'000;
     std::uint64_t m_liveSamples = 4'000'000;
     std::uint64_t m_requested = 0;    // revision of the newest request

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.h"
 
+#include "messages.h"
 #include "usage_error.h"
 
 #include "io/number.h"
+#include "io/palette_reader.h"
+#include "io/save_file.h"
 
 #include <QColor>
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QStringList>
 
 namespace cli {
@@ -88,12 +92,29 @@ attractor::Rgba colourArgument(const std::string& option, const std::string& tex
             std::uint8_t(colour.alpha())};
 }
 
+attractor::Palette paletteOfFile(const std::string& option, const QString& path) {
+    const io::Loaded loaded = io::loadFile(path);
+    if (loaded.failure) throw UsageError{*loaded.failure};
+    io::PaletteFile file = io::readPalettes(loaded.bytes, QFileInfo(path).completeBaseName());
+    if (file.palettes.empty()) refuse(option, path.toStdString(), file.problems.back().message);
+    for (const document::Problem& problem : file.problems)
+        report(problem, path);
+    if (file.palettes.size() > 1)
+        reportWarning(path, tr("The file holds %1 palettes; the first of them, “%2”, is taken.")
+                                .arg(file.palettes.size())
+                                .arg(QString::fromStdString(file.palettes.front().name)));
+    return file.palettes.front();
+}
+
 attractor::Palette paletteArgument(const std::string& option, const std::string& text) {
     if (const attractor::Palette* palette = attractor::findPalette(text)) return *palette;
+    const QString path = QString::fromStdString(text);
+    if (QFileInfo(path).isFile()) return paletteOfFile(option, path);
     QStringList names;
     for (const auto& palette : attractor::builtInPalettes())
         names << QString::fromStdString(palette.name);
-    refuse(option, text, tr("the palettes are %1.").arg(names.join(QStringLiteral(", "))));
+    refuse(option, text,
+           tr("the palettes are %1, or a .gpl, .ugr or .map file.").arg(names.join(QStringLiteral(", "))));
 }
 
 View viewArgument(const std::string& option, const std::string& text) {

@@ -13,6 +13,7 @@ namespace cli {
 
 using Run = std::function<ExitStatus()>;
 
+void addGalleryCommand(CLI::App& program, Run& run);
 void addInfoCommand(CLI::App& program, Run& run);
 void addRenderCommand(CLI::App& program, Run& run);
 void addConvertCommand(CLI::App& program, Run& run);

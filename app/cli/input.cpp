@@ -38,14 +38,15 @@ void reportMissing(const Input& input, const QString& name) {
 
 } // namespace
 
-std::optional<Input> readInput(const std::string& file) {
+std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options) {
     const QString name = QString::fromStdString(file);
     const io::Loaded loaded = file == "-" ? readStandardInput() : io::loadFile(name);
     if (loaded.failure) {
         reportError(name, *loaded.failure);
         return std::nullopt;
     }
-    return Input{name, loaded.bytes, io::readCollection(loaded.bytes)};
+    return Input{name, loaded.bytes,
+                 io::readCollection(loaded.bytes, file == "-" ? QString() : name, options)};
 }
 
 bool isLoaded(const document::Entry& entry) {

@@ -21,7 +21,7 @@ struct Input {
 };
 
 // Reads FILE; nullopt when it cannot be read, which has then been reported.
-std::optional<Input> readInput(const std::string& file);
+std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options = {});
 
 // The entries named, compared without case, the first of each name, each once; all when no name is given. A
 // name that is not there is reported and makes `complete` false.

@@ -3,10 +3,12 @@
 #include "messages.h"
 #include "usage_error.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
 
 #include <iostream>
+#include <memory>
 #include <new>
+#include <string_view>
 
 namespace {
 
@@ -25,9 +27,10 @@ ExitStatus parse(CLI::App& program, int argc, char** argv) {
         const auto called = program.get_subcommands();
         if (called.empty() && argc > 1 && argv[1][0] != '-') {
             cli::reportUsage(
-                {}, QCoreApplication::translate(
-                        "cli", "There is no command “%1”; the commands are info, render and convert.")
-                        .arg(QString::fromLocal8Bit(argv[1])));
+                {},
+                QCoreApplication::translate(
+                    "cli", "There is no command “%1”; the commands are info, render, convert and gallery.")
+                    .arg(QString::fromLocal8Bit(argv[1])));
             return ExitStatus::WrongUsage;
         }
         cli::reportUsage(called.empty() ? QString() : QString::fromStdString(called.front()->get_name()),
@@ -53,7 +56,15 @@ ExitStatus runCommand(const CLI::App& program, const cli::Run& run) {
 } // namespace
 
 int main(int argc, char** argv) {
-    QCoreApplication application(argc, argv);
+    // Letters on a sheet need a QGuiApplication; it gets no display all the same.
+    std::unique_ptr<QCoreApplication> application;
+    if (argc > 1 && std::string_view(argv[1]) == "gallery") {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        qputenv("QT_LOGGING_RULES", "default.warning=false"); // what is wrong with the desktop is no concern
+        application = std::make_unique<QGuiApplication>(argc, argv);
+    } else {
+        application = std::make_unique<QCoreApplication>(argc, argv);
+    }
     CLI::App program("Iterated function systems from the command line", "barycage-cli");
     program.set_version_flag("--version", "barycage-cli " BARYCAGE_VERSION);
     program.require_subcommand(1);
@@ -61,6 +72,7 @@ int main(int argc, char** argv) {
     cli::addInfoCommand(program, run);
     cli::addRenderCommand(program, run);
     cli::addConvertCommand(program, run);
+    cli::addGalleryCommand(program, run);
     const ExitStatus parsed = parse(program, argc, argv);
     return int(run && parsed == ExitStatus::Done ? runCommand(program, run) : parsed);
 }

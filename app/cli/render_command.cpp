@@ -8,6 +8,7 @@
 #include "render_view.h"
 #include "usage_error.h"
 
+#include "attractor/kernels.h"
 #include "io/export_job.h"
 
 #include <QCoreApplication>
@@ -25,6 +26,7 @@ struct Arguments {
     std::string file;
     std::string output;
     std::string entry;
+    std::string format;
     std::string size = "1200x900";
     std::string seed = "1";
     Text points, margin, cage, restCage, view, palette, colour, gamma, brightness, background, dpi, simd, svg;
@@ -38,14 +40,36 @@ QString tr(const char* text) {
     return QCoreApplication::translate("cli", text);
 }
 
-enum class Format { Png, Svg };
+enum class Format { Png, Svg, Pdf };
 
 Format formatOf(const Arguments& arguments) {
-    const QString suffix = QFileInfo(QString::fromStdString(arguments.output)).suffix().toLower();
+    const QString suffix = arguments.format.empty()
+                               ? QFileInfo(QString::fromStdString(arguments.output)).suffix().toLower()
+                               : QString::fromStdString(arguments.format);
     if (suffix == u"png") return Format::Png;
     if (suffix == u"svg") return Format::Svg;
-    throw UsageError{tr("The picture is written as .png or .svg, and “%1” is neither.")
+    if (suffix == u"pdf") return Format::Pdf;
+    throw UsageError{tr("The picture is written as .png, .svg or .pdf, and “%1” is none of them.")
                          .arg(QString::fromStdString(arguments.output))};
+}
+
+io::ShapeStyle styleOf(const Arguments& arguments) {
+    const std::string style = arguments.svg.value_or("structured");
+    return style == "outline"  ? io::ShapeStyle::Outline
+           : style == "points" ? io::ShapeStyle::Points
+                               : io::ShapeStyle::Structured;
+}
+
+io::SvgFormat shapesOf(const Arguments& arguments) {
+    io::SvgFormat format;
+    format.depth = arguments.depth;
+    format.style = styleOf(arguments);
+    format.seed = wholeArgument("--seed", arguments.seed);
+    if (arguments.points) format.points = wholeArgument("--points", *arguments.points);
+    if (format.points < 1 || format.points > io::SvgFormat::mostPoints)
+        throw UsageError{
+            tr("--points of a scalable picture takes a number from 1 to %1.").arg(io::SvgFormat::mostPoints)};
+    return format;
 }
 
 void refuseIf(bool given, const char* option, const QString& reason) {
@@ -54,12 +78,12 @@ void refuseIf(bool given, const char* option, const QString& reason) {
 
 // What this version cannot do, and what makes no sense for the format. Nothing is ignored silently.
 void refuseUnsupported(const Arguments& arguments, Format format) {
-    refuseIf(arguments.simd.has_value(), "--simd",
-             tr("this version always takes the best instructions there are."));
-    refuseIf(arguments.bits && *arguments.bits != 8, "--bits", tr("this version writes 8 bits a channel."));
-    if (format == Format::Svg) {
-        const QString reason = tr("a scalable picture is made of copies, not of points.");
-        refuseIf(arguments.points.has_value(), "--points", reason);
+    if (format != Format::Png) {
+        const QString reason = tr("a scalable picture is made of shapes.");
+        refuseIf(arguments.points && styleOf(arguments) != io::ShapeStyle::Points, "--points",
+                 tr("a scalable picture is made of copies; points are drawn with --svg points."));
+        refuseIf(arguments.depth && styleOf(arguments) == io::ShapeStyle::Points, "--depth",
+                 tr("points have no levels of copies."));
         refuseIf(arguments.algorithm != "density", "--algorithm", reason);
         refuseIf(arguments.iterations.has_value(), "--iterations", tr("a scalable picture takes --depth."));
         refuseIf(arguments.gamma.has_value(), "--gamma", reason);
@@ -67,10 +91,8 @@ void refuseUnsupported(const Arguments& arguments, Format format) {
         refuseIf(arguments.supersample.has_value(), "--supersample", reason);
         refuseIf(arguments.bits.has_value(), "--bits", reason);
         refuseIf(arguments.dpi.has_value(), "--dpi", tr("a scalable picture has no resolution."));
-        refuseIf(arguments.svg && *arguments.svg != "structured", "--svg",
-                 tr("this version writes structured pictures only."));
     } else {
-        const QString reason = tr("it belongs to scalable pictures (.svg).");
+        const QString reason = tr("it belongs to scalable pictures (.svg and .pdf).");
         refuseIf(arguments.svg.has_value(), "--svg", reason);
         refuseIf(arguments.depth.has_value(), "--depth", reason);
     }
@@ -97,12 +119,29 @@ attractor::Algorithm algorithmOf(const std::string& text) {
                          .arg(QString::fromStdString(text))};
 }
 
+void selectInstructions(const std::string& name) {
+    if (attractor::selectSimd(name)) return;
+    QStringList here;
+    for (const std::string& possible : attractor::simdNames())
+        here << QString::fromStdString(possible);
+    throw UsageError{tr("--simd “%1” is not possible here; this machine has %2.")
+                         .arg(QString::fromStdString(name), here.join(QStringLiteral(", ")))};
+}
+
+bool isLight(const attractor::Rgba& colour) {
+    return 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue > 128;
+}
+
 void applyAppearance(attractor::Appearance& appearance, const Arguments& arguments) {
     if (arguments.colour) appearance.colourBy = colourBy(*arguments.colour);
     if (arguments.palette) appearance.palette = paletteArgument("--palette", *arguments.palette);
     if (arguments.gamma) appearance.gamma = positiveArgument("--gamma", *arguments.gamma);
     if (arguments.brightness) appearance.brightness = positiveArgument("--brightness", *arguments.brightness);
-    if (arguments.background) appearance.background = colourArgument("--background", *arguments.background);
+    if (arguments.background) {
+        appearance.background = colourArgument("--background", *arguments.background);
+        const bool paper = isLight(appearance.background) && appearance.background.alpha == 255;
+        if (paper && isLight(appearance.plain)) appearance.plain = {20, 20, 20, 255}; // it must be seen
+    }
     if (arguments.supersample) appearance.supersample = *arguments.supersample;
 }
 
@@ -190,7 +229,7 @@ attractor::RenderRequest requestOf(const document::Fractal& fractal, const attra
 void checkDepth(const document::Fractal& fractal, const attractor::Camera& camera,
                 const Arguments& arguments) {
     if (!arguments.depth) return;
-    const io::SvgPlan plan = io::svgPlan(fractal, camera, {*arguments.depth, io::CageVisibility::Hidden});
+    const io::SvgPlan plan = io::svgPlan(fractal, camera, shapesOf(arguments));
     if (!plan.failure && plan.depth != *arguments.depth)
         throw UsageError{
             tr("--depth %1 would need 400,000 references or more; the deepest possible here is %2.")
@@ -200,11 +239,13 @@ void checkDepth(const document::Fractal& fractal, const attractor::Camera& camer
 
 io::Export exportOf(const document::Fractal& fractal, const attractor::Camera& camera, Format format,
                     const Arguments& arguments) {
-    if (format == Format::Svg) {
+    if (format != Format::Png) {
         checkDepth(fractal, camera, arguments);
-        return io::SvgExport{fractal, camera, {arguments.depth, io::CageVisibility::Hidden}};
+        const auto file = format == Format::Pdf ? io::ShapeFile::Pdf : io::ShapeFile::Svg;
+        return io::SvgExport{fractal, camera, shapesOf(arguments), file};
     }
-    io::PngExport picture{fractal, requestOf(fractal, camera, arguments), {}, io::CageVisibility::Hidden};
+    io::PngExport picture{fractal, requestOf(fractal, camera, arguments), {}};
+    if (arguments.bits == 16) picture.depth = io::PngFormat::Depth::Bits16;
     if (arguments.dpi) picture.dotsPerInch = positiveArgument("--dpi", *arguments.dpi);
     return picture;
 }
@@ -267,6 +308,7 @@ ExitStatus render(const Arguments& arguments) {
     const Format format = formatOf(arguments);
     refuseUnsupported(arguments, format);
     const ProgressMode progress = progressMode(arguments.progress);
+    if (arguments.simd) selectInstructions(*arguments.simd);
     if (algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic && !arguments.iterations)
         throw UsageError{tr("--algorithm deterministic needs --iterations.")};
     const Interrupt interrupt;
@@ -298,7 +340,7 @@ ExitStatus render(const Arguments& arguments) {
 }
 
 void addPictureOptions(CLI::App& command, Arguments& arguments) {
-    command.add_option("--palette", arguments.palette, "Palette by name");
+    command.add_option("--palette", arguments.palette, "Palette by name or from a file");
     command.add_option("--colour", arguments.colour, "Colour by density, map, address or none");
     command.add_option("--gamma", arguments.gamma, "Gamma of the tone curve (2.2)");
     command.add_option("--brightness", arguments.brightness, "Brightness of the tone curve (20)");
@@ -307,23 +349,27 @@ void addPictureOptions(CLI::App& command, Arguments& arguments) {
         ->check(CLI::Range(1, 4));
     command.add_option("--bits", arguments.bits, "Bits a channel, PNG (8)")->check(CLI::IsMember({8, 16}));
     command.add_option("--dpi", arguments.dpi, "Resolution noted in the PNG, dots per inch");
-    command.add_option("--svg", arguments.svg, "Kind of SVG (structured)")
+    command
+        .add_option("--svg", arguments.svg,
+                    "Kind of scalable picture: structured, outline or points (structured)")
         ->check(CLI::IsMember({"structured", "outline", "points"}));
-    command.add_option("--depth", arguments.depth, "Levels of copies in the SVG (what a pixel needs)")
+    command
+        .add_option("--depth", arguments.depth, "Levels of copies in a scalable picture (what a pixel needs)")
         ->check(CLI::NonNegativeNumber);
 }
 
 void addAlgorithmOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--algorithm", arguments.algorithm, "density, chaos-game or deterministic")
         ->check(CLI::IsMember({"density", "chaos-game", "deterministic"}));
-    command.add_option("--points", arguments.points, "Samples (density), or points plotted (chaos-game)");
+    command.add_option("--points", arguments.points,
+                       "Samples (density), or points plotted (chaos-game, --svg points)");
     command.add_option("--iterations", arguments.iterations, "n of Wⁿ, for deterministic")
         ->check(CLI::NonNegativeNumber);
     command.add_option("--seed", arguments.seed, "Seed of the random numbers (1)");
     command.add_option("--threads", arguments.threads, "Threads; never changes the picture")
         ->check(CLI::Range(1, 1024));
-    command.add_option("--simd", arguments.simd, "Instruction set")
-        ->check(CLI::IsMember({"scalar", "sse4", "avx2", "avx3", "neon"}));
+    command.add_option("--simd", arguments.simd,
+                       "Instruction set: scalar, sse4, avx2, avx3 or neon; never changes the picture");
 }
 
 void addFramingOptions(CLI::App& command, Arguments& arguments) {
@@ -341,12 +387,15 @@ void addFramingOptions(CLI::App& command, Arguments& arguments) {
 
 void addRenderCommand(CLI::App& program, Run& run) {
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = program.add_subcommand("render", "Draw an entry as PNG or SVG");
+    CLI::App* command = program.add_subcommand("render", "Draw an entry as PNG, SVG or PDF");
     command
         ->add_option("FILE", arguments->file,
                      "Collection, or picture with a system inside; - for standard input")
         ->required();
-    command->add_option("-o,--output", arguments->output, "Picture to write: .png or .svg")->required();
+    command->add_option("-o,--output", arguments->output, "Picture to write: .png, .svg or .pdf")->required();
+    command
+        ->add_option("--to", arguments->format, "png, svg or pdf, where the name of the output does not tell")
+        ->check(CLI::IsMember({"png", "svg", "pdf"}));
     command->add_option("--entry", arguments->entry, "Entry to draw (the first that can be read)");
     addFramingOptions(*command, *arguments);
     addAlgorithmOptions(*command, *arguments);

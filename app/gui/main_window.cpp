@@ -33,8 +33,9 @@ namespace {
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
 
 QString fileFilter() {
-    return MainWindow::tr(
-        "Fractint collections (*.ifs);;Pictures that carry their fractal (*.png *.svg);;All files (*)");
+    return MainWindow::tr("Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers "
+                          "(*.csv *.tsv *.txt);;"
+                          "Pictures that carry their fractal (*.png *.svg);;All files (*)");
 }
 
 // Adds the fractal to the file as a new entry and shows it: one undo step.
@@ -52,6 +53,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_file(&m_document),
       m_recovery(&m_document, &m_file, nullptr),
       m_bridge(new view::RenderBridge(&m_document, this)),
+      m_arising(new view::Arising(&m_document, m_bridge, this)),
       m_canvas(new view::CanvasView(&m_document, m_bridge, this)),
       m_status(new StatusLine(this)) {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -91,6 +93,7 @@ void MainWindow::createPanels() {
     auto* problems = new view::ProblemsPanel(&m_document);
     auto* maps = new view::MapsPanel(&m_document);
     auto* cage = new view::CagePanel(&m_document);
+    auto* appearance = new view::AppearancePanel(&m_document);
 
     QDockWidget* entriesDock =
         dock(entries, tr("Entries"), QStringLiteral("entries"), Qt::LeftDockWidgetArea);
@@ -99,13 +102,13 @@ void MainWindow::createPanels() {
     splitDockWidget(entriesDock, collectionDock, Qt::Vertical);
     QDockWidget* mapsDock = dock(maps, tr("Maps"), QStringLiteral("maps"), Qt::RightDockWidgetArea);
     QDockWidget* previous = mapsDock;
-    for (QDockWidget* next : {dock(cage, tr("Cage"), QStringLiteral("cage"), Qt::RightDockWidgetArea),
-                              dock(new view::AppearancePanel(&m_document), tr("Appearance"),
-                                   QStringLiteral("appearance"), Qt::RightDockWidgetArea),
-                              dock(new view::AnalysisPanel(&m_document), tr("Analysis"),
-                                   QStringLiteral("analysis"), Qt::RightDockWidgetArea),
-                              dock(new view::HistoryPanel(&m_document), tr("History"),
-                                   QStringLiteral("history"), Qt::RightDockWidgetArea)}) {
+    for (QDockWidget* next :
+         {dock(cage, tr("Cage"), QStringLiteral("cage"), Qt::RightDockWidgetArea),
+          dock(appearance, tr("Appearance"), QStringLiteral("appearance"), Qt::RightDockWidgetArea),
+          dock(new view::AnalysisPanel(&m_document), tr("Analysis"), QStringLiteral("analysis"),
+               Qt::RightDockWidgetArea),
+          dock(new view::HistoryPanel(&m_document), tr("History"), QStringLiteral("history"),
+               Qt::RightDockWidgetArea)}) {
         tabifyDockWidget(previous, next);
         previous = next;
     }
@@ -117,6 +120,7 @@ void MainWindow::createPanels() {
     connect(entries, &view::EntriesPanel::message, this, &MainWindow::say);
     connect(maps, &view::MapsPanel::message, this, &MainWindow::say);
     connect(cage, &view::CagePanel::message, this, &MainWindow::say);
+    connect(appearance, &view::AppearancePanel::message, this, &MainWindow::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
     connect(problems, &view::ProblemsPanel::countChanged, problemsDock, [this, problemsDock](int count) {
@@ -153,6 +157,8 @@ void MainWindow::connectDocument() {
     connect(m_bridge, &view::RenderBridge::frameChanged, m_status, [this] {
         if (m_bridge->frame()) m_status->showFrame(*m_bridge->frame());
     });
+    connect(m_arising, &view::Arising::trailChanged, m_canvas,
+            [this] { m_canvas->showTrail(m_arising->trail()); });
     m_status->showVerdict(m_document.fractal());
     updateTitle();
 }

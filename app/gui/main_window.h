@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "arising.h"
 #include "canvas/canvas_view.h"
 #include "document/document.h"
 #include "io/save_file.h"
@@ -43,6 +44,7 @@ private:
     void createCageActions();
     void createViewActions();
     void createHelpActions();
+    QAction* createArisingBar();
     void createToolBar();
     void connectDocument();
 
@@ -72,6 +74,7 @@ private:
     OpenFile m_file;
     Recovery m_recovery;
     view::RenderBridge* m_bridge;
+    view::Arising* m_arising;
     view::CanvasView* m_canvas;
     StatusLine* m_status;
 

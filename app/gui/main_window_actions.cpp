@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/cage_actions.h"
 #include "dialogs/command_palette.h"
+#include "dialogs/export_data_dialog.h"
 #include "dialogs/export_dialog.h"
+#include "dialogs/mutate_dialog.h"
 #include "dialogs/print_fractal.h"
 #include "dialogs/shortcuts_dialog.h"
 #include "dialogs/transform_dialog.h"
 #include "icon.h"
 #include "main_window.h"
+#include "panels/arising_bar.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -80,11 +83,17 @@ void MainWindow::createFileActions() {
     m_fileMenu->addSeparator();
     QAction* exportAction =
         command(m_fileMenu, QStringLiteral("export"), tr("&Export Picture…"), QKeySequence(tr("Ctrl+E")),
-                tr("Export the picture as PNG or SVG, framed as on the screen"), [this] {
+                tr("Export the picture as PNG, SVG or PDF, framed as on the screen"), [this] {
                     auto* dialog = new view::ExportDialog(&m_document, m_canvas->camera(), this);
                     dialog->setAttribute(Qt::WA_DeleteOnClose);
                     dialog->show();
                 });
+    command(m_fileMenu, {}, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
+            tr("Export the maps or points as a flame, for IFStile, as a table or a point cloud"), [this] {
+                auto* dialog = new view::ExportDataDialog(&m_document, this);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->show();
+            });
     command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
             tr("Copy the picture to the clipboard"), [this] {
                 view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture());
@@ -119,6 +128,21 @@ void MainWindow::createEditActions() {
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->show();
             });
+    const auto pick = [this](view::MutateDialog::Source source) {
+        auto* dialog = new view::MutateDialog(&m_document, source, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    };
+    command(m_editMenu, {}, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
+            tr("Pick one of many variations of this fractal"), [this, pick] {
+                if (document::system2(m_document.fractal()))
+                    pick(view::MutateDialog::Source::Current);
+                else
+                    say(tr("Only systems in the plane can be varied."));
+            });
+    command(m_editMenu, {}, tr("Add &Random Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
+            tr("Pick one of many fractals made by chance, and add it to the file"),
+            [pick] { pick(view::MutateDialog::Source::Chance); });
     m_toolBarActions << undo << redo << nullptr;
 }
 
@@ -236,7 +260,29 @@ void MainWindow::createViewActions() {
     full->setCheckable(true);
     connect(full, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
-    m_toolBarActions << fit << in << out;
+    m_toolBarActions << fit << in << out << nullptr << createArisingBar();
+}
+
+QAction* MainWindow::createArisingBar() {
+    auto* bar = new QToolBar(tr("How It Arises"), this);
+    bar->setObjectName(QStringLiteral("arising"));
+    bar->setMovable(false);
+    bar->addWidget(new view::ArisingBar(m_arising));
+    addToolBar(Qt::BottomToolBarArea, bar);
+    bar->hide();
+    QAction* shown = bar->toggleViewAction();
+    shown->setText(tr("&How It Arises"));
+    shown->setIcon(view::icon(QStringLiteral("arising")));
+    shown->setShortcut(QKeySequence(tr("W")));
+    shown->setStatusTip(
+        tr("Watch the attractor arise: by steps of the deterministic algorithm, or by the chaos "
+           "game"));
+    m_viewMenu->addAction(shown);
+    addAction(shown);
+    connect(shown, &QAction::toggled, m_arising, [this](bool on) {
+        if (!on) m_arising->setMode(view::Arising::Mode::Density);
+    });
+    return shown;
 }
 
 void MainWindow::createHelpActions() {

@@ -35,7 +35,7 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
 io::Failure OpenFile::open(const QString& path) {
     io::Loaded loaded = io::loadFile(path);
     if (loaded.failure) return loaded.failure;
-    io::Collection collection = io::readCollection(loaded.bytes);
+    io::Collection collection = io::readCollection(loaded.bytes, path);
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;
     m_document->setFile(std::move(collection.file));

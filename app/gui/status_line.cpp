@@ -100,6 +100,7 @@ void StatusLine::showVerdict(const document::Fractal& fractal) {
 }
 
 void StatusLine::showFrame(const attractor::Frame& frame) {
-    m_frame->setText(tr("%1 · %2 ms").arg(count(frame.samples)).arg(frame.milliseconds, 0, 'f', 1));
+    const QString time = tr("%1 ms").arg(frame.milliseconds, 0, 'f', 1);
+    m_frame->setText(frame.samples > 0 ? tr("%1 · %2").arg(count(frame.samples), time) : time);
     m_frame->setMinimumWidth(std::max(m_frame->minimumWidth(), m_frame->sizeHint().width()));
 }

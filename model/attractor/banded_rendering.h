@@ -2,12 +2,13 @@
 #pragma once
 
 #include "attractor/renderer.h"
+#include "attractor/tone_map16.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
-#include <optional>
+#include <span>
 #include <stop_token>
-#include <vector>
 
 namespace attractor {
 
@@ -16,16 +17,26 @@ namespace attractor {
 // the size. Not thread-safe; owns its worker threads.
 class BandedRendering {
 public:
+    using Progress = std::function<void(double fraction)>; // of one call, 0 … 1
+
     explicit BandedRendering(RenderRequest request);
     ~BandedRendering();
     BandedRendering(BandedRendering&&) noexcept;
     BandedRendering& operator=(BandedRendering&&) noexcept;
 
-    // How many rows of pixels fit into so many bytes with their cells; at least 1, at most all.
-    int rowsWithin(std::size_t bytes) const;
-    // Rows [firstRow, firstRow + rows) as in Frame::pixels; nullopt when stopped. Any order, any heights. The
-    // first call measures the exposure of the whole picture and takes longer.
-    std::optional<std::vector<std::uint32_t>> band(int firstRow, int rows, std::stop_token stop = {});
+    // Memory for the cells of one row of pixels, in bytes.
+    static std::size_t bytesPerRow(const RenderRequest& request);
+    // How many rows of pixels have cells that fit into so many bytes; at least 1, at most all.
+    static int rowsWithin(const RenderRequest& request, std::size_t bytes);
+
+    // Rows [firstRow, firstRow + rows) into `pixels`, rows × camera.width of them: as in Frame::pixels, or
+    // with 16 bits a channel. Any order, any heights; the first call measures the exposure of the whole
+    // picture and takes longer. False when stopped, within milliseconds.
+    bool band(int firstRow, int rows, std::span<std::uint32_t> pixels, const std::stop_token& stop = {},
+              const Progress& progress = {});
+    bool band(int firstRow, int rows, std::span<Rgba16> pixels, const std::stop_token& stop = {},
+              const Progress& progress = {});
+
     Exposure exposure() const; // after the first band
     RenderNote note() const;
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace attractor {
 
@@ -56,21 +58,26 @@ kernels::Lanes freshLanes(std::uint64_t seed, std::uint64_t pass) {
 struct Range {
     float low = 0;
     float high = 0;
+    bool near = true; // within the escape radius
 };
 
 Range range(const std::vector<float>& values) {
     constexpr std::size_t width = 16; // as many extremes side by side as the longest vector holds
     std::array<float, width> low{};
     std::array<float, width> high{};
+    std::array<std::uint32_t, width> near{};
+    near.fill(1);
     std::copy_n(values.begin(), width, low.begin());
     high = low;
-    for (std::size_t i = width; i < SampleSet::size; i += width)
+    for (std::size_t i = 0; i < SampleSet::size; i += width)
         for (std::size_t k = 0; k < width; ++k) {
             const float value = values[i + k];
             low[k] = value < low[k] ? value : low[k];
             high[k] = value > high[k] ? value : high[k];
+            near[k] &= std::abs(value) < escapeRadius ? 1U : 0U; // false for what is no number
         }
-    return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
+    return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end()),
+            *std::min_element(near.begin(), near.end()) == 1};
 }
 
 void repeatBeginning(std::vector<float>& values) {
@@ -82,11 +89,10 @@ void repeatBeginning(std::vector<float>& values) {
 
 AliasTable::AliasTable(const std::vector<double>& probabilities) {
     const std::size_t count = probabilities.size();
-    while ((std::size_t{1} << m_bits) < count)
-        ++m_bits;
-    const std::size_t slots = std::size_t{1} << m_bits;
-    m_threshold.assign(slots, 0x7fffffffU);
-    m_own.resize(slots);
+    std::size_t slots = 16;
+    while (slots < count)
+        slots *= 2;
+    m_threshold.assign(slots, std::numeric_limits<std::int32_t>::min());
     m_alias.resize(slots);
     // Vose's construction over slots, in which maps beyond the last have probability 0.
     std::vector<double> share(slots, 0);
@@ -94,15 +100,15 @@ AliasTable::AliasTable(const std::vector<double>& probabilities) {
     std::vector<std::size_t> large;
     for (std::size_t i = 0; i < slots; ++i) {
         share[i] = i < count ? probabilities[i] * static_cast<double>(slots) : 0;
-        m_own[i] = m_alias[i] = static_cast<std::uint32_t>(i);
         (share[i] < 1 ? small : large).push_back(i);
     }
     while (!small.empty() && !large.empty()) {
         const std::size_t poor = small.back();
         const std::size_t rich = large.back();
         small.pop_back();
-        m_threshold[poor] = static_cast<std::uint32_t>(std::clamp(share[poor] * 0x1p31, 0.0, 2147483647.0));
-        m_alias[poor] = static_cast<std::uint32_t>(rich);
+        m_threshold[poor] =
+            static_cast<std::int32_t>(std::clamp(share[poor] * 0x1p32, 0.0, 4294967295.0) - 0x1p31);
+        m_alias[poor] = static_cast<std::int32_t>(rich);
         share[rich] -= 1 - share[poor];
         if (share[rich] < 1) {
             large.pop_back();
@@ -110,38 +116,41 @@ AliasTable::AliasTable(const std::vector<double>& probabilities) {
         }
     }
     // What rounding has left over keeps its own map, or the likeliest one where there is none.
-    const auto likeliest = static_cast<std::uint32_t>(
-        std::max_element(probabilities.begin(), probabilities.end()) - probabilities.begin());
+    const auto likeliest =
+        std::max_element(probabilities.begin(), probabilities.end()) - probabilities.begin();
     for (const auto& rest : {small, large})
         for (std::size_t i : rest)
-            m_own[i] = m_alias[i] = i < count ? static_cast<std::uint32_t>(i) : likeliest;
+            m_alias[i] = static_cast<std::int32_t>(i < count ? static_cast<std::ptrdiff_t>(i) : likeliest);
 }
 
 void drawSamples(const DrawableSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples) {
     samples.x.resize(2 * SampleSet::size + kernels::chunk);
     samples.y.resize(2 * SampleSet::size + kernels::chunk);
     const AliasTable table(system.probabilities);
-    const auto coefficients = boxCoefficients(system, table.own().size());
+    const auto coefficients = boxCoefficients(system, table.size());
     kernels::ChaosTables tables;
-    tables.bits = table.bits();
-    tables.maps = system.maps.size();
+    tables.size = table.size();
     tables.threshold = table.thresholds().data();
-    tables.own = table.own().data();
     tables.alias = table.aliases().data();
     for (std::size_t k = 0; k < coefficients.size(); ++k)
         tables.coefficients[k] = coefficients[k].data();
     tables.escapeRadius = escapeRadius;
-    kernels::Lanes lanes = freshLanes(seed, pass);
-    kernels::iterate(lanes, tables, burnIn(system), nullptr, nullptr);
-    kernels::iterate(lanes, tables, SampleSet::size / SampleSet::lanes, samples.x.data(), samples.y.data());
+    // Hardly any system needs the guard.
+    for (const kernels::Guard guard : {kernels::Guard::Off, kernels::Guard::On}) {
+        kernels::Lanes lanes = freshLanes(seed, pass);
+        kernels::iterate(lanes, tables, guard, burnIn(system), nullptr, nullptr);
+        kernels::iterate(lanes, tables, guard, SampleSet::size / SampleSet::lanes, samples.x.data(),
+                         samples.y.data());
+        const Range x = range(samples.x);
+        const Range y = range(samples.y);
+        samples.lowX = x.low;
+        samples.highX = x.high;
+        samples.lowY = y.low;
+        samples.highY = y.high;
+        if (x.near && y.near) break;
+    }
     repeatBeginning(samples.x);
     repeatBeginning(samples.y);
-    const Range x = range(samples.x);
-    const Range y = range(samples.y);
-    samples.lowX = x.low;
-    samples.highX = x.high;
-    samples.lowY = y.low;
-    samples.highY = y.high;
 }
 
 Orbit::Orbit(const DrawableSystem& system, std::uint64_t seed)

@@ -9,27 +9,27 @@
 
 namespace attractor {
 
-// Draws map i with probability p_i from one 32-bit number: the upper bits choose a slot, the others decide
-// between the slot's own map and its alias. At least 16 slots, a power of two.
+// Draws map i with probability p_i from one 32-bit number: its lowest bits choose a slot; the whole, read as
+// a signed number, decides between the map of the slot's number and the slot's alias. A power of two of
+// slots, at least 16.
 class AliasTable {
 public:
     explicit AliasTable(const std::vector<double>& probabilities);
 
-    int bits() const { return m_bits; }
+    std::size_t size() const { return m_alias.size(); }
     std::uint32_t draw(std::uint32_t random) const {
-        const std::uint32_t slot = random >> (32 - m_bits);
-        return ((random << m_bits) >> 1) < m_threshold[slot] ? m_own[slot] : m_alias[slot];
+        const std::size_t slot = random & (size() - 1);
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(random) < m_threshold[slot]
+                                              ? static_cast<std::int32_t>(slot)
+                                              : m_alias[slot]);
     }
-    // One entry per slot; thresholds have 31 bits.
-    const std::vector<std::uint32_t>& thresholds() const { return m_threshold; }
-    const std::vector<std::uint32_t>& own() const { return m_own; }
-    const std::vector<std::uint32_t>& aliases() const { return m_alias; }
+    // One entry per slot.
+    const std::vector<std::int32_t>& thresholds() const { return m_threshold; }
+    const std::vector<std::int32_t>& aliases() const { return m_alias; }
 
 private:
-    int m_bits = 4;
-    std::vector<std::uint32_t> m_threshold;
-    std::vector<std::uint32_t> m_own;
-    std::vector<std::uint32_t> m_alias;
+    std::vector<std::int32_t> m_threshold;
+    std::vector<std::int32_t> m_alias;
 };
 
 // Points of the invariant measure in coordinates in which the box of the system is [−1, 1]².

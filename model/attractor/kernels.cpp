@@ -36,59 +36,129 @@ HWY_ATTR static HWY_INLINE FloatVector affine(FloatVector a, FloatVector b, Floa
     return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), c); // never fused: see the test of equal counts
 }
 
-// The cells of 128 points, trash cells for those outside the window.
-HWY_ATTR static HWY_INLINE void cellsOf(const Word& word, const float* x, const float* y,
-                                        const CellWindow& window, std::uint32_t* HWY_RESTRICT cells) {
+// Of numbers in [0, 2³¹), which need none of the care that a general conversion takes.
+HWY_ATTR static HWY_INLINE IntVector truncated(FloatVector value) {
+#if HWY_TARGET == HWY_AVX3
+    return IntVector{_mm512_cvttps_epi32(value.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return IntVector{_mm256_cvttps_epi32(value.raw)};
+#elif HWY_TARGET == HWY_SSE4
+    return IntVector{_mm_cvttps_epi32(value.raw)};
+#else
+    return hn::ConvertTo(Int(), value);
+#endif
+}
+
+// camera·cage·w_σ in every lane.
+struct Placement {
+    FloatVector xx, xy, x, yx, yy, y;
+
+    HWY_ATTR explicit Placement(const Word& word)
+        : xx(hn::Set(Float(), word.xx)),
+          xy(hn::Set(Float(), word.xy)),
+          x(hn::Set(Float(), word.x)),
+          yx(hn::Set(Float(), word.yx)),
+          yy(hn::Set(Float(), word.yy)),
+          y(hn::Set(Float(), word.y)) {}
+    HWY_ATTR HWY_INLINE FloatVector column(FloatVector px, FloatVector py) const {
+        return affine(xx, xy, x, px, py);
+    }
+    HWY_ATTR HWY_INLINE FloatVector row(FloatVector px, FloatVector py) const {
+        return affine(yx, yy, y, px, py);
+    }
+};
+
+// Cell (column, row) of a grid has the number row·stride + column − origin.
+struct Numbering {
+    IntVector stride;
+    IntVector origin; // may have wrapped round, as the product then has
+
+    HWY_ATTR Numbering(int width, int firstColumn, int firstRow)
+        : stride(hn::Set(Int(), width)),
+          origin(hn::Set(Int(), static_cast<std::int32_t>(static_cast<std::uint32_t>(firstRow) *
+                                                              static_cast<std::uint32_t>(width) +
+                                                          static_cast<std::uint32_t>(firstColumn)))) {}
+    HWY_ATTR HWY_INLINE IntVector cell(FloatVector column, FloatVector row) const {
+        return hn::Sub(hn::Add(hn::Mul(truncated(row), stride), truncated(column)), origin);
+    }
+};
+
+// The cells of 128 points that all lie in the grid.
+HWY_ATTR static HWY_INLINE void cellsInside(const Placement& place, const Numbering& grid, const float* x,
+                                            const float* y, std::uint32_t* HWY_RESTRICT cells) {
+    const Float d;
+    for (std::size_t k = 0; k < chunk; k += hn::Lanes(d)) {
+        const FloatVector px = hn::LoadU(d, x + k);
+        const FloatVector py = hn::LoadU(d, y + k);
+        hn::Store(grid.cell(place.column(px, py), place.row(px, py)), Int(),
+                  reinterpret_cast<std::int32_t*>(cells) + k);
+    }
+}
+
+// The same wherever they lie: trash cells for those outside the window.
+HWY_ATTR static HWY_INLINE void cellsOf(const Placement& place, const Numbering& grid,
+                                        const CellWindow& window, const float* x, const float* y,
+                                        std::uint32_t* HWY_RESTRICT cells) {
     const Float d;
     const Int di;
-    const FloatVector xx = hn::Set(d, word.xx);
-    const FloatVector xy = hn::Set(d, word.xy);
-    const FloatVector x0 = hn::Set(d, word.x);
-    const FloatVector yx = hn::Set(d, word.yx);
-    const FloatVector yy = hn::Set(d, word.yy);
-    const FloatVector y0 = hn::Set(d, word.y);
     const FloatVector zero = hn::Zero(d);
     const FloatVector width = hn::Set(d, static_cast<float>(window.width));
     const FloatVector first = hn::Set(d, static_cast<float>(window.firstRow));
     const FloatVector end = hn::Set(d, static_cast<float>(window.endRow));
-    const IntVector firstRow = hn::Set(di, window.firstRow);
-    const IntVector stride = hn::Set(di, window.width);
-    const IntVector lane = hn::Iota(di, 0);
-    const auto trash = static_cast<std::int32_t>(window.cells());
+    const IntVector trash = hn::Iota(di, static_cast<std::int32_t>(window.cells()));
     for (std::size_t k = 0; k < chunk; k += hn::Lanes(d)) {
         const FloatVector px = hn::LoadU(d, x + k);
         const FloatVector py = hn::LoadU(d, y + k);
-        const FloatVector column = affine(xx, xy, x0, px, py);
-        const FloatVector row = affine(yx, yy, y0, px, py);
+        const FloatVector column = place.column(px, py);
+        const FloatVector row = place.row(px, py);
         const auto inside = hn::And(hn::And(hn::Ge(column, zero), hn::Lt(column, width)),
                                     hn::And(hn::Ge(row, first), hn::Lt(row, end)));
-        const IntVector c = hn::ConvertTo(di, hn::IfThenElseZero(inside, column));
-        const IntVector r = hn::ConvertTo(di, hn::IfThenElse(inside, row, first));
-        const IntVector cell = hn::Add(hn::Mul(hn::Sub(r, firstRow), stride), c);
-        const IntVector outside =
-            hn::Add(hn::Set(di, trash + static_cast<std::int32_t>(k % trashCells)), lane);
-        const IntVector at = hn::IfThenElse(hn::RebindMask(di, inside), cell, outside);
-        hn::StoreU(at, di, reinterpret_cast<std::int32_t*>(cells) + k);
+        const IntVector cell =
+            grid.cell(hn::IfThenElseZero(inside, column), hn::IfThenElse(inside, row, first));
+        const IntVector outside = hn::Add(trash, hn::Set(di, static_cast<std::int32_t>(k % trashCells)));
+        hn::Store(hn::IfThenElse(hn::RebindMask(di, inside), cell, outside), di,
+                  reinterpret_cast<std::int32_t*>(cells) + k);
+    }
+}
+
+template <class CellsOfChunk>
+HWY_ATTR static HWY_INLINE void addChunks(const Run& run, CellsOfChunk cellsOfChunk,
+                                          std::uint32_t* HWY_RESTRICT counts) {
+    alignas(64) std::uint32_t cells[chunk];
+    for (std::size_t done = 0; done < run.count; done += chunk) {
+        cellsOfChunk(run.x + done, run.y + done, cells);
+        const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
+        if (count == chunk) {
+#pragma GCC unroll 8
+            for (std::size_t k = 0; k < chunk; ++k)
+                ++counts[cells[k]];
+        } else {
+            for (std::size_t k = 0; k < count; ++k)
+                ++counts[cells[k]];
+        }
     }
 }
 
 HWY_ATTR void addToCounts(const Word& word, const Run& run, const CellWindow& window,
                           std::uint32_t* HWY_RESTRICT counts) {
-    alignas(64) std::uint32_t cells[chunk];
-    for (std::size_t done = 0; done < run.count; done += chunk) {
-        cellsOf(word, run.x + done, run.y + done, window, cells);
-        if (run.count - done >= chunk) {
-            for (std::size_t k = 0; k < chunk; k += 4) {
-                ++counts[cells[k]];
-                ++counts[cells[k + 1]];
-                ++counts[cells[k + 2]];
-                ++counts[cells[k + 3]];
-            }
-        } else {
-            for (std::size_t k = 0; k < run.count - done; ++k)
-                ++counts[cells[k]];
-        }
-    }
+    const Placement place(word);
+    const Numbering grid(window.width, 0, window.firstRow);
+    addChunks(
+        run,
+        [&](const float* x, const float* y, std::uint32_t* cells)
+            HWY_ATTR { cellsOf(place, grid, window, x, y, cells); },
+        counts);
+}
+
+HWY_ATTR void addInside(const Word& word, const Run& run, const CellWindow& window,
+                        std::uint32_t* HWY_RESTRICT counts) {
+    const Placement place(word);
+    const Numbering grid(window.width, 0, window.firstRow);
+    addChunks(
+        run,
+        [&](const float* x, const float* y, std::uint32_t* cells)
+            HWY_ATTR { cellsInside(place, grid, x, y, cells); },
+        counts);
 }
 
 HWY_ATTR void addToPatch(const Word& word, const Run& run, const Patch& patch, const CellWindow& window,
@@ -99,25 +169,10 @@ HWY_ATTR void addToPatch(const Word& word, const Run& run, const Patch& patch, c
     const auto size = static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height);
     for (auto& copy : small)
         std::memset(copy, 0, size * sizeof(std::uint32_t));
-    const Float d;
-    const Int di;
-    const FloatVector xx = hn::Set(d, word.xx);
-    const FloatVector xy = hn::Set(d, word.xy);
-    const FloatVector x0 = hn::Set(d, word.x);
-    const FloatVector yx = hn::Set(d, word.yx);
-    const FloatVector yy = hn::Set(d, word.yy);
-    const FloatVector y0 = hn::Set(d, word.y);
-    const IntVector stride = hn::Set(di, patch.width);
-    const IntVector origin = hn::Set(di, patch.row * patch.width + patch.column);
+    const Placement place(word);
+    const Numbering grid(patch.width, patch.column, patch.row);
     for (std::size_t done = 0; done < run.count; done += chunk) {
-        for (std::size_t k = 0; k < chunk; k += hn::Lanes(d)) {
-            const FloatVector px = hn::LoadU(d, run.x + done + k);
-            const FloatVector py = hn::LoadU(d, run.y + done + k);
-            const IntVector c = hn::ConvertTo(di, affine(xx, xy, x0, px, py));
-            const IntVector r = hn::ConvertTo(di, affine(yx, yy, y0, px, py));
-            const IntVector at = hn::Sub(hn::Add(hn::Mul(r, stride), c), origin);
-            hn::StoreU(at, di, reinterpret_cast<std::int32_t*>(cells) + k);
-        }
+        cellsInside(place, grid, run.x + done, run.y + done, cells);
         const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
         std::size_t k = 0;
         for (; k + copies <= count; k += copies)
@@ -179,8 +234,10 @@ HWY_ATTR std::uint32_t addToColours(const Word& word, const Run& run, const Cell
                                     const ColourCell& colour, ColourCell* HWY_RESTRICT sums) {
     alignas(64) std::uint32_t cells[chunk];
     ColourSum sum(colour);
+    const Placement place(word);
+    const Numbering grid(window.width, 0, window.firstRow);
     for (std::size_t done = 0; done < run.count; done += chunk) {
-        cellsOf(word, run.x + done, run.y + done, window, cells);
+        cellsOf(place, grid, window, run.x + done, run.y + done, cells);
         const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
         for (std::size_t k = 0; k < count; ++k)
             sum.addTo(sums[cells[k]]);
@@ -188,54 +245,53 @@ HWY_ATTR std::uint32_t addToColours(const Word& word, const Run& run, const Cell
     return sum.bits();
 }
 
-// Table lookups: in registers where the vectors are long enough, else by gathering.
+// Tables whose length is a power of two. Of an index only the bits count that tell their entries apart.
 enum class Lookup { Registers16, Registers32, Gather };
 
 template <Lookup how, class D> struct Table {
     using T = hn::TFromD<D>;
     const T* values;
+    IntVector bits;
 
-    HWY_ATTR explicit Table(const T* v) : values(v) {}
+    HWY_ATTR Table(const T* v, std::size_t size)
+        : values(v), bits(hn::Set(Int(), static_cast<std::int32_t>(size - 1))) {}
     HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
-        return hn::GatherIndex(D(), values, index);
+        return hn::GatherIndex(D(), values, hn::And(index, bits));
     }
 };
 
-#if HWY_TARGET <= HWY_AVX3 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+#if HWY_TARGET == HWY_AVX3
 template <class D> struct Table<Lookup::Registers16, D> {
-    using T = hn::TFromD<D>;
-    hn::Vec<D> all;
+    __m512i all;
 
-    HWY_ATTR explicit Table(const T* v) : all(hn::LoadU(D(), v)) {}
+    HWY_ATTR Table(const hn::TFromD<D>* v, std::size_t) : all(_mm512_loadu_si512(v)) {}
     HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
-        return hn::TableLookupLanes(all, hn::IndicesFromVec(D(), index));
+        return hn::BitCast(D(), IntVector{_mm512_permutexvar_epi32(index.raw, all)});
     }
 };
 template <class D> struct Table<Lookup::Registers32, D> {
-    using T = hn::TFromD<D>;
-    hn::Vec<D> low;
-    hn::Vec<D> high;
+    __m512i low;
+    __m512i high;
 
-    HWY_ATTR explicit Table(const T* v) : low(hn::LoadU(D(), v)), high(hn::LoadU(D(), v + 16)) {}
+    HWY_ATTR Table(const hn::TFromD<D>* v, std::size_t)
+        : low(_mm512_loadu_si512(v)), high(_mm512_loadu_si512(v + 16)) {}
     HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
-        const Int di;
-        const auto within = hn::IndicesFromVec(D(), hn::And(index, hn::Set(di, 15)));
-        return hn::IfThenElse(hn::RebindMask(D(), hn::Gt(index, hn::Set(di, 15))),
-                              hn::TableLookupLanes(high, within), hn::TableLookupLanes(low, within));
+        return hn::BitCast(D(), IntVector{_mm512_permutex2var_epi32(low, index.raw, high)});
     }
 };
 #elif HWY_TARGET == HWY_AVX2
 template <class D> struct Table<Lookup::Registers16, D> {
-    using T = hn::TFromD<D>;
-    hn::Vec<D> low;
-    hn::Vec<D> high;
+    __m256 low;
+    __m256 high;
 
-    HWY_ATTR explicit Table(const T* v) : low(hn::LoadU(D(), v)), high(hn::LoadU(D(), v + 8)) {}
+    HWY_ATTR explicit Table(const hn::TFromD<D>* v, std::size_t)
+        : low(_mm256_loadu_ps(reinterpret_cast<const float*>(v))),
+          high(_mm256_loadu_ps(reinterpret_cast<const float*>(v) + 8)) {}
     HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
-        const Int di;
-        const auto within = hn::IndicesFromVec(D(), hn::And(index, hn::Set(di, 7)));
-        return hn::IfThenElse(hn::RebindMask(D(), hn::Gt(index, hn::Set(di, 7))),
-                              hn::TableLookupLanes(high, within), hn::TableLookupLanes(low, within));
+        const __m256 upper = _mm256_castsi256_ps(_mm256_slli_epi32(index.raw, 28)); // by the sign
+        return hn::BitCast(D(),
+                           FloatVector{_mm256_blendv_ps(_mm256_permutevar8x32_ps(low, index.raw),
+                                                        _mm256_permutevar8x32_ps(high, index.raw), upper)});
     }
 };
 #endif
@@ -253,23 +309,21 @@ HWY_ATTR static HWY_INLINE UnsignedVector nextRandom(UnsignedVector& s0, Unsigne
     return result;
 }
 
-template <Lookup how>
+template <Lookup how, kernels::Guard guard>
 HWY_ATTR static void iterateWith(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* outX,
                                  float* outY) {
     const Float d;
     const Int di;
     const Unsigned du;
-    const Table<how, Int> threshold(reinterpret_cast<const std::int32_t*>(tables.threshold));
-    const Table<how, Int> own(reinterpret_cast<const std::int32_t*>(tables.own));
-    const Table<how, Int> alias(reinterpret_cast<const std::int32_t*>(tables.alias));
-    const Table<how, Float> a(tables.coefficients[0]);
-    const Table<how, Float> b(tables.coefficients[1]);
-    const Table<how, Float> c(tables.coefficients[2]);
-    const Table<how, Float> e(tables.coefficients[4]);
-    const Table<how, Float> dd(tables.coefficients[3]);
-    const Table<how, Float> f(tables.coefficients[5]);
+    const Table<how, Int> threshold(tables.threshold, tables.size);
+    const Table<how, Int> alias(tables.alias, tables.size);
+    const Table<how, Float> a(tables.coefficients[0], tables.size);
+    const Table<how, Float> b(tables.coefficients[1], tables.size);
+    const Table<how, Float> c(tables.coefficients[2], tables.size);
+    const Table<how, Float> dd(tables.coefficients[3], tables.size);
+    const Table<how, Float> e(tables.coefficients[4], tables.size);
+    const Table<how, Float> f(tables.coefficients[5], tables.size);
     const FloatVector radius = hn::Set(d, tables.escapeRadius);
-    const int slotShift = 32 - tables.bits;
     constexpr std::size_t together = 4; // independent orbits hide each other's latency
     const std::size_t n = hn::Lanes(d);
     for (std::size_t first = 0; first < Lanes::count; first += together * n) {
@@ -286,16 +340,19 @@ HWY_ATTR static void iterateWith(Lanes& lanes, const ChaosTables& tables, std::s
         }
         for (std::size_t step = 0; step < steps; ++step) {
             for (std::size_t g = 0; g < together; ++g) {
-                const UnsignedVector random = nextRandom(s0[g], s1[g], s2[g], s3[g]);
-                const IntVector slot = hn::BitCast(di, hn::ShiftRightSame(random, slotShift));
-                const IntVector rest =
-                    hn::BitCast(di, hn::ShiftRight<1>(hn::ShiftLeftSame(random, tables.bits)));
-                const IntVector map = hn::IfThenElse(hn::Lt(rest, threshold(slot)), own(slot), alias(slot));
+                const IntVector random = hn::BitCast(di, nextRandom(s0[g], s1[g], s2[g], s3[g]));
+                const IntVector map =
+                    hn::IfThenElse(hn::Lt(random, threshold(random)), random, alias(random));
                 const FloatVector nextX = affine(a(map), b(map), e(map), x[g], y[g]);
                 const FloatVector nextY = affine(c(map), dd(map), f(map), x[g], y[g]);
-                const auto inside = hn::And(hn::Lt(hn::Abs(nextX), radius), hn::Lt(hn::Abs(nextY), radius));
-                x[g] = hn::IfThenElseZero(inside, nextX);
-                y[g] = hn::IfThenElseZero(inside, nextY);
+                if constexpr (guard == kernels::Guard::On) {
+                    const auto near = hn::And(hn::Lt(hn::Abs(nextX), radius), hn::Lt(hn::Abs(nextY), radius));
+                    x[g] = hn::IfThenElseZero(near, nextX);
+                    y[g] = hn::IfThenElseZero(near, nextY);
+                } else {
+                    x[g] = nextX;
+                    y[g] = nextY;
+                }
                 if (outX != nullptr) {
                     hn::StoreU(x[g], d, outX + step * Lanes::count + first + g * n);
                     hn::StoreU(y[g], d, outY + step * Lanes::count + first + g * n);
@@ -314,13 +371,23 @@ HWY_ATTR static void iterateWith(Lanes& lanes, const ChaosTables& tables, std::s
     }
 }
 
-HWY_ATTR void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* x, float* y) {
-    if (tables.bits == 4)
-        iterateWith<Lookup::Registers16>(lanes, tables, steps, x, y);
-    else if (tables.bits == 5)
-        iterateWith<Lookup::Registers32>(lanes, tables, steps, x, y);
+template <kernels::Guard guard>
+HWY_ATTR static void iterateGuarded(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* x,
+                                    float* y) {
+    if (tables.size == 16)
+        iterateWith<Lookup::Registers16, guard>(lanes, tables, steps, x, y);
+    else if (tables.size == 32)
+        iterateWith<Lookup::Registers32, guard>(lanes, tables, steps, x, y);
     else
-        iterateWith<Lookup::Gather>(lanes, tables, steps, x, y);
+        iterateWith<Lookup::Gather, guard>(lanes, tables, steps, x, y);
+}
+
+HWY_ATTR void iterate(Lanes& lanes, const ChaosTables& tables, kernels::Guard guard, std::size_t steps,
+                      float* x, float* y) {
+    if (guard == kernels::Guard::Off)
+        iterateGuarded<kernels::Guard::Off>(lanes, tables, steps, x, y);
+    else
+        iterateGuarded<kernels::Guard::On>(lanes, tables, steps, x, y);
 }
 
 // Bits 17 … 30 of a number as float: exponent and 6 digits of the mantissa.
@@ -365,6 +432,7 @@ HWY_AFTER_NAMESPACE();
 namespace attractor {
 
 HWY_EXPORT(addToCounts);
+HWY_EXPORT(addInside);
 HWY_EXPORT(addToPatch);
 HWY_EXPORT(addToColours);
 HWY_EXPORT(iterate);
@@ -376,8 +444,8 @@ struct SimdSet {
     std::string_view name;
     std::int64_t target;
 };
-constexpr SimdSet simdSets[] = {
-    {"avx512", HWY_AVX3}, {"avx2", HWY_AVX2}, {"sse4", HWY_SSE4}, {"scalar", HWY_STATIC_TARGET}};
+constexpr SimdSet simdSets[] = {{"avx512", HWY_AVX3}, {"avx3", HWY_AVX3}, {"avx2", HWY_AVX2},
+                                {"sse4", HWY_SSE4},   {"neon", HWY_NEON}, {"scalar", HWY_STATIC_TARGET}};
 
 // The environment decides once, before the first kernel runs.
 void heedEnvironment() {
@@ -401,6 +469,16 @@ bool selectSimd(std::string_view name) {
     return false;
 }
 
+std::vector<std::string> simdNames() {
+    const std::int64_t inUse = hwy::SupportedTargets();
+    hwy::SetSupportedTargetsForTest(0); // what the machine has
+    std::vector<std::string> names;
+    for (const SimdSet& set : simdSets)
+        if ((hwy::SupportedTargets() & set.target) != 0) names.emplace_back(set.name);
+    hwy::SetSupportedTargetsForTest(inUse);
+    return names;
+}
+
 std::string simdName() {
     heedEnvironment();
     const std::int64_t target = hwy::SupportedTargets();
@@ -416,6 +494,11 @@ void addToCounts(const Word& word, const Run& run, const CellWindow& window, std
     HWY_DYNAMIC_DISPATCH(addToCounts)(word, run, window, counts);
 }
 
+void addInside(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts) {
+    heedEnvironment();
+    HWY_DYNAMIC_DISPATCH(addInside)(word, run, window, counts);
+}
+
 void addToPatch(const Word& word, const Run& run, const Patch& patch, const CellWindow& window,
                 std::uint32_t* counts) {
     heedEnvironment();
@@ -428,9 +511,9 @@ std::uint32_t addToColours(const Word& word, const Run& run, const CellWindow& w
     return HWY_DYNAMIC_DISPATCH(addToColours)(word, run, window, colour, cells);
 }
 
-void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* x, float* y) {
+void iterate(Lanes& lanes, const ChaosTables& tables, Guard guard, std::size_t steps, float* x, float* y) {
     heedEnvironment();
-    HWY_DYNAMIC_DISPATCH(iterate)(lanes, tables, steps, x, y);
+    HWY_DYNAMIC_DISPATCH(iterate)(lanes, tables, guard, steps, x, y);
 }
 
 std::size_t toneIndex(std::uint64_t samples) {

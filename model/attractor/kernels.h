@@ -9,14 +9,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The loops that take the time, compiled for several instruction sets; the best one of the machine runs. All
 // give the same bits.
 namespace attractor {
 
-// The name of the set in use: scalar, sse4, avx2 or avx512. The environment variable BARYCAGE_SIMD forces
-// one.
+// The name of the set in use: scalar, sse4, avx2, avx512 (which may also be called avx3) or neon. The
+// environment variable BARYCAGE_SIMD forces one.
 std::string simdName();
+std::vector<std::string> simdNames(); // all that can be selected here, the best one first
 // Forces a set; false, and nothing changes, when the machine lacks it or the name is unknown. Not while
 // rendering.
 bool selectSimd(std::string_view name);
@@ -33,6 +35,8 @@ struct Run {
 
 // Part of a grid: cells of `width` columns from row `firstRow` to before `endRow`.
 void addToCounts(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts);
+// For a run that is known to lie in the window.
+void addInside(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts);
 
 // For a run that falls into at most `patchCells` cells, all inside the window, whose first is (column, row):
 // counted in several small copies, because increments of one counter have to wait for each other.
@@ -58,20 +62,21 @@ struct Lanes {
     alignas(64) std::array<float, count> y{};
 };
 
-// Alias table and maps as arrays, each of a length that is a power of two ≥ 16.
+// Alias table (see AliasTable) and maps as arrays, each of `size` entries, a power of two ≥ 16.
 struct ChaosTables {
-    int bits = 4; // of the slot number
-    std::size_t maps = 0;
-    const std::uint32_t* threshold = nullptr; // 31 bits
-    const std::uint32_t* own = nullptr;
-    const std::uint32_t* alias = nullptr;
+    std::size_t size = 16;
+    const std::int32_t* threshold = nullptr;
+    const std::int32_t* alias = nullptr;
     std::array<const float*, 6> coefficients{}; // a b c d e f in box coordinates
     float escapeRadius = 0;
 };
 
+// On: an orbit that leaves the escape radius begins anew at 0.
+enum class Guard { Off, On };
+
 // `steps` steps of every orbit. Where x and y are given, the point of orbit `lane` after step `k` goes to
 // x[64 k + lane], y[64 k + lane].
-void iterate(Lanes& lanes, const ChaosTables& tables, std::size_t steps, float* x, float* y);
+void iterate(Lanes& lanes, const ChaosTables& tables, Guard guard, std::size_t steps, float* x, float* y);
 
 // pixels[k] = palette[toneIndex(Σ counts[thread][k])]. The sums must stay below 2³¹.
 constexpr std::size_t exactCounts = 128;

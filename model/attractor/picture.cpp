@@ -6,7 +6,6 @@
 #include "attractor/linear_light.h"
 #include "attractor/preattractor.h"
 #include "attractor/splat.h"
-#include "attractor/tone_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +124,7 @@ const ColourCell& Picture::colourOf(std::uint32_t map, double addressCoordinate)
 bool Picture::finished() const {
     if (!drawable) return true;
     if (request.algorithm == Algorithm::ChaosGame) return drawn >= request.samples;
+    if (request.algorithm == Algorithm::Deterministic) return passes > 0;
     return cut && cut->words.empty();
 }
 
@@ -172,7 +172,7 @@ bool Picture::completeDensity(const std::stop_token& stop) {
 void Picture::planSampleSet() {
     const std::uint64_t number =
         std::min(remaining, system.meanLogarithm < 0 ? mostPerSampleSet : mostUninstanced);
-    if (sinceCarry + number >= std::uint64_t{1} << 32) {
+    if (!coloured() && sinceCarry + number >= std::uint64_t{1} << 32) {
         sums.carryOverCounts();
         sinceCarry = 0;
     }
@@ -181,16 +181,18 @@ void Picture::planSampleSet() {
     double sum = unitInterval(mixed(mixed(request.seed) ^ sampleSets));
     std::uint64_t before = 0;
     counts.clear();
+    const CellWindow& window = sums.window();
+    const bool whole = window.firstRow <= 0 && window.endRow >= projection.grid.height;
     for (const Word& word : cut->words) {
         sum += word.probability * perMeasure;
         const auto after = static_cast<std::uint64_t>(sum);
-        counts.push_back(after - before);
+        counts.push_back(whole || meets(word, samples, window) ? after - before : 0);
+        sinceCarry += counts.back();
         before = after;
     }
     planJobs();
     overAttractor += perMeasure;
     drawn += before;
-    sinceCarry += before;
     remaining -= number;
     ++sampleSets;
 }
@@ -363,15 +365,23 @@ void Picture::measureExposure() {
                                     samplesOverAttractor(), request.exposure);
 }
 
-void Picture::tonePixels(std::span<std::uint32_t> pixels) {
-    const bool deterministic = request.algorithm == Algorithm::Deterministic;
+ToneSettings Picture::toneSettings() const {
     const int side = request.appearance.supersample;
     ToneSettings settings{request.appearance, side, 0, exposure->whitePoint, exposure->gain};
-    if (deterministic)
+    if (request.algorithm == Algorithm::Deterministic)
         settings.densityPerSample = 1;
     else if (samplesOverAttractor() > 0)
         settings.densityPerSample = side * side / (samplesOverAttractor() * exposure->meanDensity);
-    const ToneMap toneMap(settings, deterministic ? 1U << 20 : drawn);
+    return settings;
+}
+
+std::uint64_t Picture::mostInACell() const {
+    return request.algorithm == Algorithm::Deterministic ? 1U << 20 : drawn;
+}
+
+void Picture::tonePixels(std::span<std::uint32_t> pixels) {
+    const ToneMap toneMap(toneSettings(), mostInACell());
+    const int side = request.appearance.supersample;
     const int rows = (sums.window().endRow - sums.window().firstRow) / side;
     workers->run([&](std::size_t thread) {
         const auto bound = [&](std::size_t part) {

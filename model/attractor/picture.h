@@ -6,6 +6,7 @@
 #include "attractor/chaos_game.h"
 #include "attractor/drawable_system.h"
 #include "attractor/renderer.h"
+#include "attractor/tone_map.h"
 #include "attractor/workers.h"
 
 #include <atomic>
@@ -86,6 +87,8 @@ struct Picture {
         return request.algorithm == Algorithm::Density ? overAttractor : static_cast<double>(drawn);
     }
     void measureExposure();
+    ToneSettings toneSettings() const; // after measureExposure()
+    std::uint64_t mostInACell() const;
     void tonePixels(std::span<std::uint32_t> pixels); // of the rows that are counted
     Frame frame(Frame reuse);
 };

@@ -57,6 +57,10 @@ void forEachRun(const Word& word, const SampleSet& samples, std::uint64_t count,
 
 } // namespace
 
+bool meets(const Word& word, const SampleSet& samples, const CellWindow& window) {
+    return !outside(reach(word, samples), window);
+}
+
 void splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
            std::uint32_t* counts) {
     const Reach r = reach(word, samples);
@@ -74,6 +78,9 @@ void splat(const Word& word, const SampleSet& samples, std::uint64_t count, cons
                        [&](const kernels::Run& run) { kernels::addToPatch(word, run, p, window, counts); });
             return;
         }
+        forEachRun(word, samples, count,
+                   [&](const kernels::Run& run) { kernels::addInside(word, run, window, counts); });
+        return;
     }
     forEachRun(word, samples, count,
                [&](const kernels::Run& run) { kernels::addToCounts(word, run, window, counts); });

@@ -23,6 +23,9 @@ struct CellWindow {
 // around.
 constexpr std::size_t trashCells = 16;
 
+// Whether any sample of the set can fall into the window with this word.
+bool meets(const Word& word, const SampleSet& samples, const CellWindow& window);
+
 // Adds `count` samples of the run of the word to `counts`, which has window.cells() + trashCells counters.
 void splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
            std::uint32_t* counts);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/affine_map.h"
 
-#include <Eigen/Eigenvalues>
+#include "ifs/eigenvalues.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -110,7 +111,7 @@ template <> double spectralRadius<2>(const Matrix<2>& linear) {
 template <> double spectralRadius<3>(const Matrix<3>& linear) {
     const double size = magnitude<3>(linear);
     if (size == 0 || !std::isfinite(size)) return size;
-    return size * Eigen::EigenSolver<Matrix<3>>(linear / size, false).eigenvalues().cwiseAbs().maxCoeff();
+    return size * largestEigenvalueModulus(linear / size);
 }
 
 template <int Dim> std::optional<AffineMap<Dim>> inverse(const AffineMap<Dim>& map) {

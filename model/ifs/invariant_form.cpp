@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/invariant_form.h"
 
+#include "ifs/eigenvalues.h"
 #include "ifs/symmetric_square.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -18,10 +18,11 @@ std::optional<Matrix<Dim>> invariantForm(std::span<const AffineMap<Dim>> maps, d
         transfer += std::pow(spectralRadius<Dim>(map.linear), emphasis) *
                     symmetricSquare<Dim>(map.linear.transpose());
     if (!transfer.allFinite()) return std::nullopt;
-    const double growth = Eigen::EigenSolver<Operator>(transfer, false).eigenvalues().cwiseAbs().maxCoeff();
+    const double growth = largestEigenvalueModulus(transfer);
     if (!(growth > 0)) return std::nullopt;
     // Inverse iteration beside the largest eigenvalue: it also settles when others have the same modulus.
-    const Operator resolvent = (growth * (1 + 1e-9) * Operator::Identity() - transfer).inverse();
+    const Eigen::MatrixXd resolvent =
+        Eigen::MatrixXd(growth * (1 + 1e-9) * Operator::Identity() - transfer).inverse();
     SymmetricVector<Dim> form = upperTriangle<Dim>(Matrix<Dim>::Identity());
     constexpr int Iterations = 4;
     for (int n = 0; n < Iterations; ++n) {

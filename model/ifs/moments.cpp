@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/moments.h"
 
+#include "ifs/eigenvalues.h"
 #include "ifs/symmetric_square.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -21,8 +21,7 @@ template <int Dim> std::optional<Moments<Dim>> moments(const ActiveMaps<Dim>& ac
         transfer += p * symmetricSquare<Dim>(active.maps[i].linear);
     }
     if (!transfer.allFinite()) return std::nullopt;
-    using Eigenvalues = Eigen::EigenSolver<SymmetricOperator<Dim>>;
-    if (!(Eigenvalues(transfer, false).eigenvalues().cwiseAbs().maxCoeff() < 1)) return std::nullopt;
+    if (!(largestEigenvalueModulus(transfer) < 1)) return std::nullopt;
 
     const Matrix<Dim> resolvent = (Matrix<Dim>::Identity() - average.linear).inverse();
     Moments<Dim> result;
@@ -32,9 +31,9 @@ template <int Dim> std::optional<Moments<Dim>> moments(const ActiveMaps<Dim>& ac
         const Vector<Dim> shift = active.maps[i](result.mean) - result.mean;
         source += active.probabilities[i] * shift * shift.transpose();
     }
-    const SymmetricOperator<Dim> complement = SymmetricOperator<Dim>::Identity() - transfer;
-    result.covariance =
-        symmetricMatrix<Dim>(complement.partialPivLu().solve(upperTriangle<Dim>(source)).eval());
+    const Eigen::MatrixXd complement = SymmetricOperator<Dim>::Identity() - transfer;
+    const Eigen::VectorXd upper = upperTriangle<Dim>(source);
+    result.covariance = symmetricMatrix<Dim>(complement.partialPivLu().solve(upper).eval());
     const Matrix<Dim> oneSided = resolvent * result.covariance;
     result.longRunCovariance = oneSided + oneSided.transpose() - result.covariance;
     const bool finite = result.mean.allFinite() && result.longRunCovariance.allFinite();

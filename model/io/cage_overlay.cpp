@@ -26,11 +26,13 @@ QColor cageColour() {
     return {245, 166, 35};
 }
 
-void paintCage(QImage& picture, const document::Fractal& fractal, const attractor::Camera& camera) {
+void paintCage(QImage& rows, const document::Fractal& fractal, const attractor::Camera& camera,
+               int firstRow) {
     const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
-    QPainter painter(&picture);
+    QPainter painter(&rows);
     painter.setRenderHint(QPainter::Antialiasing);
-    QPen pen(cageColour(), std::max(1.5, std::min(picture.width(), picture.height()) / 500.0));
+    painter.translate(0, -firstRow);
+    QPen pen(cageColour(), std::max(1.5, std::min(camera.width, camera.height) / 500.0));
     pen.setJoinStyle(Qt::RoundJoin);
     if (cage.rest != cage.current) {
         QPen dashed = pen;

@@ -13,7 +13,9 @@ enum class CageVisibility { Hidden, Shown };
 
 QColor cageColour();
 
-// Draws the control polygon over a picture of the fractal, the rest polygon dashed where it differs.
-void paintCage(QImage& picture, const document::Fractal& fractal, const attractor::Camera& camera);
+// Draws the control polygon over a picture of the fractal, the rest polygon dashed where it differs. `rows`
+// holds the rows of the picture from `firstRow` on.
+void paintCage(QImage& rows, const document::Fractal& fractal, const attractor::Camera& camera,
+               int firstRow = 0);
 
 } // namespace io

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/collection_reader.h"
 
-#include "io/flame.h"
 #include "io/fractint_reader.h"
 #include "io/png_system.h"
 #include "io/svg_system.h"
+#include "io/table_reader.h"
+#include "io/unrelated_format.h"
+
+#include <QFileInfo>
 
 namespace io {
 
@@ -20,13 +23,43 @@ document::FractalFile fileOf(const EmbeddedSystem& embedded) {
     return file;
 }
 
+// A table that is not one to Fractint (rows of 7 numbers without commas are).
+std::optional<document::FractalFile> fileOfTable(const QByteArray& bytes, const QString& path,
+                                                 const std::optional<TableColumns>& columns) {
+    constexpr qsizetype largestTable = 64 * 1024 * 1024;
+    if (bytes.size() > largestTable || unrelatedFormat(bytes)) return std::nullopt;
+    Table table = readTable(QString::fromUtf8(bytes), columns);
+    const bool hasErrors = !table.problems.isEmpty();
+    if (!table.isTable) return std::nullopt;
+    document::FractalFile file;
+    if (!hasErrors) {
+        document::Fractal fractal;
+        const QString name = QFileInfo(path).completeBaseName();
+        fractal.name = document::uniqueName({}, name.isEmpty() ? QStringLiteral("table") : name);
+        document::System2 system;
+        for (const auto& row : table.rows)
+            ifs::append(system, row.map, row.weight);
+        fractal.system = std::move(system);
+        file = document::fileOf(std::move(fractal));
+    }
+    file.problems = std::move(table.problems);
+    return file;
+}
+
 } // namespace
 
-Collection readCollection(const QByteArray& bytes) {
+Collection readCollection(const QByteArray& bytes, const QString& path, const ReadOptions& options) {
     if (looksLikePng(bytes)) return {QStringLiteral("png"), fileOf(readPngSystem(bytes))};
     if (looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes))};
-    if (looksLikeFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes)};
-    return {QStringLiteral("fractint"), readFractint(bytes)};
+    if (looksLikeFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes, options.axis)};
+    constexpr qsizetype sample = 1000; // bytes, enough for five lines of a matrix
+    const bool isTable = options.columns || beginsWithMatrices(QString::fromUtf8(bytes.left(sample)));
+    document::FractalFile file;
+    if (!isTable) file = readFractint(bytes);
+    if (file.entries.isEmpty())
+        if (auto table = fileOfTable(bytes, path, options.columns))
+            return {QStringLiteral("table"), std::move(*table)};
+    return {QStringLiteral("fractint"), isTable ? readFractint(bytes) : std::move(file)};
 }
 
 } // namespace io

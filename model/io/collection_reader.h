@@ -2,6 +2,8 @@
 #pragma once
 
 #include "document/fractal_file.h"
+#include "io/flame.h"
+#include "io/table_columns.h"
 
 #include <QByteArray>
 #include <QString>
@@ -10,11 +12,18 @@ namespace io {
 
 // What a file of any kind that can be opened holds. Only a Fractint collection may be written back in place.
 struct Collection {
-    QString format; // "fractint", "flame", "png", "svg"
+    QString format; // "fractint", "flame", "table", "png", "svg"
     document::FractalFile file;
 };
 
-// Tells the format from the content: a Fractint collection, flames, or a picture that carries one.
-Collection readCollection(const QByteArray& bytes);
+// How to understand what a format leaves open.
+struct ReadOptions {
+    FlameAxis axis = FlameAxis::Flipped;
+    std::optional<TableColumns> columns; // of a table; nullopt: as its header says, else Fractint's
+};
+
+// Tells the format from the content: a Fractint collection, flames, a table of numbers, or a picture that
+// carries a collection. `path` names the entry of a table.
+Collection readCollection(const QByteArray& bytes, const QString& path = {}, const ReadOptions& options = {});
 
 } // namespace io

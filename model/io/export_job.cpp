@@ -12,10 +12,18 @@ namespace {
 ExportOutcome exportSvg(const SvgExport& what, const QString& path, const Progress& progress,
                         const std::stop_token& stop) {
     ExportOutcome outcome;
-    const SvgPicture picture = svgPicture(what.fractal, what.camera, what.format);
+    QByteArray bytes;
+    if (what.file == ShapeFile::Pdf) {
+        PdfPicture picture = pdfPicture({{what.fractal, what.camera, what.format}}, stop);
+        bytes = std::move(picture.bytes);
+        outcome.failure = std::move(picture.failure);
+    } else {
+        SvgPicture picture = svgPicture(what.fractal, what.camera, what.format, stop);
+        bytes = std::move(picture.bytes);
+        outcome.failure = std::move(picture.plan.failure);
+    }
     outcome.stopped = stop.stop_requested();
-    outcome.failure = picture.plan.failure;
-    if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, picture.bytes);
+    if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, bytes);
     if (progress) progress(1);
     return outcome;
 }
@@ -26,6 +34,8 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
                        std::stop_token stop) {
     try {
         if (const auto* png = std::get_if<PngExport>(&what)) return exportPng(*png, path, progress, stop);
+        if (const auto* cloud = std::get_if<PointCloud>(&what))
+            return exportPoints(*cloud, path, progress, stop);
         return exportSvg(std::get<SvgExport>(what), path, progress, stop);
     } catch (const std::bad_alloc&) {
         ExportOutcome outcome;

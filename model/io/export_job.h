@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/pdf_writer.h"
 #include "io/png_export.h"
-#include "io/svg_writer.h"
+#include "io/point_cloud.h"
 
 #include <functional>
 #include <thread>
@@ -10,12 +11,14 @@
 
 namespace io {
 
+enum class ShapeFile { Svg, Pdf };
 struct SvgExport {
     document::Fractal fractal;
     attractor::Camera camera;
     SvgFormat format;
+    ShapeFile file = ShapeFile::Svg;
 };
-using Export = std::variant<PngExport, SvgExport>;
+using Export = std::variant<PngExport, SvgExport, PointCloud>;
 
 // Writes the picture in the calling thread; `path` appears whole or not at all.
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress = {},

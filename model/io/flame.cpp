@@ -2,6 +2,7 @@
 #include "io/flame.h"
 
 #include "io/number.h"
+#include "io/written_weights.h"
 
 #include <QCoreApplication>
 #include <QXmlStreamReader>
@@ -60,6 +61,9 @@ bool isPlainAttribute(QStringView name) {
                                    QStringLiteral("symmetry"),
                                    QStringLiteral("name"),
                                    QStringLiteral("animate"),
+                                   QStringLiteral("enabled"),
+                                   QStringLiteral("antialias_amount"),
+                                   QStringLiteral("antialias_radius"),
                                    QStringLiteral("plotmode"),
                                    QStringLiteral("coefs"),
                                    QStringLiteral("post"),
@@ -278,10 +282,9 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
     xml.writeAttribute(QStringLiteral("scale"), QString::fromLatin1(formatNumber(camera.pixelsPerUnit)));
     xml.writeAttribute(QStringLiteral("background"), QStringLiteral("0 0 0"));
 
-    const std::vector<double> weights = ifs::probabilities(system);
+    const std::vector<double> weights = writtenWeights(system);
     const double last = std::max<double>(1, double(system.maps.size()) - 1);
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
-        if (weights[i] <= 0) continue;
         const ifs::AffineMap<2>& map = system.maps[i].map;
         xml.writeEmptyElement(QStringLiteral("xform"));
         xml.writeAttribute(QStringLiteral("weight"), QString::fromLatin1(formatNumber(weights[i])));

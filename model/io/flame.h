@@ -21,8 +21,8 @@ document::FractalFile readFlame(const QByteArray& bytes, FlameAxis axis = FlameA
 
 bool looksLikeFlame(const QByteArray& bytes);
 
-// The plane systems among the fractals, each as one flame; weights are the probabilities, maps that are off
-// are left out.
+// The plane systems among the fractals, each as one flame. Weights are the ones given, or the probabilities
+// where one is missing; a map that is off has weight 0, which flames never use.
 QByteArray writeFlame(const QList<std::shared_ptr<const document::Fractal>>& fractals,
                       FlameAxis axis = FlameAxis::Flipped);
 

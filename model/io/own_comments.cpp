@@ -2,6 +2,7 @@
 #include "io/own_comments.h"
 
 #include "io/number.h"
+#include "io/palette_stops.h"
 
 #include <QCoreApplication>
 
@@ -32,21 +33,6 @@ QByteArray line(const char* key, const QByteArray& values) {
 
 QByteArray point(const ifs::Vector<2>& p) {
     return formatNumber(p.x()) + ' ' + formatNumber(p.y());
-}
-
-QByteArray colourText(const attractor::Rgba& colour) {
-    const std::array<char, 4> channels{static_cast<char>(colour.red), static_cast<char>(colour.green),
-                                       static_cast<char>(colour.blue), static_cast<char>(colour.alpha)};
-    return '#' + QByteArray(channels.data(), 4).toHex();
-}
-
-std::optional<attractor::Rgba> parseColour(const QByteArray& text) {
-    if (text.size() != 9 || text.front() != '#') return std::nullopt;
-    const QByteArray hex = text.sliced(1).toLower();
-    const QByteArray channels = QByteArray::fromHex(hex);
-    if (channels.toHex() != hex) return std::nullopt;
-    const auto channel = [&](qsizetype i) { return static_cast<std::uint8_t>(channels[i]); };
-    return attractor::Rgba{channel(0), channel(1), channel(2), channel(3)};
 }
 
 std::optional<double> number(const QByteArray& text) {
@@ -261,11 +247,7 @@ void OwnComments::applyPalette(document::Fractal& fractal, QStringList& sentence
     if (!m_paletteName && m_stops.empty()) return;
     const std::string name = m_paletteName.value_or(std::string());
     const attractor::Palette* builtIn = attractor::findPalette(name);
-    const bool isSorted = std::is_sorted(
-        m_stops.begin(), m_stops.end(), [](const auto& a, const auto& b) { return a.position < b.position; });
-    const bool isGradient =
-        m_stops.size() >= 2 && isSorted && m_stops.front().position == 0 && m_stops.back().position == 1;
-    if (isGradient)
+    if (isGradient(m_stops))
         fractal.appearance.palette = {name, m_stops};
     else if (m_stops.empty() && builtIn != nullptr)
         fractal.appearance.palette = *builtIn;

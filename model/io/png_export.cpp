@@ -2,42 +2,60 @@
 #include "io/png_export.h"
 
 #include "io/fractint_writer.h"
-#include "io/png_writer.h"
 
 #include <QCoreApplication>
 #include <QSaveFile>
 
 #include <algorithm>
-#include <cstring>
+#include <span>
 #include <thread>
+#include <vector>
 
 namespace io {
 
 namespace {
 
-constexpr int bandHeight = 64;
+using attractor::Rgba16;
+
 constexpr double shareOfDrawing = 0.8; // of the progress; the rest is compression
 
-// Pass after pass, so that there is progress to tell. The passes depend on the number of samples alone.
-bool refineFully(attractor::Rendering& rendering, const attractor::RenderRequest& request,
-                 const Progress& progress, const std::stop_token& stop) {
-    constexpr std::uint64_t smallestPass = 4'000'000;
-    const std::uint64_t pass = std::max(smallestPass, request.samples / 64 + 1);
-    const bool once = request.algorithm == attractor::Algorithm::Deterministic;
-    for (std::uint64_t done = 0; done < request.samples;) {
-        const std::uint64_t now = once ? request.samples : std::min(pass, request.samples - done);
-        if (!rendering.refine(stop, now) || stop.stop_requested()) return false;
-        done += now;
-        if (progress) progress(double(done) / double(request.samples));
-    }
-    return true;
+enum class Drawn { All, Stopped, Refused };
+
+QImage imageOver(std::span<std::uint32_t> pixels, int width) {
+    return {reinterpret_cast<uchar*>(pixels.data()), width, int(pixels.size() / std::size_t(width)),
+            qsizetype(width) * 4, QImage::Format_ARGB32_Premultiplied};
 }
 
-QImage imageOf(const attractor::Frame& frame) {
-    QImage image(frame.camera.width, frame.camera.height, QImage::Format_ARGB32_Premultiplied);
-    if (!image.isNull())
-        std::memcpy(image.bits(), frame.pixels.data(), frame.pixels.size() * sizeof(std::uint32_t));
-    return image;
+QImage imageOver(std::span<Rgba16> pixels, int width) {
+    return {reinterpret_cast<uchar*>(pixels.data()), width, int(pixels.size() / std::size_t(width)),
+            qsizetype(width) * 8, QImage::Format_RGBA64};
+}
+
+// Band after band, from the top: into what room(first row, rows) gives, then take(pixels).
+template <class Pixel, class Room, class Take>
+Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& progress,
+                const std::stop_token& stop, attractor::RenderNote& note) {
+    const attractor::Camera& camera = picture.request.camera;
+    attractor::BandedRendering rendering(picture.request);
+    note = rendering.note();
+    const int most = attractor::BandedRendering::rowsWithin(picture.request, picture.bandBytes);
+    for (int first = 0; first < camera.height; first += most) {
+        const int rows = std::min(most, camera.height - first);
+        const auto told = [&](double share) {
+            if (progress) progress((first + share * rows) / camera.height);
+        };
+        const auto drawing = [&](double fraction) { told(shareOfDrawing * fraction); };
+        const std::span<Pixel> pixels = room(first, rows);
+        if (!rendering.band(first, rows, pixels, stop, drawing)) return Drawn::Stopped;
+        if (picture.cage == CageVisibility::Shown) {
+            QImage image = imageOver(pixels, camera.width);
+            paintCage(image, picture.fractal, camera, first);
+        }
+        const auto writing = [&](double fraction) { told(shareOfDrawing + (1 - shareOfDrawing) * fraction); };
+        const Drawn taken = take(pixels, writing);
+        if (taken != Drawn::All) return taken;
+    }
+    return Drawn::All;
 }
 
 PngFormat formatOf(const PngExport& picture) {
@@ -46,6 +64,7 @@ PngFormat formatOf(const PngExport& picture) {
     format.height = picture.request.camera.height;
     format.pixels = picture.request.appearance.background.alpha == 255 ? PngFormat::Pixels::Opaque
                                                                        : PngFormat::Pixels::Transparent;
+    format.depth = picture.depth;
     format.dotsPerInch = picture.dotsPerInch;
     format.systemText = writeEntry(picture.fractal);
     return format;
@@ -55,68 +74,72 @@ QString cannotWrite(const QString& path, const QString& reason) {
     return QCoreApplication::translate("PngExport", "%1 cannot be written: %2").arg(path, reason);
 }
 
-ExportOutcome writeImage(const QImage& image, const PngExport& picture, const QString& path,
-                         const Progress& progress, const std::stop_token& stop) {
+template <class Pixel>
+ExportOutcome drawInto(QSaveFile& file, const PngExport& picture, const Progress& progress,
+                       const std::stop_token& stop) {
     ExportOutcome outcome;
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) {
-        outcome.failure = cannotWrite(path, file.errorString());
-        return outcome;
-    }
     PngWriter writer(file, formatOf(picture));
-    const auto width = std::size_t(image.width());
-    const auto* pixels = reinterpret_cast<const std::uint32_t*>(image.constBits());
-    for (int y = 0; y < image.height() && !outcome.failure; y += bandHeight) {
-        if (stop.stop_requested()) {
-            outcome.stopped = true; // the file destroys itself
-            return outcome;
+    const auto width = std::size_t(picture.request.camera.width);
+    std::vector<Pixel> memory;
+    const auto room = [&](int, int rows) {
+        memory.resize(width * std::size_t(rows));
+        return std::span(memory);
+    };
+    const auto take = [&](std::span<const Pixel> pixels, const Progress& writing) {
+        constexpr std::size_t few = 16; // rows between two looks at the stop token
+        for (std::size_t at = 0; at < pixels.size(); at += few * width) {
+            if (stop.stop_requested()) return Drawn::Stopped;
+            outcome.failure = writer.writeRows(pixels.subspan(at, std::min(few * width, pixels.size() - at)));
+            if (outcome.failure) return Drawn::Refused;
+            writing(double(at) / double(pixels.size()));
         }
-        const int rows = std::min(bandHeight, image.height() - y);
-        outcome.failure = writer.writeRows({pixels + width * std::size_t(y), width * std::size_t(rows)});
-        if (progress) progress(shareOfDrawing + (1 - shareOfDrawing) * (y + rows) / image.height());
-    }
-    outcome.failure = writer.finish();
-    if (!outcome.failure && !file.commit()) outcome.failure = cannotWrite(path, file.errorString());
+        return Drawn::All;
+    };
+    const Drawn drawn = drawBands<Pixel>(picture, room, take, progress, stop, outcome.note);
+    outcome.stopped = drawn == Drawn::Stopped;
+    if (drawn == Drawn::All) outcome.failure = writer.finish();
     return outcome;
 }
 
 } // namespace
 
 Picture drawPicture(const PngExport& picture, const Progress& progress, std::stop_token stop) {
-    attractor::Rendering rendering(picture.request);
-    if (!refineFully(rendering, picture.request, progress, stop)) return {};
-    const attractor::Frame frame = rendering.frame();
-    Picture drawn{imageOf(frame), frame.note};
-    if (picture.cage == CageVisibility::Shown)
-        paintCage(drawn.image, picture.fractal, picture.request.camera);
+    const attractor::Camera& camera = picture.request.camera;
+    Picture drawn{QImage(camera.width, camera.height, QImage::Format_ARGB32_Premultiplied), {}};
+    if (drawn.image.isNull()) return drawn;
+    const auto room = [&](int first, int rows) {
+        return std::span(reinterpret_cast<std::uint32_t*>(drawn.image.scanLine(first)),
+                         std::size_t(camera.width) * std::size_t(rows));
+    };
+    const auto take = [](std::span<std::uint32_t>, const Progress&) { return Drawn::All; };
+    if (drawBands<std::uint32_t>(picture, room, take, progress, stop, drawn.note) != Drawn::All)
+        drawn.image = {};
     return drawn;
 }
 
 ExportOutcome exportPng(const PngExport& picture, const QString& path, const Progress& progress,
                         std::stop_token stop) {
-    const Progress drawing =
-        progress ? Progress([&](double fraction) { progress(shareOfDrawing * fraction); }) : Progress();
-    const Picture drawn = drawPicture(picture, drawing, stop);
     ExportOutcome outcome;
-    if (stop.stop_requested())
-        outcome.stopped = true;
-    else if (drawn.image.isNull())
-        outcome.failure =
-            cannotWrite(path, QCoreApplication::translate("PngExport", "the picture is too large."));
-    else
-        outcome = writeImage(drawn.image, picture, path, progress, stop);
-    outcome.note = drawn.note;
-    return outcome;
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) {
+        outcome.failure = cannotWrite(path, file.errorString());
+        return outcome;
+    }
+    outcome = picture.depth == PngFormat::Depth::Bits16
+                  ? drawInto<Rgba16>(file, picture, progress, stop)
+                  : drawInto<std::uint32_t>(file, picture, progress, stop);
+    if (!outcome.failure && !outcome.stopped && !file.commit())
+        outcome.failure = cannotWrite(path, file.errorString());
+    return outcome; // the file destroys itself unless it was committed
 }
 
-std::uint64_t memoryFor(const attractor::RenderRequest& request) {
-    const auto pixels = std::uint64_t(request.camera.width) * std::uint64_t(request.camera.height);
-    const auto supersample = std::uint64_t(std::max(1, request.appearance.supersample));
-    const bool coloured = request.appearance.colourBy == attractor::ColourBy::Map ||
-                          request.appearance.colourBy == attractor::ColourBy::Address;
-    const std::uint64_t cell = coloured ? 16 : 4; // per thread
-    return pixels *
-           (supersample * supersample * cell * std::uint64_t(request.threads) + 2 * sizeof(std::uint32_t));
+std::uint64_t memoryFor(const PngExport& picture) {
+    const std::size_t pixel =
+        picture.depth == PngFormat::Depth::Bits16 ? sizeof(Rgba16) : sizeof(std::uint32_t);
+    const auto rows =
+        std::uint64_t(attractor::BandedRendering::rowsWithin(picture.request, picture.bandBytes));
+    return rows * (attractor::BandedRendering::bytesPerRow(picture.request) +
+                   std::uint64_t(std::max(1, picture.request.camera.width)) * pixel);
 }
 
 int threadsOfThisMachine() {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "attractor/renderer.h"
+#include "attractor/banded_rendering.h"
 #include "document/fractal.h"
 #include "io/cage_overlay.h"
-#include "io/save_file.h"
+#include "io/png_writer.h"
 
 #include <QImage>
 #include <QString>
@@ -23,6 +23,8 @@ struct PngExport {
     attractor::RenderRequest request; // what is drawn; its samples are those of the whole picture
     std::optional<double> dotsPerInch;
     CageVisibility cage = CageVisibility::Hidden;
+    PngFormat::Depth depth = PngFormat::Depth::Bits8;
+    std::size_t bandBytes = 256U << 20; // for the cells of the rows that are drawn at a time; same picture
 };
 
 struct ExportOutcome {
@@ -31,19 +33,19 @@ struct ExportOutcome {
     attractor::RenderNote note = attractor::RenderNote::None;
 };
 
-// Renders and writes the picture; `path` appears whole or not at all.
+// Draws and writes the picture, some rows at a time; `path` appears whole or not at all.
 ExportOutcome exportPng(const PngExport& picture, const QString& path, const Progress& progress = {},
                         std::stop_token stop = {});
 
-// The same picture in memory; null when stopped.
+// The same picture in memory, 8 bits a channel; null when stopped.
 struct Picture {
     QImage image;
     attractor::RenderNote note = attractor::RenderNote::None;
 };
 Picture drawPicture(const PngExport& picture, const Progress& progress = {}, std::stop_token stop = {});
 
-// Memory that drawing this picture takes, in bytes, about.
-std::uint64_t memoryFor(const attractor::RenderRequest& request);
+// Memory that exportPng() takes for this picture, in bytes, about.
+std::uint64_t memoryFor(const PngExport& picture);
 
 int threadsOfThisMachine(); // ≥ 1
 

@@ -32,9 +32,13 @@ struct PngWriter::State {
 
     bool start();
     bool writeHeader();
-    bool writeRow(const std::uint32_t* pixels);
+    bool writeRow();
     bool finish();
     void encode(const std::uint32_t* pixels);
+    void encode(const attractor::Rgba16* pixels);
+    template <class Pixel> Failure writeRows(std::span<const Pixel> pixels);
+    bool transparent() const { return format.pixels == PngFormat::Pixels::Transparent; }
+    bool deep() const { return format.depth == PngFormat::Depth::Bits16; }
 };
 
 namespace {
@@ -66,12 +70,11 @@ bool PngWriter::State::start() {
 
 bool PngWriter::State::writeHeader() {
     if (setjmp(png_jmpbuf(png))) return false;
-    const int colour =
-        format.pixels == PngFormat::Pixels::Opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA;
+    const int colour = transparent() ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    png_set_IHDR(png, info, png_uint_32(format.width), png_uint_32(format.height), 8, colour,
+    png_set_IHDR(png, info, png_uint_32(format.width), png_uint_32(format.height), deep() ? 16 : 8, colour,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     if (format.dotsPerInch) {
         const auto perMetre = png_uint_32(std::lround(*format.dotsPerInch / 0.0254));
         png_set_pHYs(png, info, perMetre, perMetre, PNG_RESOLUTION_METER);
@@ -95,12 +98,34 @@ void PngWriter::State::encode(const std::uint32_t* pixels) {
         *to++ = png_byte(qRed(colour));
         *to++ = png_byte(qGreen(colour));
         *to++ = png_byte(qBlue(colour));
-        if (format.pixels == PngFormat::Pixels::Transparent) *to++ = png_byte(qAlpha(colour));
+        if (transparent()) *to++ = png_byte(qAlpha(colour));
     }
 }
 
-bool PngWriter::State::writeRow(const std::uint32_t* pixels) {
-    encode(pixels);
+void PngWriter::State::encode(const attractor::Rgba16* pixels) {
+    png_byte* to = row.data();
+    const auto put = [&to](std::uint16_t channel) {
+        *to++ = png_byte(channel >> 8);
+        *to++ = png_byte(channel & 255);
+    };
+    for (int x = 0; x < format.width; ++x) {
+        put(pixels[x].red);
+        put(pixels[x].green);
+        put(pixels[x].blue);
+        if (transparent()) put(pixels[x].alpha);
+    }
+}
+
+template <class Pixel> Failure PngWriter::State::writeRows(std::span<const Pixel> pixels) {
+    const auto width = size_t(format.width);
+    for (size_t at = 0; at + width <= pixels.size() && !failure; at += width) {
+        encode(pixels.data() + at);
+        if (!writeRow()) fail(device->errorString());
+    }
+    return failure;
+}
+
+bool PngWriter::State::writeRow() {
     if (setjmp(png_jmpbuf(png))) return false;
     png_write_row(png, row.data());
     return true;
@@ -115,17 +140,20 @@ bool PngWriter::State::finish() {
 PngWriter::PngWriter(QIODevice& device, const PngFormat& format) : m_state(std::make_unique<State>()) {
     m_state->device = &device;
     m_state->format = format;
-    m_state->row.resize(size_t(format.width) * (format.pixels == PngFormat::Pixels::Opaque ? 3 : 4));
+    m_state->row.resize(size_t(format.width) * (m_state->transparent() ? 4 : 3) * (m_state->deep() ? 2 : 1));
     if (!m_state->start()) m_state->fail(device.errorString());
 }
 
 PngWriter::~PngWriter() = default;
 
 Failure PngWriter::writeRows(std::span<const std::uint32_t> pixels) {
-    const auto width = size_t(m_state->format.width);
-    for (size_t at = 0; at + width <= pixels.size() && !m_state->failure; at += width)
-        if (!m_state->writeRow(pixels.data() + at)) m_state->fail(m_state->device->errorString());
-    return m_state->failure;
+    Q_ASSERT(!m_state->deep());
+    return m_state->writeRows(pixels);
+}
+
+Failure PngWriter::writeRows(std::span<const attractor::Rgba16> pixels) {
+    Q_ASSERT(m_state->deep());
+    return m_state->writeRows(pixels);
 }
 
 Failure PngWriter::finish() {

@@ -14,8 +14,11 @@ namespace io {
 
 namespace {
 
-constexpr double thinnest = 1.2;       // of a copy, in pixels: what is thinner is hardly seen
+constexpr double thinnest = 1.2;     // of a copy by a singular map, in pixels: what is thinner is hardly seen
+constexpr double mostThinness = 0.5; // that a map is raised to, however small its copies are
 constexpr double hullTolerance = 2e-3; // of the radius
+constexpr double singular = 0.1;       // a larger least singular value is never raised
+constexpr double shadowDetail = 0.5;   // of what a singular map shows, in pixels
 constexpr double widening = 0.4;       // of the smallest copies on every side, in pixels
 constexpr double mostWidening = 0.6;   // as a share of their size
 
@@ -117,10 +120,52 @@ Descent descentOf(const std::vector<ifs::AffineMap<2>>& maps) {
     return descent;
 }
 
-// What thickening moves points by in the whole picture, when it moves those of one map by `shift`: every
-// further thickened map in a word is seen through the ones before it.
-double accumulated(double shift, double thickNorm, const ifs::Existence& existence) {
-    return shift * existence.normEquivalence / std::max(1 - thickNorm, 1e-3);
+// The direction that a map keeps the most of.
+ifs::Vector<2> longestDirection(const ifs::Matrix<2>& linear) {
+    const ifs::Matrix<2> square = linear.transpose() * linear;
+    const double angle = std::atan2(2 * square(0, 1), square(0, 0) - square(1, 1)) / 2;
+    return {std::cos(angle), std::sin(angle)};
+}
+
+using Interval = std::pair<double, double>;
+
+// Where the attractor of `maps`, inside `hull`, lies along `axis`: intervals that hold all of it and no point
+// further than `detail` from it, in order and apart. nullopt when they would be too many.
+std::optional<std::vector<Interval>> shadow(const std::vector<ifs::AffineMap<2>>& maps,
+                                            const std::vector<ifs::Vector<2>>& hull,
+                                            const ifs::Vector<2>& axis, double detail) {
+    constexpr std::size_t most = 300'000;
+    struct Copy {
+        Eigen::RowVector2d row;
+        double offset;
+    };
+    std::vector<Copy> open{{axis.transpose(), 0}};
+    std::vector<Interval> found;
+    while (!open.empty()) {
+        if (open.size() + found.size() > most) return std::nullopt;
+        const Copy copy = open.back();
+        open.pop_back();
+        Interval interval{HUGE_VAL, -HUGE_VAL};
+        for (const auto& point : hull) {
+            const double place = copy.row.dot(point) + copy.offset;
+            interval = {std::min(interval.first, place), std::max(interval.second, place)};
+        }
+        if (interval.second - interval.first <= detail) {
+            found.push_back(interval);
+            continue;
+        }
+        for (const auto& map : maps)
+            open.push_back({copy.row * map.linear, copy.offset + copy.row.dot(map.translation)});
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<Interval> joined;
+    for (const Interval& interval : found) {
+        if (joined.empty() || interval.first > joined.back().second + detail)
+            joined.push_back(interval);
+        else
+            joined.back().second = std::max(joined.back().second, interval.second);
+    }
+    return joined;
 }
 
 } // namespace
@@ -163,27 +208,58 @@ std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const if
     return levels;
 }
 
+// A map whose copy of the whole picture would be thinner than can be seen is taken for singular.
 void SvgLevels::thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs::AffineMap<2>& display) {
-    const ifs::Vector<2> centre = middleOf(m_hull);
-    const double size = std::max(m_diameter, m_pixel);
-    m_display = thickened(display, centre, thinnest / size);
-    double thickNorm = 0;
-    bool anyThick = false;
+    m_centre = middleOf(m_hull);
+    m_thinness = thinnest * m_pixel / std::max(m_diameter, m_pixel);
+    m_display = thickened(display, m_centre, thinnest / std::max(m_diameter, m_pixel));
+    m_displayShift = shiftBetween(m_display, display);
+    m_maps = maps;
     for (const auto& map : maps) {
-        m_maps.push_back(thickened(map, centre, std::min(thinnest * m_pixel / size, 0.1)));
-        if (m_maps.back() == map) continue;
-        anyThick = true;
-        thickNorm = std::max(thickNorm, ifs::spectralNorm<2>(m_maps.back().linear));
+        const bool isSingular = !(thickened(map, m_centre, std::min(m_thinness, singular)) == map);
+        m_shadows.push_back(isSingular ? std::optional(shadowOf(map)) : std::nullopt);
     }
-    if (anyThick) m_thickeningError = accumulated(thinnest, thickNorm, ifs::classify<2>(maps));
-    if (!(m_display == display)) m_thickeningError += thinnest;
+}
+
+// As bars across the direction that the map keeps: thickened, they become bars of the same thickness.
+SvgLevels::Shadow SvgLevels::shadowOf(const ifs::AffineMap<2>& map) const {
+    const ifs::Vector<2> along = longestDirection(map.linear);
+    const ifs::Vector<2> across = ifs::Vector<2>(-along.y(), along.x()) * (m_diameter / 2);
+    const double length = std::max(ifs::spectralNorm<2>(map.linear), 1e-9);
+    double detail = std::max(shadowDetail * m_pixel / length, 2 * m_hullError);
+    auto intervals = shadow(m_maps, m_hull, along, detail);
+    while (!intervals)
+        intervals = shadow(m_maps, m_hull, along, detail *= 2);
+    Shadow result{{}, detail};
+    for (const auto& [low, high] : *intervals) {
+        const ifs::Vector<2> middle = m_centre - along.dot(m_centre) * along;
+        const ifs::Vector<2> from = middle + (low - detail / 2) * along;
+        const ifs::Vector<2> to = middle + (high + detail / 2) * along;
+        result.bars.push_back({from - across, to - across, to + across, from + across});
+    }
+    return result;
+}
+
+double SvgLevels::shiftBetween(const ifs::AffineMap<2>& a, const ifs::AffineMap<2>& b) const {
+    const ifs::AffineMap<2> difference{a.linear - b.linear, a.translation - b.translation};
+    double furthest = difference(m_centre).norm();
+    for (const auto& point : m_hull) // the hull contains the attractor but for m_hullError
+        furthest = std::max(furthest, difference(point).norm());
+    return furthest + ifs::spectralNorm<2>(difference.linear) * m_hullError;
+}
+
+// The copies that `level` makes are about exp(shrinkage·(depth − level)) times smaller than the picture.
+ifs::AffineMap<2> SvgLevels::map(std::size_t i, int level, int depth) const {
+    if (!m_shadows[i]) return m_maps[i];
+    const double least = m_thinness * std::exp(m_shrinkage * (depth - level));
+    return thickened(m_maps[i], m_centre, std::min(least, mostThinness));
 }
 
 void SvgLevels::countReferences() {
     for (int level = 0; level <= mostLevels; ++level) {
         std::uint64_t sum = 0;
         for (std::size_t i = 0; level > 0 && i < m_maps.size(); ++i)
-            sum += 1 + m_references[std::size_t(below(level, i))];
+            sum += m_shadows[i] ? 1 : 1 + m_references[std::size_t(below(level, i))];
         m_references.push_back(std::min(sum, mostReferences));
     }
 }
@@ -210,28 +286,47 @@ int SvgLevels::deepest() const {
     return int(tooMany - m_references.begin()) - 1;
 }
 
-double SvgLevels::error(int level) const {
+SvgLevels::Deviation SvgLevels::deviation(int depth) const {
     struct Copy {
         ifs::Matrix<2> linear;
         int level;
+        double shift; // of its points, by thickening, in pixels
     };
-    double largest = 0;
-    const double diameter = diameterOf(outline(level));
-    std::vector<Copy> open{{m_display.linear, level}};
+    Deviation largest;
+    const double diameter = diameterOf(outline(depth));
+    std::vector<std::vector<std::pair<ifs::AffineMap<2>, double>>> maps; // with their shifts, by level
+    for (int level = 0; level <= depth; ++level) {
+        auto& row = maps.emplace_back();
+        for (std::size_t i = 0; i < m_maps.size(); ++i) {
+            const ifs::AffineMap<2> drawn = map(i, level, depth);
+            row.emplace_back(drawn, shiftBetween(drawn, m_maps[i]));
+        }
+    }
+    std::vector<Copy> open{{m_display.linear, depth, m_displayShift}};
     while (!open.empty()) {
         const Copy copy = open.back();
         open.pop_back();
-        const double size = ifs::spectralNorm<2>(copy.linear) * diameter;
-        if (copy.level == 0) largest = std::max(largest, size);
-        for (std::size_t i = 0; copy.level > 0 && i < m_maps.size(); ++i)
-            open.push_back({copy.linear * m_maps[i].linear, below(copy.level, i)});
+        const double norm = ifs::spectralNorm<2>(copy.linear);
+        if (copy.level == 0) {
+            largest.copy = std::max(largest.copy, norm * diameter);
+            largest.all = std::max(largest.all, norm * diameter + copy.shift);
+            continue;
+        }
+        const auto& row = maps[std::size_t(copy.level)];
+        for (std::size_t i = 0; i < row.size(); ++i)
+            open.push_back(
+                {copy.linear * row[i].first.linear, below(copy.level, i), copy.shift + norm * row[i].second});
     }
-    return largest + m_thickeningError;
+    return largest;
+}
+
+double SvgLevels::error(int depth) const {
+    return deviation(depth).all;
 }
 
 int SvgLevels::levelFor(double wanted) const {
     int level = 0;
-    while (references(level + 1) <= comfortableReferences && error(level) - m_thickeningError > wanted)
+    while (references(level + 1) <= comfortableReferences && deviation(level).copy > wanted)
         ++level;
     return level;
 }

@@ -25,10 +25,20 @@ public:
     // `display` takes the code's coordinates to pixels. nullopt without an attractor of finite size.
     static std::optional<SvgLevels> of(const document::System2& system, const ifs::AffineMap<2>& display);
 
-    // Active maps, none singular, their places in the system, and where the picture goes.
-    const std::vector<ifs::AffineMap<2>>& maps() const { return m_maps; }
+    // The active maps' places in the system, the map by which a level makes its copy in a picture of this
+    // depth, and where the picture goes. None is singular: a singular map is raised to what can be seen at
+    // the size of that copy.
     const std::vector<std::size_t>& index() const { return m_index; }
+    ifs::AffineMap<2> map(std::size_t i, int level, int depth) const;
     const ifs::AffineMap<2>& display() const { return m_display; } // not singular
+
+    // A singular map shows the attractor flat on a line, and there is nothing of a level below left to see.
+    // Its copies are of these bars: they cover the attractor seen along that line to half a pixel.
+    struct Shadow {
+        std::vector<std::vector<ifs::Vector<2>>> bars;
+        double detail; // in the code's units
+    };
+    const std::optional<Shadow>& shadowOf(std::size_t i) const { return m_shadows[i]; }
 
     // Level 0 for a picture of this depth: contains the attractor; convex, counter-clockwise. So much wider
     // that copies thinner than a pixel do not fade away.
@@ -41,25 +51,35 @@ public:
     int deepest() const; // with fewer than mostReferences
 
     // Certified bound, in pixels, of the distance between the attractor and what is drawn, both ways.
-    double error(int level) const;
+    double error(int depth) const;
     // The first whose copies leave no larger error, else the deepest that programs draw without a long wait.
     int levelFor(double error) const;
 
 private:
     void thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs::AffineMap<2>& display);
+    Shadow shadowOf(const ifs::AffineMap<2>& map) const;
     void countReferences();
+    double shiftBetween(const ifs::AffineMap<2>& a, const ifs::AffineMap<2>& b) const; // of the attractor
+    struct Deviation {
+        double copy = 0; // largest copy of level 0, in pixels
+        double all = 0;  // with what thickening adds
+    };
+    Deviation deviation(int depth) const;
     double margin(int depth) const; // between the hull and the outline
 
     std::vector<ifs::Vector<2>> m_hull;
     double m_hullError = 0;
     double m_diameter = 0; // of the hull
     double m_pixel = 1;    // in the code's units
-    std::vector<ifs::AffineMap<2>> m_maps;
+    ifs::Vector<2> m_centre = ifs::Vector<2>::Zero();
+    std::vector<ifs::AffineMap<2>> m_maps;        // as they are
+    std::vector<std::optional<Shadow>> m_shadows; // of the singular maps
+    double m_thinness = 0; // that a singular map is raised to, as a copy of the whole picture
     std::vector<std::size_t> m_index;
     std::vector<int> m_steps;
     double m_shrinkage = 0; // minus the logarithm of what one level shrinks by
     ifs::AffineMap<2> m_display;
-    double m_thickeningError = 0; // in pixels
+    double m_displayShift = 0; // in pixels
     std::vector<std::uint64_t> m_references;
 };
 

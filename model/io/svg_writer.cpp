@@ -3,12 +3,12 @@
 
 #include "io/fractint_writer.h"
 #include "io/number.h"
-#include "io/svg_levels.h"
+#include "io/svg_shapes.h"
 #include "io/svg_system.h"
 
-#include <QCoreApplication>
 #include <QXmlStreamWriter>
 
+#include <cmath>
 #include <set>
 
 namespace io {
@@ -18,10 +18,6 @@ namespace {
 constexpr double goodEnough = 1; // pixel
 const QString svg = QStringLiteral("http://www.w3.org/2000/svg");
 const QString xlink = QStringLiteral("http://www.w3.org/1999/xlink");
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("SvgWriter", text);
-}
 
 QString text(double number) {
     return QString::fromLatin1(formatNumber(number));
@@ -58,23 +54,10 @@ QString withoutControls(const QString& text) {
     return result;
 }
 
-struct Levels {
-    std::optional<SvgLevels> levels;
-    Failure failure;
-};
-
-Levels levelsOf(const document::Fractal& fractal, const attractor::Camera& camera) {
-    const document::System2* system = document::system2(fractal);
-    if (!system) return {{}, tr("Only plane systems can be written as a scalable picture.")};
-    ifs::AffineMap<2> display = worldToPixel(camera);
-    if (fractal.cage) display = display * ifs::displayMap(*fractal.cage);
-    auto levels = SvgLevels::of(*system, display);
-    if (!levels)
-        return {
-            {},
-            tr("The system has no attractor of which an outline could be certified, so there is nothing to "
-               "make copies of.")};
-    return {std::move(levels), {}};
+// To a thousandth of a pixel.
+QString pixels(const ifs::Vector<2>& point) {
+    const auto rounded = [](double number) { return text(std::round(number * 1000) / 1000); };
+    return rounded(point.x()) + QLatin1Char(' ') + rounded(point.y());
 }
 
 SvgPlan planOf(const document::Fractal& fractal, const SvgLevels& levels, const SvgFormat& format) {
@@ -89,26 +72,71 @@ SvgPlan planOf(const document::Fractal& fractal, const SvgLevels& levels, const 
 
 class Writer {
 public:
-    Writer(const document::Fractal& fractal, const attractor::Camera& camera, const SvgLevels& levels,
-           int depth)
-        : m_fractal(fractal), m_camera(camera), m_levels(levels), m_depth(depth), m_xml(&m_bytes) {}
+    Writer(const document::Fractal& fractal, const attractor::Camera& camera)
+        : m_fractal(fractal), m_camera(camera), m_xml(&m_bytes) {}
 
-    QByteArray write(CageVisibility cage) {
+    QByteArray structured(const SvgLevels& levels, int depth, CageVisibility cage) {
+        return picture(cage, [&] {
+            writeDefinitions(levels, depth);
+            writeBackground();
+            writeAttractor(levels, depth);
+        });
+    }
+
+    // Nothing to fill and no background: what the knife or the pen follows, and nothing else.
+    QByteArray outline(const std::vector<Ring>& rings, CageVisibility cage) {
+        return picture(cage, [&] {
+            QString path;
+            for (const Ring& ring : rings) {
+                QStringList corners;
+                for (const auto& point : ring)
+                    corners << pixels(point);
+                path += QLatin1Char('M') + corners.join(QLatin1Char(' ')) + QLatin1Char('Z');
+            }
+            startPath(QStringLiteral("outline"), path, QStringLiteral("#000000"));
+            attribute("stroke-linejoin", QStringLiteral("round"));
+        });
+    }
+
+    QByteArray points(const std::vector<ColouredPoints>& groups, CageVisibility cage) {
+        return picture(cage, [&] {
+            writeBackground();
+            startElement("g");
+            attribute("id", QStringLiteral("points"));
+            attribute("stroke-linecap", QStringLiteral("round")); // a line without length is a dot
+            for (const ColouredPoints& group : groups) {
+                QString path;
+                for (const auto& point : group.points)
+                    path += QLatin1Char('M') + pixels(point) + QLatin1String("h0");
+                startPath({}, path, text(group.colour));
+            }
+            m_xml.writeEndElement();
+        });
+    }
+
+private:
+    template <typename Content> QByteArray picture(CageVisibility cage, const Content& content) {
         m_xml.setAutoFormatting(true);
         m_xml.setAutoFormattingIndent(1);
         m_xml.writeStartDocument();
         startRoot();
         writeMetadata();
-        writeDefinitions();
-        writeBackground();
-        writeAttractor();
+        content();
         if (cage == CageVisibility::Shown) writeCage();
         m_xml.writeEndElement();
         m_xml.writeEndDocument();
         return m_bytes;
     }
 
-private:
+    void startPath(const QString& id, const QString& path, const QString& colour) {
+        m_xml.writeEmptyElement(svg, QStringLiteral("path"));
+        if (!id.isEmpty()) attribute("id", id);
+        attribute("d", path);
+        attribute("fill", QStringLiteral("none"));
+        attribute("stroke", colour);
+        attribute("stroke-width", QStringLiteral("1"));
+    }
+
     void attribute(const char* name, const QString& value) {
         m_xml.writeAttribute(QLatin1String(name), value);
     }
@@ -137,47 +165,51 @@ private:
     }
 
     static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
+    static QString shadowId(std::size_t i) { return QStringLiteral("shadow-%1").arg(i + 1); }
 
     // The levels that the deepest one needs.
-    std::set<int> usedLevels() const {
-        std::set<int> used{m_depth};
+    static std::set<int> usedLevels(const SvgLevels& levels, int depth) {
+        std::set<int> used{depth};
         for (auto level = used.rbegin(); level != used.rend() && *level > 0; ++level)
-            for (std::size_t i = 0; i < m_levels.maps().size(); ++i)
-                used.insert(m_levels.below(*level, i));
+            for (std::size_t i = 0; i < levels.index().size(); ++i)
+                if (!levels.shadowOf(i)) used.insert(levels.below(*level, i));
         return used;
     }
 
-    void writeDefinitions() {
+    void writeDefinitions(const SvgLevels& levels, int depth) {
         startElement("defs");
-        for (const int level : usedLevels()) {
-            if (level == 0)
-                writeOutline();
-            else if (level < m_depth)
-                writeLevel(level);
+        for (std::size_t i = 0; depth > 0 && i < levels.index().size(); ++i)
+            if (const auto& shadow = levels.shadowOf(i)) writeShadow(i, *shadow);
+        for (const int level : usedLevels(levels, depth)) {
+            if (level == 0) {
+                m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
+                attribute("id", levelId(0));
+                attribute("points", pointList(levels.outline(depth)));
+            } else if (level < depth) {
+                startElement("g");
+                attribute("id", levelId(level));
+                for (std::size_t i = 0; i < levels.index().size(); ++i)
+                    writeCopy(levels, depth, level, i);
+                m_xml.writeEndElement();
+            }
         }
         m_xml.writeEndElement();
     }
 
-    void writeOutline() {
-        m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
-        attribute("id", levelId(0));
-        attribute("points", pointList(m_levels.outline(m_depth)));
+    void writeShadow(std::size_t i, const SvgLevels::Shadow& shadow) {
+        QString path;
+        for (const auto& bar : shadow.bars)
+            path += QLatin1Char('M') + pointList(bar) + QLatin1Char('z');
+        m_xml.writeEmptyElement(svg, QStringLiteral("path"));
+        attribute("id", shadowId(i));
+        attribute("d", path);
     }
 
-    void writeLevel(int level) {
-        startElement("g");
-        attribute("id", levelId(level));
-        for (std::size_t i = 0; i < m_levels.maps().size(); ++i)
-            writeCopy(level, i, {});
-        m_xml.writeEndElement();
-    }
-
-    void writeCopy(int level, std::size_t i, const QString& colour) {
+    void writeCopy(const SvgLevels& levels, int depth, int level, std::size_t i) {
         m_xml.writeEmptyElement(svg, QStringLiteral("use"));
-        m_xml.writeAttribute(xlink, QStringLiteral("href"),
-                             QLatin1Char('#') + levelId(m_levels.below(level, i)));
-        attribute("transform", text(m_levels.maps()[i]));
-        if (!colour.isEmpty()) attribute("fill", colour);
+        const QString of = levels.shadowOf(i) ? shadowId(i) : levelId(levels.below(level, i));
+        m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + of);
+        attribute("transform", text(levels.map(i, level, depth)));
     }
 
     void writeBackground() {
@@ -190,38 +222,19 @@ private:
         if (colour.alpha != 255) attribute("fill-opacity", text(colour.alpha / 255.0));
     }
 
-    // One colour for what has shades in the picture made of points: the bright part of the palette.
-    attractor::Rgba colourOfAll() const {
-        const attractor::Appearance& appearance = m_fractal.appearance;
-        return appearance.colourBy == attractor::ColourBy::Plain
-                   ? appearance.plain
-                   : attractor::colourAt(appearance.palette, 0.75);
-    }
-
-    // Empty where the maps of the top level share the colour of all.
-    QString colourOfMap(std::size_t i) const {
-        const attractor::Appearance& appearance = m_fractal.appearance;
-        const document::System2& system = *document::system2(m_fractal);
-        const std::size_t place = m_levels.index()[i];
-        if (appearance.colourBy == attractor::ColourBy::Map)
-            return text(attractor::mapColour(appearance, system.maps[place].id, place));
-        if (appearance.colourBy == attractor::ColourBy::Address)
-            return text(
-                attractor::colourAt(appearance.palette, (double(i) + 0.5) / double(m_levels.maps().size())));
-        return {};
-    }
-
-    void writeAttractor() {
+    void writeAttractor(const SvgLevels& levels, int depth) {
         startElement("g");
         attribute("id", QStringLiteral("attractor"));
-        attribute("transform", text(m_levels.display()));
-        attribute("fill", text(colourOfAll()));
-        if (m_depth == 0) {
+        attribute("transform", text(levels.display()));
+        attribute("fill", text(shapeColour(m_fractal.appearance)));
+        if (depth == 0) {
             m_xml.writeEmptyElement(svg, QStringLiteral("use"));
             m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + levelId(0));
         }
-        for (std::size_t i = 0; m_depth > 0 && i < m_levels.maps().size(); ++i)
-            writeCopy(m_depth, i, colourOfMap(i));
+        for (std::size_t i = 0; depth > 0 && i < levels.index().size(); ++i) {
+            writeCopy(levels, depth, depth, i);
+            if (const auto colour = shapeColour(m_fractal, levels, i)) attribute("fill", text(*colour));
+        }
         m_xml.writeEndElement();
     }
 
@@ -249,8 +262,6 @@ private:
 
     const document::Fractal& m_fractal;
     const attractor::Camera& m_camera;
-    const SvgLevels& m_levels;
-    int m_depth;
     QByteArray m_bytes;
     QXmlStreamWriter m_xml;
 };
@@ -258,25 +269,35 @@ private:
 } // namespace
 
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format) {
-    const Levels levels = levelsOf(fractal, camera);
-    if (levels.failure) {
-        SvgPlan plan;
-        plan.failure = levels.failure;
-        return plan;
-    }
-    return planOf(fractal, *levels.levels, format);
+    const ShapeLevels levels = shapeLevels(fractal, camera);
+    if (levels.levels) return planOf(fractal, *levels.levels, format);
+    SvgPlan plan;
+    plan.failure = levels.failure;
+    return plan;
 }
 
 SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera& camera,
-                      const SvgFormat& format) {
-    const Levels levels = levelsOf(fractal, camera);
+                      const SvgFormat& format, const std::stop_token& stop) {
+    const ShapeLevels levels = shapeLevels(fractal, camera);
     SvgPicture picture;
     if (levels.failure) {
         picture.plan.failure = levels.failure;
         return picture;
     }
     picture.plan = planOf(fractal, *levels.levels, format);
-    picture.bytes = Writer(fractal, camera, *levels.levels, picture.plan.depth).write(format.cage);
+    const int depth = picture.plan.depth;
+    Writer writer(fractal, camera);
+    switch (format.style) {
+    case ShapeStyle::Structured:
+        picture.bytes = writer.structured(*levels.levels, depth, format.cage);
+        break;
+    case ShapeStyle::Outline:
+        picture.bytes = writer.outline(leafUnion(*levels.levels, depth, stop), format.cage);
+        break;
+    case ShapeStyle::Points:
+        picture.bytes = writer.points(shapePoints(fractal, camera, format.points, format.seed), format.cage);
+        break;
+    }
     return picture;
 }
 

@@ -10,15 +10,25 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 
 namespace io {
 
+// Structured: copies of copies, small files. Outline: the union of the copies as one path, for cutters and
+// plotters. Points: dots of the chaos game.
+enum class ShapeStyle { Structured, Outline, Points };
+
 struct SvgFormat {
-    std::optional<int> depth; // levels of copies; nullopt: as many as a pixel needs
+    static constexpr std::uint64_t mostPoints = 1'000'000;
+
+    std::optional<int> depth = std::nullopt; // levels of copies; nullopt: as many as a pixel needs
     CageVisibility cage = CageVisibility::Hidden;
+    ShapeStyle style = ShapeStyle::Structured;
+    std::uint64_t points = 20'000; // at most mostPoints
+    std::uint64_t seed = 1;
 };
 
-// What a structured picture would be: for the dialog, before anything is written.
+// What a picture of shapes would be: for the dialog, before anything is written.
 struct SvgPlan {
     int depth = 0;
     int deepest = 0;              // the largest depth that stays under the bound of references
@@ -29,13 +39,13 @@ struct SvgPlan {
 };
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format);
 
-// The fractal as the camera shows it, in a scalable picture made of copies: `<defs>` holds an outline and the
-// levels, each level one `<use>` for every map. Carries the entry as `.ifs` text for readSvgSystem().
+// The fractal as the camera shows it, in a scalable picture. Of a structured one `<defs>` holds an outline
+// and the levels, each level one `<use>` for every map. Carries the entry as `.ifs` text for readSvgSystem().
 struct SvgPicture {
     QByteArray bytes; // empty after a failure
     SvgPlan plan;
 };
 SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera& camera,
-                      const SvgFormat& format);
+                      const SvgFormat& format, const std::stop_token& stop = {});
 
 } // namespace io

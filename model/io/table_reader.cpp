@@ -2,12 +2,13 @@
 #include "io/table_reader.h"
 
 #include "io/number.h"
+#include "io/written_weights.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 namespace io {
 
@@ -24,8 +25,10 @@ QString tr(const char* sentence) {
 
 struct Cell {
     QString text;
-    int column = 1; // 1-based, in bytes of the UTF-8 text
+    int line = 1;
+    int column = 1; // both from 1; the column in bytes of the UTF-8 text
 };
+using Row = QList<Cell>;
 
 enum class Separator { Semicolon, Tab, Comma, Blank };
 
@@ -49,11 +52,12 @@ bool isSeparator(QChar c, const Dialect& dialect) {
 }
 
 // Blanks inside a cell separate numbers as well: "0.5 0; 0 0.5" is two cells with two numbers each.
-QList<Cell> cellsOf(const QString& line, const Dialect& dialect) {
-    QList<Cell> cells;
+Row cellsOf(const QString& text, int line, const Dialect& dialect) {
+    Row cells;
     Cell cell;
+    cell.line = line;
     int column = 1;
-    for (const QChar c : line) {
+    for (const QChar c : text) {
         if (c == QLatin1Char(';') && dialect.separator != Separator::Semicolon) break; // a comment
         if (isSeparator(c, dialect) || c.isSpace()) {
             if (!cell.text.isEmpty()) cells << cell;
@@ -75,7 +79,14 @@ std::optional<double> value(QString text, const Dialect& dialect) {
         if (text.contains(QLatin1Char('.'))) return std::nullopt;
         text.replace(QLatin1Char(','), QLatin1Char('.'));
     }
-    return parseNumber(text);
+    if (text.size() <= 2) text = text.normalized(QString::NormalizationForm_KD); // ½ → 1⁄2
+    text.replace(QChar(0x2044), QLatin1Char('/'));
+    const qsizetype slash = text.indexOf(QLatin1Char('/'));
+    if (slash < 0) return parseNumber(text);
+    const auto numerator = parseNumber(text.left(slash));
+    const auto denominator = parseNumber(text.mid(slash + 1));
+    if (!numerator || !denominator || !std::isfinite(*numerator / *denominator)) return std::nullopt;
+    return *numerator / *denominator;
 }
 
 // Semicolons or tabs between all numbers of a row leave the comma free to be the decimal one. Fewer
@@ -96,96 +107,190 @@ Dialect dialectOf(const QStringList& lines) {
     return {comma ? Separator::Comma : Separator::Blank, false};
 }
 
-bool isHeader(const QList<Cell>& cells, const Dialect& dialect) {
-    return std::none_of(cells.begin(), cells.end(),
-                        [&](const Cell& cell) { return value(cell.text, dialect).has_value(); });
-}
-
-// The order of the columns is Fractint's unless a header says otherwise.
-bool isForeignHeader(const QList<Cell>& cells) {
-    static const QStringList letters{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"),
-                                     QStringLiteral("d"), QStringLiteral("e"), QStringLiteral("f")};
-    QStringList named;
-    for (const Cell& cell : cells)
-        if (const QString name = cell.text.toLower(); letters.contains(name)) named << name;
-    return named.size() == letters.size() && named != letters;
-}
-
 class TableParser {
 public:
-    explicit TableParser(const QString& text) : m_lines(linesOf(text)), m_dialect(dialectOf(m_lines)) {}
+    TableParser(const QString& text, const std::optional<TableColumns>& columns)
+        : m_lines(linesOf(text)),
+          m_dialect(dialectOf(m_lines)),
+          m_chosen(columns.has_value()),
+          m_columns(columns.value_or(fractintColumns())) {}
+
+    bool beginsWithMatrices() && { return beginsWithACount(rows(5)); }
 
     Table read() && {
-        int number = 0;
-        for (const QString& line : m_lines) {
-            ++number;
-            const QList<Cell> cells = cellsOf(line, m_dialect);
-            if (!cells.isEmpty()) readRow(number, cells);
-            if (m_table.problems.size() >= maxProblems) break;
+        m_next = 0;
+        const QList<Row> beginning = rows(mostTransposed + 1);
+        if (beginsWithACount(beginning)) {
+            m_next = 0;
+            readMatrices();
+        } else if (const auto turned = transposed(beginning)) {
+            for (const Row& row : *turned)
+                readRow(row);
+        } else {
+            m_next = 0;
+            for (QList<Row> row = rows(1); !row.isEmpty() && m_table.problems.size() < maxProblems;
+                 row = rows(1))
+                readRow(row.first());
         }
         if (m_table.rows.empty() && m_table.problems.isEmpty())
-            fail(0, 0,
-                 tr("There are no rows of numbers to paste: a row is a b c d e f and perhaps a weight."));
+            fail({}, tr("There are no rows of numbers: a row is a b c d e f and perhaps a weight."));
+        if (std::find(m_columns.begin(), m_columns.end(), TableColumn::Cumulative) != m_columns.end())
+            takeDifferences();
         return std::move(m_table);
     }
 
 private:
+    static constexpr qsizetype mostTransposed = 12; // rows of a table that has a column for every map
+
     static QStringList linesOf(QString text) {
         text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"))
             .replace(QLatin1Char('\r'), QLatin1Char('\n'));
         return text.split(QLatin1Char('\n'));
     }
 
-    void readRow(int line, QList<Cell> cells) {
-        if (isHeader(cells, m_dialect)) {
-            if (!m_table.rows.empty() || m_hasHeader)
-                fail(line, cells.first().column, tr("“%1” is not a number.").arg(cells.first().text));
-            else if (isForeignHeader(cells))
-                fail(line, cells.first().column,
-                     tr("The columns are not in the order a b c d e f; reorder them and paste again."));
-            m_hasHeader = true;
-            return;
+    // The next rows that are not empty, at most so many.
+    QList<Row> rows(qsizetype most) {
+        QList<Row> found;
+        for (; m_next < m_lines.size() && found.size() < most; ++m_next)
+            if (Row cells = cellsOf(m_lines[m_next], int(m_next) + 1, m_dialect); !cells.isEmpty())
+                found << std::move(cells);
+        return found;
+    }
+
+    bool isHeader(const Row& cells) const {
+        return std::none_of(cells.begin(), cells.end(),
+                            [this](const Cell& cell) { return value(cell.text, m_dialect).has_value(); });
+    }
+
+    static QStringList namesIn(const Row& cells) {
+        QStringList names;
+        for (const Cell& cell : cells)
+            names << cell.text;
+        return names;
+    }
+
+    // One column per map: every row begins with the name of what it holds.
+    std::optional<QList<Row>> transposed(const QList<Row>& table) const {
+        if (table.size() < 6 || table.size() > 7 || isHeader(table.first())) return std::nullopt;
+        QStringList names;
+        for (const Row& row : table) {
+            if (row.size() != table.first().size()) return std::nullopt;
+            names << row.first().text;
         }
+        if (!tableColumns(names)) return std::nullopt;
+        QList<Row> turned(table.first().size());
+        for (const Row& row : table)
+            for (qsizetype i = 0; i < row.size(); ++i)
+                turned[i] << row[i];
+        return turned;
+    }
+
+    // "3", then for every map a line with its weight and three lines of a matrix that ends in 0 0 1.
+    bool beginsWithACount(const QList<Row>& table) const {
+        return table.size() >= 5 && table[0].size() == 1 && table[1].size() == 1 && table[2].size() == 3 &&
+               value(table[0][0].text, m_dialect).has_value();
+    }
+
+    void readMatrices() {
+        const Cell count = rows(1).first().first();
+        m_columns = fractintColumns();
+        for (QList<Row> map = rows(4); !map.isEmpty() && m_table.problems.isEmpty(); map = rows(4)) {
+            if (map.size() != 4 || map[0].size() != 1 || map[1].size() != 3 || map[2].size() != 3 ||
+                map[3].size() != 3)
+                return fail(map[0][0], tr("After the count, a map is its weight and a matrix of 3 rows."));
+            const Row flat{map[1][0], map[1][1], map[2][0], map[2][1], map[1][2], map[2][2], map[0][0]};
+            const auto last = [&](qsizetype i) { return value(map[3][i].text, m_dialect); };
+            if (last(0) != 0.0 || last(1) != 0.0 || last(2) != 1.0)
+                return fail(map[3][0], tr("The last row of the matrix of an affine map is 0 0 1."));
+            addRow(flat);
+        }
+        if (m_table.problems.isEmpty() && value(count.text, m_dialect) != double(m_table.rows.size()))
+            fail(count, tr("The table says that it has %1 maps, and it has %2.")
+                            .arg(count.text)
+                            .arg(m_table.rows.size()));
+    }
+
+    void readHeader(const Row& cells) {
+        if (!m_table.rows.empty() || m_hasHeader)
+            return fail(cells.first(), tr("“%1” is not a number.").arg(cells.first().text));
+        m_hasHeader = true;
+        if (m_chosen) return;
+        QStringList names = namesIn(cells);
+        auto columns = tableColumns(names);
+        if (!columns && names.size() > 6) {
+            names.removeFirst(); // what stands over the labels
+            columns = tableColumns(names);
+        }
+        if (columns)
+            m_columns = *columns;
+        else
+            m_unknownHeader = cells;
+    }
+
+    void readRow(Row cells) {
+        if (isHeader(cells)) return readHeader(cells);
+        if (cells.size() == m_unknownHeader.size() && cells.size() >= 6) {
+            m_table.isTable = true;
+            return fail(m_unknownHeader.first(),
+                        tr("The header does not say which column is a, b, c, d, e and f; choose the order of "
+                           "the columns."));
+        }
+        m_unknownHeader.clear();
         if (!value(cells.first().text, m_dialect) || cells.size() == 8)
             cells.removeFirst(); // a label: ƒ1, w1, 1
-        std::array<double, 7> numbers{};
         if (cells.size() != 6 && cells.size() != 7)
             return fail(
-                line, cells.isEmpty() ? 1 : cells.first().column,
+                cells.isEmpty() ? Cell{} : cells.first(),
                 tr("This row has %1 numbers; a map is 6 numbers, or 7 with its weight.").arg(cells.size()));
-        for (qsizetype i = 0; i < cells.size(); ++i) {
-            const auto number = value(cells[i].text, m_dialect);
-            if (!number)
-                return fail(line, cells[i].column,
-                            tr("“%1” is not a decimal number.").arg(cells[i].text.left(40)));
-            numbers[static_cast<std::size_t>(i)] = *number;
+        addRow(cells);
+    }
+
+    void addRow(const Row& cells) {
+        std::vector<double> numbers;
+        for (const Cell& cell : cells) {
+            const auto number = value(cell.text, m_dialect);
+            if (!number) return fail(cell, tr("“%1” is not a decimal number.").arg(cell.text.left(40)));
+            numbers.push_back(*number);
         }
-        addRow(line, numbers, cells.size() == 7);
-    }
-
-    void addRow(int line, const std::array<double, 7>& n, bool hasWeight) {
         if (static_cast<qsizetype>(m_table.rows.size()) >= maxRows)
-            return fail(line, 1, tr("The table has more than %1 rows, which is the limit.").arg(maxRows));
-        ifs::WeightedMap<2> row;
-        row.map = ifs::affineMap(n[0], n[1], n[2], n[3], n[4], n[5]);
-        if (hasWeight) row.weight = n[6];
-        m_table.rows.push_back(row);
+            return fail(cells.first(),
+                        tr("The table has more than %1 rows, which is the limit.").arg(maxRows));
+        m_table.rows.push_back(mapOf(m_columns, numbers));
+        m_table.isTable = true;
     }
 
-    void fail(int line, int column, const QString& message) {
-        m_table.problems.append({Problem::Severity::Error, {}, line, column, message});
+    void takeDifferences() {
+        double before = 0;
+        for (auto& row : m_table.rows) {
+            const double sum = row.weight.value_or(before);
+            row.weight = sum - before;
+            before = sum;
+        }
+    }
+
+    void fail(const Cell& where, const QString& message) {
+        const int line = where.text.isEmpty() ? 0 : where.line;
+        m_table.problems.append({Problem::Severity::Error, {}, line, line == 0 ? 0 : where.column, message});
     }
 
     QStringList m_lines;
     Dialect m_dialect;
+    bool m_chosen;
+    TableColumns m_columns;
+    qsizetype m_next = 0; // of the lines
     bool m_hasHeader = false;
+    Row m_unknownHeader;
     Table m_table;
 };
 
 } // namespace
 
-Table readTable(const QString& text) {
-    return TableParser(text).read();
+Table readTable(const QString& text, const std::optional<TableColumns>& columns) {
+    return TableParser(text, columns).read();
+}
+
+bool beginsWithMatrices(const QString& beginning) {
+    return TableParser(beginning, std::nullopt).beginsWithMatrices();
 }
 
 QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows) {
@@ -199,6 +304,24 @@ QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows) {
         text += '\n';
     }
     return QString::fromLatin1(text);
+}
+
+QByteArray writeTable(const ifs::IteratedFunctionSystem<2>& system, const TableColumns& columns,
+                      TableSeparator separator) {
+    const bool cumulative =
+        std::find(columns.begin(), columns.end(), TableColumn::Cumulative) != columns.end();
+    const QByteArray between(1, separator == TableSeparator::Comma ? ',' : '\t');
+    QByteArray text = columnNames(columns).join(QString::fromLatin1(between)).toLatin1() + '\n';
+    const std::vector<double> weights = writtenWeights(system);
+    double sum = 0;
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        sum += weights[i];
+        QByteArrayList cells;
+        for (const double number : numbersOf(columns, system.maps[i].map, cumulative ? sum : weights[i]))
+            cells << formatNumber(number);
+        text += cells.join(between) + '\n';
+    }
+    return text;
 }
 
 } // namespace io

@@ -2,23 +2,36 @@
 #pragma once
 
 #include "document/problem.h"
-#include "ifs/iterated_function_system.h"
+#include "io/table_columns.h"
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace io {
 
-// Rows of numbers as people paste them: blanks, tabs, commas or semicolons between 6 or 7 numbers a row,
-// optional label and header, Fractint order "a b c d e f [p]".
+// Rows of numbers as people paste them: blanks, tabs, commas or semicolons between 6 or 7 numbers a row, with
+// or without a label and a header; one column per map when the rows are labelled a, b, c …; or a count
+// followed, for every map, by its weight and a 3×3 matrix. The order of the columns is the one given, else
+// the header's, else Fractint's "a b c d e f [p]".
 struct Table {
     std::vector<ifs::WeightedMap<2>> rows; // without ids
     document::Problems problems;           // any error: nothing is to be pasted
+    bool isTable = false;                  // there was a row that could be read, or a header over one
 };
-Table readTable(const QString& text);
+Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt);
 
-// Tab-separated rows a b c d e f p.
+// Whether a text begins like a count and matrices, whose numbers could be taken for rows of 7.
+bool beginsWithMatrices(const QString& beginning);
+
+// Tab-separated rows a b c d e f p, as they are.
 QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows);
+
+// A whole system with a header and a weight in every row (0: switched off), lines end in LF; RFC 4180 for
+// commas.
+enum class TableSeparator { Comma, Tab };
+QByteArray writeTable(const ifs::IteratedFunctionSystem<2>& system, const TableColumns& columns,
+                      TableSeparator separator);
 
 } // namespace io

@@ -17,7 +17,9 @@ _barycage_cli() {
     --progress) values="always never auto" ;;
     --rest-cage) values="canonical" ;;
     --background) values="transparent black white" ;;
-    --to) values="fractint flame" ;;
+    --to) [ "$subcommand" = render ] && values="png svg pdf" || values="fractint flame aifs csv tsv ply pdf" ;;
+    --paper) values="dark light" ;;
+    --columns|--in-columns) values="abcdefp abecdfp acbdefp pabcdef" ;;
     -o|--output) COMPREPLY=($(compgen -f -- "$current")); return ;;
   esac
   if [ -n "$values" ]; then
@@ -25,15 +27,17 @@ _barycage_cli() {
     return
   fi
   if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W "info render convert --version --help" -- "$current"))
+    COMPREPLY=($(compgen -W "info render convert gallery --version --help" -- "$current"))
     return
   fi
   case $subcommand in
     info) options="--entry --json --hull-tolerance --help" ;;
     render) options="--output --entry --size --points --seed --margin --cage --rest-cage --view --y-down --palette --colour
       --gamma --brightness --background --algorithm --iterations --supersample --threads --svg --depth --bits --dpi --simd
-      --progress --help" ;;
-    convert) options="--entry --bake --strict --to --help" ;;
+      --to --progress --help" ;;
+    convert) options="--entry --bake --strict --to --columns --in-columns --points --seed --y-as-written --progress
+      --help" ;;
+    gallery) options="--output --columns --tile --paper --title --progress --help" ;;
   esac
   if [[ $current == -* ]]; then
     COMPREPLY=($(compgen -W "$options" -- "$current"))

@@ -40,6 +40,15 @@ private slots:
     void cageOfManyCornersBendsThePicture();
     void copyKeepsEveryByte();
     void bakedCodeDrawsTheSame();
+    void convertsThereAndBack_data();
+    void convertsThereAndBack();
+    void convertsManyFilesIntoAFolder();
+    void writesPoints();
+    void parameterFilesBecomeCollections();
+    void drawsShapes();
+    void drawsAGallery();
+    void instructionSetsGiveTheSameBytes();
+    void pictureOptionsCount();
     void interruptLeavesNothing();
 
 private:
@@ -146,8 +155,12 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --background colourless");
     row("render systems.ifs -o x.png --gamma -1");
     row("render systems.ifs -o x.png --gamma 2,2");
-    row("render systems.ifs -o x.png --bits 16");
-    row("render systems.ifs -o x.png --simd avx2");
+    row("render systems.ifs -o x.png --bits 12");
+    row("render systems.ifs -o x.svg --bits 16");
+    row("render systems.ifs -o x.png --simd mmx");
+    row("render systems.ifs -o x.png --palette systems.ifs");
+    row("render systems.ifs -o x.png --colour rainbow");
+    row("render systems.ifs -o x.png --supersample 5");
     row("render systems.ifs -o x.png --depth 3");
     row("render systems.ifs -o x.svg --points 1000");
     row("render systems.ifs -o x.svg --svg outline");
@@ -527,6 +540,238 @@ void CliTest::bakedCodeDrawsTheSame() {
         run({QStringLiteral("info"), QStringLiteral("baked.ifs"), QStringLiteral("--json")});
     QCOMPARE(result.status, 0);
     compare(entryOf(result)[QLatin1String("mean")], 1 + 5135.0 / 70583, 2 + 101021.0 / 70583, 1e-11);
+}
+
+void CliTest::convertsThereAndBack_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QStringList>("there");
+    QTest::addColumn<QStringList>("back");
+    QTest::newRow("flame") << QStringLiteral("fern.flame") << QStringList() << QStringList();
+    QTest::newRow("flame, y down") << QStringLiteral("down.flame")
+                                   << QStringList{QStringLiteral("--y-as-written")}
+                                   << QStringList{QStringLiteral("--y-as-written")};
+    QTest::newRow("csv") << QStringLiteral("fern.csv") << QStringList() << QStringList();
+    QTest::newRow("tsv") << QStringLiteral("fern.tsv")
+                         << QStringList{QStringLiteral("--columns"), QStringLiteral("abecdfp")}
+                         << QStringList{QStringLiteral("--in-columns"), QStringLiteral("a b e c d f p")};
+}
+
+// .ifs → another form → .ifs: the same numbers, to the last digit.
+void CliTest::convertsThereAndBack() {
+    QFETCH(QString, file);
+    QFETCH(QStringList, there);
+    QFETCH(QStringList, back);
+    const auto convert = [this](const QString& in, const QString& out, const QStringList& options) {
+        return run(QStringList{QStringLiteral("convert"), in, out} + options).status;
+    };
+    const QStringList only{QStringLiteral("--entry"), QStringLiteral("fern")};
+    QCOMPARE(convert(QStringLiteral("systems.ifs"), file, there + only), 0);
+    QCOMPARE(convert(file, QStringLiteral("back.ifs"), back), 0);
+    const auto maps = [this](const char* name, const QStringList& options) {
+        const Result result =
+            run(QStringList{QStringLiteral("info"), QLatin1String(name), QStringLiteral("--json")} + options);
+        return entryOf(result)[QLatin1String("maps")].toArray();
+    };
+    const QJsonArray before = maps("systems.ifs", only);
+    const QJsonArray after = maps("back.ifs", {});
+    QCOMPARE(before.size(), 4);
+    QCOMPARE(after.size(), 4);
+    for (int i = 0; i < 4; ++i)
+        for (const char* key : {"linear", "translation", "weight_in_file"})
+            QVERIFY2(before[i][QLatin1String(key)] == after[i][QLatin1String(key)], key);
+}
+
+void CliTest::convertsManyFilesIntoAFolder() {
+    const QStringList convert{QStringLiteral("convert"), QStringLiteral("systems.ifs"),
+                              QStringLiteral("broken.ifs")};
+    QCOMPARE(run(convert + QStringList{QStringLiteral("one.flame")}).status, 2);
+    QCOMPARE(run(convert + QStringList{QStringLiteral("many/")}).status, 2);
+    QVERIFY(!QFile::exists(path("many")));
+    const Result result =
+        run(convert + QStringList{QStringLiteral("many/"), QStringLiteral("--to"), QStringLiteral("aifs")});
+    QCOMPARE(result.status, 1); // the second file has a broken entry
+    QVERIFY2(result.err.contains("broken.ifs:6:"), result.err.constData());
+    QVERIFY(read("many/systems.aifs").contains("@spin:\n$dim=2\n"));
+    QVERIFY(!QFile::exists(path("many/broken.aifs")));
+    // A table holds one system: one file for each, or none.
+    QCOMPARE(
+        run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("all.csv")}).status, 1);
+    QVERIFY(!QFile::exists(path("all.csv")));
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("many"),
+                  QStringLiteral("--to"), QStringLiteral("csv")})
+                 .status,
+             0);
+    QVERIFY(read("many/systems-Fern.csv").startsWith("a,b,c,d,e,f,p\n0,0,0,0.16,0,0,0.01\n"));
+    QVERIFY(QFile::exists(path("many/systems-maple.csv")));
+}
+
+void CliTest::writesPoints() {
+    const QStringList points{QStringLiteral("convert"),  QStringLiteral("systems.ifs"),
+                             QStringLiteral("--entry"),  QStringLiteral("fern"),
+                             QStringLiteral("--points"), QStringLiteral("500")};
+    QCOMPARE(run(points + QStringList{QStringLiteral("points.csv")}).status, 0);
+    QCOMPARE(read("points.csv").count('\n'), 501);
+    QCOMPARE(
+        run(points + QStringList{QStringLiteral("points.ply"), QStringLiteral("--seed"), QStringLiteral("9")})
+            .status,
+        0);
+    QVERIFY(read("points.ply").contains("element vertex 500\n"));
+    QCOMPARE(run(points + QStringList{QStringLiteral("points.flame")}).status, 2);
+    QCOMPARE(
+        run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("none.ply")}).status,
+        2);
+    QVERIFY(!QFile::exists(path("none.ply")));
+}
+
+void CliTest::parameterFilesBecomeCollections() {
+    write("old.par", "view { ; a picture\n type=ifs ifs=leaf\n}\nifs:leaf { ; by hand\n"
+                     " .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n");
+    QCOMPARE(run({QStringLiteral("convert"), QStringLiteral("old.par"), QStringLiteral("leaf.ifs")}).status,
+             0);
+    const QByteArray bytes = read("leaf.ifs");
+    QVERIFY2(bytes.startsWith("leaf { ; by hand\n"), bytes.constData());
+    QVERIFY(!bytes.contains("type=ifs"));
+}
+
+void CliTest::drawsShapes() {
+    const QStringList render{QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o")};
+    QCOMPARE(run(render + QStringList{QStringLiteral("outline.svg"), QStringLiteral("--svg"),
+                                      QStringLiteral("outline")})
+                 .status,
+             0);
+    QCOMPARE(read("outline.svg").count("<path"), 1);
+    QCOMPARE(
+        run(render + QStringList{QStringLiteral("points.svg"), QStringLiteral("--svg"),
+                                 QStringLiteral("points"), QStringLiteral("--points"), QStringLiteral("700")})
+            .status,
+        0);
+    QCOMPARE(read("points.svg").count("h0"), 700);
+    QCOMPARE(
+        run(render + QStringList{QStringLiteral("maple.pdf"), QStringLiteral("--depth"), QStringLiteral("3")})
+            .status,
+        0);
+    QVERIFY(read("maple.pdf").startsWith("%PDF-1."));
+    // A format may be named where the name of the file does not tell it.
+    QCOMPARE(
+        run(render + QStringList{QStringLiteral("thumbnail"), QStringLiteral("--to"), QStringLiteral("png"),
+                                 QStringLiteral("--size"), QStringLiteral("64x64")})
+            .status,
+        0);
+    QCOMPARE(QImage(path("thumbnail"), "PNG").size(), QSize(64, 64));
+    QCOMPARE(
+        run(render + QStringList{QStringLiteral("a.svg"), QStringLiteral("--points"), QStringLiteral("9")})
+            .status,
+        2);
+    QCOMPARE(
+        run({QStringLiteral("convert"), QStringLiteral("systems.ifs"), QStringLiteral("all.pdf")}).status, 0);
+    QVERIFY(read("all.pdf").contains("/Count 2/")); // the third has no attractor
+}
+
+void CliTest::drawsAGallery() {
+    const QStringList gallery{QStringLiteral("gallery"),  QStringLiteral("systems.ifs"),
+                              QStringLiteral("-o"),       QStringLiteral("sheet.png"),
+                              QStringLiteral("--tile"),   QStringLiteral("100x80"),
+                              QStringLiteral("--columns")};
+    const Result first = run(gallery + QStringList{QStringLiteral("3")});
+    QCOMPARE(first.status, 0);
+    QVERIFY2(first.err.isEmpty(), first.err.constData());
+    const QImage wide(path("sheet.png"));
+    QCOMPARE(
+        run(gallery + QStringList{QStringLiteral("1"), QStringLiteral("--paper"), QStringLiteral("light"),
+                                  QStringLiteral("--title"), QStringLiteral("Leaves")})
+            .status,
+        0);
+    const QImage tall(path("sheet.png"));
+    QVERIFY(wide.width() > 300 && wide.height() > 80 && wide.height() < 160);
+    QVERIFY(tall.width() > 100 && tall.width() < 160 && tall.height() > 300);
+    QVERIFY(qGray(wide.pixel(1, 1)) < 30 && qGray(tall.pixel(1, 1)) > 230);
+    // The maple is drawn in the first place, and its name under it.
+    const auto inkIn = [&tall](const QRect& part) {
+        int pixels = 0;
+        for (int y = part.top(); y <= part.bottom(); ++y)
+            for (int x = part.left(); x <= part.right(); ++x)
+                pixels += qGray(tall.pixel(x, y)) < 120;
+        return pixels;
+    };
+    QVERIFY(inkIn(tall.rect()) > 3 * 1000);
+    QCOMPARE(run({QStringLiteral("gallery"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("sheet.jpg")})
+                 .status,
+             2);
+    QCOMPARE(run({QStringLiteral("gallery"), QStringLiteral("absent.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("none.png")})
+                 .status,
+             3);
+    QVERIFY(!QFile::exists(path("none.png")));
+}
+
+void CliTest::instructionSetsGiveTheSameBytes() {
+    const auto drawn = [this](const char* set) {
+        const Result result = run({QStringLiteral("render"), QStringLiteral("systems.ifs"),
+                                   QStringLiteral("-o"), QStringLiteral("set.png"), QStringLiteral("--size"),
+                                   QStringLiteral("100x80"), QStringLiteral("--simd"), QLatin1String(set)});
+        if (result.status == 0) return read("set.png");
+        if (result.status != 2 || !result.err.contains("scalar")) return QByteArray("wrong message");
+        return QByteArray();
+    };
+    const QByteArray scalar = drawn("scalar");
+    QVERIFY(scalar.size() > 100);
+    int possible = 0;
+    for (const char* set : {"sse4", "avx2", "avx3", "neon"}) {
+        const QByteArray bytes = drawn(set);
+        if (bytes.isEmpty()) continue; // not here, said with the list of what is
+        QVERIFY2(bytes == scalar, set);
+        ++possible;
+    }
+    QVERIFY(possible >= 1 && possible <= 3); // no machine has both families
+}
+
+void CliTest::pictureOptionsCount() {
+    write("p.gpl", "GIMP Palette\n0 0 60\n255 0 0\n");
+    write("bad.map", "0 60 0\nnonsense\n0 255 0\n");
+    QList<QImage> pictures;
+    const auto draw = [&](const QStringList& options) {
+        const Result result =
+            run(QStringList{QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                            QStringLiteral("o.png"), QStringLiteral("--size"), QStringLiteral("90x80"),
+                            QStringLiteral("--background"), QStringLiteral("black")} +
+                options);
+        pictures << QImage(path("o.png"));
+        return result;
+    };
+    QCOMPARE(run({QStringLiteral("render"), QStringLiteral("systems.ifs"), QStringLiteral("-o"),
+                  QStringLiteral("paper.png"), QStringLiteral("--size"), QStringLiteral("90x80"),
+                  QStringLiteral("--colour"), QStringLiteral("none"), QStringLiteral("--background"),
+                  QStringLiteral("white")})
+                 .status,
+             0);
+    const QImage paper(path("paper.png"));
+    int dark = 0;
+    for (int y = 0; y < paper.height(); ++y)
+        for (int x = 0; x < paper.width(); ++x)
+            dark += qGray(paper.pixel(x, y)) < 100;
+    QVERIFY(dark > 100);
+    for (const char* colour : {"density", "map", "address", "none"})
+        QCOMPARE(draw({QStringLiteral("--colour"), QLatin1String(colour)}).status, 0);
+    QCOMPARE(draw({QStringLiteral("--supersample"), QStringLiteral("3")}).status, 0);
+    QCOMPARE(draw({QStringLiteral("--palette"), QStringLiteral("ink")}).status, 0);
+    QCOMPARE(draw({QStringLiteral("--palette"), QStringLiteral("p.gpl")}).status, 0);
+    const QImage red = pictures.back();
+    const Result remarked = draw({QStringLiteral("--palette"), QStringLiteral("bad.map")});
+    QCOMPARE(remarked.status, 0);
+    QVERIFY(remarked.err.contains("bad.map:2:1: warning: "));
+    for (qsizetype i = 0; i < pictures.size(); ++i)
+        for (qsizetype k = 0; k < i; ++k)
+            QVERIFY(pictures[i] != pictures[k]);
+    for (int y = 0; y < red.height(); ++y)
+        for (int x = 0; x < red.width(); ++x)
+            QCOMPARE(qGreen(red.pixel(x, y)), 0);
+    QCOMPARE(
+        draw({QStringLiteral("--bits"), QStringLiteral("16"), QStringLiteral("--dpi"), QStringLiteral("254")})
+            .status,
+        0);
+    QCOMPARE(pictures.back().depth(), 64);
+    QCOMPARE(pictures.back().dotsPerMeterX(), 10000);
 }
 
 void CliTest::interruptLeavesNothing() {

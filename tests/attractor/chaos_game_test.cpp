@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace attractor;
@@ -39,8 +40,10 @@ void plainStep(kernels::Lanes& lanes, const kernels::ChaosTables& t, std::size_t
     s0[lane] ^= s3[lane];
     s2[lane] ^= shifted;
     s3[lane] = rotated(s3[lane], 11);
-    const std::uint32_t slot = random >> (32 - t.bits);
-    const std::uint32_t map = ((random << t.bits) >> 1) < t.threshold[slot] ? t.own[slot] : t.alias[slot];
+    const std::uint32_t slot = random % static_cast<std::uint32_t>(t.size);
+    const std::uint32_t map = static_cast<std::int32_t>(random) < t.threshold[slot]
+                                  ? slot
+                                  : static_cast<std::uint32_t>(t.alias[slot]);
     const auto& [a, b, c, d, e, f] = t.coefficients;
     const float x = lanes.x[lane];
     const float y = lanes.y[lane];
@@ -71,13 +74,14 @@ private slots:
                 value /= total;
             const AliasTable table(p);
             std::vector<double> found(count, 0);
-            const double slot = 1 / static_cast<double>(table.own().size());
-            for (std::size_t s = 0; s < table.own().size(); ++s) {
-                const double share = table.thresholds()[s] * 0x1p-31;
-                QVERIFY(table.own()[s] < count || share == 0);
-                QVERIFY(table.aliases()[s] < count);
-                if (table.own()[s] < count) found[table.own()[s]] += share * slot;
-                found[table.aliases()[s]] += (1 - share) * slot;
+            const double slot = 1 / static_cast<double>(table.size());
+            for (std::size_t s = 0; s < table.size(); ++s) {
+                const double share = table.thresholds()[s] * 0x1p-32 + 0.5;
+                const auto alias = static_cast<std::size_t>(table.aliases()[s]);
+                QVERIFY(s < count || share == 0);
+                QVERIFY(alias < count);
+                if (s < count) found[s] += share * slot;
+                found[alias] += (1 - share) * slot;
             }
             for (std::size_t i = 0; i < count; ++i)
                 QVERIFY(std::abs(found[i] - p[i]) < 1e-8);
@@ -111,12 +115,11 @@ private slots:
             const AliasTable table(p);
             std::array<std::vector<float>, 6> coefficients;
             kernels::ChaosTables tables;
-            tables.bits = table.bits();
+            tables.size = table.size();
             tables.threshold = table.thresholds().data();
-            tables.own = table.own().data();
             tables.alias = table.aliases().data();
             for (std::size_t k = 0; k < 6; ++k) {
-                coefficients[k].resize(table.own().size());
+                coefficients[k].resize(table.size());
                 for (float& value : coefficients[k])
                     value = std::uniform_real_distribution<float>(-0.9F, 0.9F)(random);
                 tables.coefficients[k] = coefficients[k].data();
@@ -131,10 +134,19 @@ private slots:
             for (std::size_t lane = 0; lane < kernels::Lanes::count; ++lane)
                 for (std::size_t step = 0; step < steps; ++step)
                     plainStep(plain, tables, lane);
+            kernels::ChaosTables boundless = tables;
+            boundless.escapeRadius = std::numeric_limits<float>::infinity();
+            kernels::Lanes free = start;
+            for (std::size_t lane = 0; lane < kernels::Lanes::count; ++lane)
+                for (std::size_t step = 0; step < 20; ++step)
+                    plainStep(free, boundless, lane);
             for (const char* name : {"scalar", "sse4", "avx2", "avx512"}) {
                 if (!selectSimd(name)) continue;
+                kernels::Lanes unguarded = start;
+                kernels::iterate(unguarded, tables, kernels::Guard::Off, 20, nullptr, nullptr);
+                QVERIFY2(unguarded.x == free.x && unguarded.y == free.y, name);
                 kernels::Lanes lanes = start;
-                kernels::iterate(lanes, tables, steps, nullptr, nullptr);
+                kernels::iterate(lanes, tables, kernels::Guard::On, steps, nullptr, nullptr);
                 QVERIFY2(lanes.x == plain.x && lanes.y == plain.y && lanes.random == plain.random, name);
             }
         }

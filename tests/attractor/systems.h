@@ -48,6 +48,21 @@ inline ifs::IteratedFunctionSystem<2> dragon() { // of even density
     return system({{{0.5, -0.5, 0.5, 0.5, 0, 0}}, {{-0.5, -0.5, 0.5, -0.5, 1, 0}}});
 }
 
+inline ifs::IteratedFunctionSystem<2> koch() {
+    const double h = 0.28867513459481287; // √3/6
+    return system({{{1.0 / 3, 0, 0, 1.0 / 3, 0, 0}},
+                   {{1.0 / 6, -h, h, 1.0 / 6, 1.0 / 3, 0}},
+                   {{1.0 / 6, h, -h, 1.0 / 6, 0.5, h}},
+                   {{1.0 / 3, 0, 0, 1.0 / 3, 2.0 / 3, 0}}});
+}
+inline ifs::IteratedFunctionSystem<2> cantorDust(double ratio) { // of dimension ln 4 / ln(1 / ratio)
+    const double gap = 1 - ratio;
+    return system({{{ratio, 0, 0, ratio, 0, 0}},
+                   {{ratio, 0, 0, ratio, gap, 0}},
+                   {{ratio, 0, 0, ratio, 0, gap}},
+                   {{ratio, 0, 0, ratio, gap, gap}}});
+}
+
 // All of the attractor in a picture of the given size.
 inline attractor::Camera camera(const ifs::IteratedFunctionSystem<2>& system, int width, int height) {
     const attractor::DrawableSystem drawable = attractor::drawable(system);

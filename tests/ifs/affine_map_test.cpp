@@ -2,7 +2,7 @@
 #include "ifs/affine_map.h"
 #include "ifs/canonical_systems.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 #include <QtTest>
 
@@ -28,7 +28,8 @@ template <int Dim> void compareWithEigen() {
         const double size = std::pow(10.0, uniform(random, -60, 60));
         const Matrix<Dim> m = randomMatrix<Dim>(random, size);
         const Vector<Dim> sigma = singularValues<Dim>(m);
-        const Eigen::SelfAdjointEigenSolver<Matrix<Dim>> gram((m / size).transpose() * (m / size));
+        const Eigen::MatrixXd unit = m / size;
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(unit.transpose() * unit);
         QVERIFY(near(sigma[0] / size, std::sqrt(gram.eigenvalues()[Dim - 1]), 4e-15));
         QVERIFY(std::is_sorted(sigma.data(), sigma.data() + Dim, std::greater{}));
         double product = 1;
@@ -36,7 +37,7 @@ template <int Dim> void compareWithEigen() {
             product *= sigma[k] / size;
         const double det = std::abs((m / size).determinant());
         QVERIFY(near(product, det, 1e-14));
-        const double rho = Eigen::EigenSolver<Matrix<Dim>>(m / size).eigenvalues().cwiseAbs().maxCoeff();
+        const double rho = Eigen::EigenSolver<Eigen::MatrixXd>(m / size).eigenvalues().cwiseAbs().maxCoeff();
         QVERIFY(
             near(spectralRadius<Dim>(m) / size, rho, 1e-7)); // 1e-7: a double eigenvalue has half the digits
         QVERIFY(spectralRadius<Dim>(m) <= spectralNorm<Dim>(m) * (1 + 1e-12));

@@ -19,6 +19,7 @@ private slots:
     void oneBadFlameDoesNotStopTheOthers();
     void writesWhatFlamesExpect();
     void roundTripIsExact();
+    void weightsComeBackAsTheyWere();
     void survivesDamage();
 };
 
@@ -143,6 +144,27 @@ void FlameTest::roundTripIsExact() {
         for (std::size_t k = 0; k < system.maps.size(); ++k)
             QVERIFY(back.maps[k].map == system.maps[k].map);
     }
+}
+
+void FlameTest::weightsComeBackAsTheyWere() {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("fern");
+    System2 system;
+    for (const double weight : {0.01, 0.85, 0.07, 0.0, 0.08})
+        ifs::append(system, ifs::affineMap(0.5, 0, 0, 0.5, weight, 0), weight);
+    system.maps[4].enabled = false;
+    fractal.system = system;
+    const System2 back =
+        onlySystem(io::readFlame(io::writeFlame({std::make_shared<const document::Fractal>(fractal)})));
+    QCOMPARE(back.maps.size(), std::size_t(5));
+    for (std::size_t i = 0; i < 4; ++i)
+        QVERIFY(back.maps[i].weight == system.maps[i].weight);
+    QCOMPARE(back.maps[4].weight, std::optional(0.0)); // was off
+    system.maps[1].weight.reset();
+    fractal.system = system;
+    const System2 ruled =
+        onlySystem(io::readFlame(io::writeFlame({std::make_shared<const document::Fractal>(fractal)})));
+    QVERIFY(ruled.maps[0].weight == ruled.maps[1].weight); // the determinant rule
 }
 
 void FlameTest::survivesDamage() {

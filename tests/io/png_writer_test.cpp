@@ -6,6 +6,7 @@
 #include <QColorSpace>
 #include <QImage>
 #include <QRandomGenerator>
+#include <QRgba64>
 #include <QTest>
 
 using namespace io;
@@ -79,6 +80,7 @@ private slots:
     void oversizedTextIsRefused();
     void fullDiskIsReported();
     void bandsGiveTheSameBytes();
+    void sixteenBitsComeBack();
 };
 
 void PngWriterTest::opaquePictureComesBack() {
@@ -186,6 +188,39 @@ void PngWriterTest::bandsGiveTheSameBytes() {
     QVERIFY(!writer.writeRows({pixels + 64 * 5, 64 * 59}));
     QVERIFY(!writer.finish());
     QCOMPARE(bytes, written(picture, {}));
+}
+
+void PngWriterTest::sixteenBitsComeBack() {
+    QRandomGenerator random(3);
+    std::vector<attractor::Rgba16> pixels(23 * 17);
+    for (auto& pixel : pixels) {
+        const quint64 bits = random.generate64();
+        pixel = {std::uint16_t(bits), std::uint16_t(bits >> 16), std::uint16_t(bits >> 32),
+                 std::uint16_t(bits >> 48)};
+    }
+    for (const auto kind : {PngFormat::Pixels::Opaque, PngFormat::Pixels::Transparent}) {
+        PngFormat format{23, 17, kind, PngFormat::Depth::Bits16, 600, fern};
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        PngWriter writer(buffer, format);
+        QVERIFY(!writer.writeRows(std::span<const attractor::Rgba16>(pixels)));
+        QVERIFY(!writer.finish());
+        for (const char* chunk : {"sRGB", "gAMA", "cHRM", "pHYs"})
+            QVERIFY2(bytes.contains(chunk), chunk);
+        const bool transparent = kind == PngFormat::Pixels::Transparent;
+        const QImage back =
+            readBack(bytes).convertToFormat(transparent ? QImage::Format_RGBA64 : QImage::Format_RGBX64);
+        for (int i = 0; i < 23 * 17; ++i) {
+            const QRgba64 here = reinterpret_cast<const QRgba64*>(back.constScanLine(i / 23))[i % 23];
+            const attractor::Rgba16& there = pixels[std::size_t(i)];
+            QCOMPARE(here.red(), there.red);
+            QCOMPARE(here.green(), there.green);
+            QCOMPARE(here.blue(), there.blue);
+            QCOMPARE(here.alpha(), transparent ? there.alpha : std::uint16_t{65535});
+        }
+        QCOMPARE(readPngSystem(bytes).text, fern);
+    }
 }
 
 QTEST_GUILESS_MAIN(PngWriterTest)

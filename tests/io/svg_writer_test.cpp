@@ -14,6 +14,7 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -94,14 +95,15 @@ Parsed parsed(const QByteArray& bytes) {
     return file;
 }
 
-// Calls `leaf` for every copy of level 0 with its matrix; returns the number of <use> followed.
+// Calls `leaf` for every copy of level 0 and of a shadow with its matrix; returns the number of <use>
+// followed.
 std::uint64_t expand(const Parsed& file, const QString& group, const ifs::AffineMap<2>& map,
                      const std::function<void(const ifs::AffineMap<2>&)>& leaf) {
     std::uint64_t references = 0;
     for (const Copy& copy : file.groups.at(group)) {
         const ifs::AffineMap<2> inside = map * copy.map;
         references += 1;
-        if (copy.of == u"level-0")
+        if (copy.of == u"level-0" || copy.of.startsWith(u"shadow-"))
             leaf(inside);
         else
             references += expand(file, copy.of, inside, leaf);
@@ -172,6 +174,8 @@ private slots:
     void errorHoldsBothWays();
     void noMatrixIsSingular_data();
     void noMatrixIsSingular();
+    void singularMapsStayVisibleAtEveryDepth();
+    void shadowsKeepTheirGaps();
     void thickeningKeepsTheCentre();
     void placementIsOneTransform();
     void mapsGiveColoursToTheTopLevel();
@@ -237,20 +241,82 @@ void SvgWriterTest::copiesComposeLikeTheMaps() {
         ifs::AffineMap<2> drawn = file.transforms.at(QStringLiteral("attractor"));
         ifs::AffineMap<2> expected = worldToPixel(camera);
         QString group = QStringLiteral("attractor");
-        while (group != u"level-0") {
+        while (group != u"level-0" && !group.startsWith(u"shadow-")) {
             const auto& copies = file.groups.at(group);
-            QCOMPARE(copies.size(), levels->maps().size());
+            QCOMPARE(copies.size(), levels->index().size());
             const std::size_t i = random() % copies.size();
+            const int level = group == u"attractor" ? 5 : group.mid(6).toInt();
             drawn = drawn * copies[i].map;
-            expected = expected * levels->maps()[i];
+            expected = expected * levels->map(i, level, 5);
             group = copies[i].of;
         }
         QVERIFY(distance(drawn, expected) < 1e-9 * (1 + expected.translation.norm()));
     }
-    // Only a map too thin for drawing programs is changed, and that by less than a pixel.
-    const auto maps = mapsOf(index);
-    for (std::size_t i = 0; i < maps.size(); ++i)
-        QVERIFY(distance(levels->maps()[i], maps[i]) * camera.pixelsPerUnit < 1);
+}
+
+// The stem of a stem-like system: no copy of it, however deep, is so thin that it fades away, nor moved by
+// more than the stated error; a map that is not singular stays as it is.
+void SvgWriterTest::singularMapsStayVisibleAtEveryDepth() {
+    const std::vector<ifs::AffineMap<2>> maps = canonical::fern();
+    const document::Fractal fractal = fractalOf(maps);
+    const attractor::Camera camera = cameraFor(fractal);
+    const ifs::AffineMap<2> display = worldToPixel(camera);
+    const auto levels = SvgLevels::of(*document::system2(fractal), display);
+    const int depth = levels->levelFor(1);
+    const double error = levels->error(depth);
+    QVERIFY(levels->shadowOf(0) && !levels->shadowOf(1));
+    const auto& bars = levels->shadowOf(0)->bars;
+    QCOMPARE(bars.size(), 1u); // the fern seen from below has no gap
+    ifs::Vector<2> x = *ifs::fixedPoint(maps[1]);
+    std::mt19937 random(5);
+    int stems = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        ifs::AffineMap<2> drawn = display;
+        ifs::AffineMap<2> exact = display;
+        for (int level = depth; level > 0;) {
+            const std::size_t i = random() % maps.size();
+            drawn = drawn * levels->map(i, level, depth);
+            exact = exact * maps[i];
+            QVERIFY(i == 0 || levels->map(i, level, depth) == maps[i]);
+            level = levels->below(level, i);
+            if (i != 0) continue;
+            ++stems;
+            const ifs::Vector<2> a = drawn(bars[0][0]) - drawn(bars[0][3]);
+            const ifs::Vector<2> along = drawn(bars[0][1]) - drawn(bars[0][0]);
+            const double thickness = std::abs(a.x() * along.y() - a.y() * along.x()) / along.norm();
+            QVERIFY2(thickness > 0.3 && thickness < 2, qPrintable(QString::number(thickness)));
+            break;
+        }
+        QVERIFY((drawn(x) - exact(x)).norm() <= error);
+        x = maps[1 + random() % (maps.size() - 1)](x);
+    }
+    QVERIFY(stems > 1000);
+}
+
+// What a singular map shows may have gaps: they stay.
+void SvgWriterTest::shadowsKeepTheirGaps() {
+    const auto at = [](double scale, double x, double y) { return ifs::affineMap(scale, 0, 0, scale, x, y); };
+    const std::vector<ifs::AffineMap<2>> maps{at(.2, 0, 0), at(.2, .8, .2),
+                                              ifs::affineMap(.1, 0, 0, 0, .45, 1)};
+    const document::Fractal fractal = fractalOf(maps);
+    const attractor::Camera camera = cameraFor(fractal);
+    const auto levels = SvgLevels::of(*document::system2(fractal), worldToPixel(camera));
+    QVERIFY(levels->shadowOf(2));
+    const auto& bars = levels->shadowOf(2)->bars;
+    QVERIFY2(bars.size() > 2, qPrintable(QString::number(bars.size())));
+    ifs::Vector<2> x = *ifs::fixedPoint(maps[0]);
+    std::mt19937 random(3);
+    std::vector<bool> used(bars.size());
+    for (int n = 0; n < 50'000; ++n) {
+        x = maps[random() % maps.size()](x);
+        bool inside = false;
+        for (std::size_t k = 0; k < bars.size(); ++k) {
+            if (x.x() < bars[k][0].x() || x.x() > bars[k][1].x()) continue;
+            used[k] = inside = true;
+        }
+        QVERIFY(inside);
+    }
+    QVERIFY(std::ranges::all_of(used, std::identity()));
 }
 
 void SvgWriterTest::referencesAreCountedAndBounded() {

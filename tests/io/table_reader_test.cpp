@@ -59,6 +59,15 @@ private slots:
         row("blank lines", "\n\n .5 0 .25 -.5 1 2 \n\n", one);
         row("comments", "; the fern\n.5 0 .25 -.5 1 2 .75 ; the stem, first", weighted);
         row("CR", "\r.5 0 .25 -.5 1 2\r", one);
+        row("fractions", "1/2 0 ¼ -1/2 1 2", one);
+        row("order in the header", "p a b e c d f\n.75 .5 0 1 .25 -.5 2", weighted);
+        row("row by row", "map,a,b,e,c,d,f\nw1,.5,0,1,.25,-.5,2", one);
+        row("one column per map", "a .5 .5\nb 0 0\nc .25 .25\nd -.5 -.5\ne 1 1\nf 2 2",
+            "0.5 0 0.25 -0.5 1 2 -/0.5 0 0.25 -0.5 1 2 -");
+        row("cumulative weights", "a b c d e f cumulative\n.5 0 .25 -.5 1 2 25\n.5 0 .25 -.5 1 2 100",
+            "0.5 0 0.25 -0.5 1 2 25/0.5 0 0.25 -0.5 1 2 75");
+        row("scales and angles", "r s theta phi h k p\n2 3 0 0 1 2 .5", "2 0 0 3 1 2 0.5");
+        row("count and matrices", "1\n.75\n.5 0 1\n.25 -.5 2\n0 0 1\n", weighted);
         row("exponents", "5e-1 0 2.5E-1 -.5 1 +2", one);
     }
 
@@ -69,18 +78,38 @@ private slots:
         QVERIFY2(table.problems.isEmpty(), qPrintable(table.problems.value(0).message));
     }
 
+    void anglesTurnCounterClockwise() {
+        const io::Table table = io::readTable(QStringLiteral("1 2 30 60 0 0"),
+                                              io::tableColumns(QStringLiteral("r s theta phi e f")));
+        QCOMPARE(table.rows.size(), std::size_t(1));
+        const auto& m = table.rows[0].map.linear;
+        const double half = 0.5;
+        const double root = std::sqrt(3.0) / 2;
+        QVERIFY(std::abs(m(0, 0) - root) < 1e-15 && std::abs(m(1, 0) - half) < 1e-15);
+        QVERIFY(std::abs(m(0, 1) + 2 * root) < 1e-15 && std::abs(m(1, 1) - 1) < 1e-15);
+    }
+
+    void ordersOfColumns() {
+        for (const char* good : {"abcdef", "a b c d e f p", "pabecdf", "r s theta phi e f", "A,B,C,D,E,F"})
+            QVERIFY2(io::tableColumns(QString::fromLatin1(good)), good);
+        for (const char* bad : {"", "abcde", "aabcdef", "abcdefg", "abcdefpp", "r s theta phi e f a"})
+            QVERIFY2(!io::tableColumns(QString::fromLatin1(bad)), bad);
+    }
+
     void errors_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<int>("line");
         QTest::addColumn<int>("column");
         QTest::newRow("five numbers") << QStringLiteral("1 2 3 4 5 6\n 1 2 3 4 5") << 2 << 2;
         QTest::newRow("nine numbers") << QStringLiteral("1 2 3 4 5 6 7 8 9") << 1 << 1;
-        QTest::newRow("fraction") << QStringLiteral("1 2 3 4 1/3 6") << 1 << 9;
+        QTest::newRow("division by zero") << QStringLiteral("1 2 3 4 1/0 6") << 1 << 9;
         QTest::newRow("after a typographic minus") << QString::fromUtf8("−1 2 x 4 5 6") << 1 << 8;
         QTest::newRow("nan") << QStringLiteral("1 2 3 4 5 nan") << 1 << 11;
         QTest::newRow("mixed decimals") << QStringLiteral("0,5\t0.5\t3\t4\t5\t6") << 1 << 5;
         QTest::newRow("words later") << QStringLiteral("1 2 3 4 5 6\nend of table") << 2 << 1;
-        QTest::newRow("other order of columns") << QStringLiteral("a b e c d f\n1 2 3 4 5 6") << 1 << 1;
+        QTest::newRow("unknown order of columns") << QStringLiteral("m n o p q r\n1 2 3 4 5 6") << 1 << 1;
+        QTest::newRow("last row of a matrix") << QStringLiteral("1\n.5\n1 0 0\n0 1 0\n0 0 2") << 5 << 1;
+        QTest::newRow("wrong count") << QStringLiteral("2\n.5\n1 0 0\n0 1 0\n0 0 1") << 1 << 1;
         QTest::newRow("nothing") << QString() << 0 << 0;
     }
 

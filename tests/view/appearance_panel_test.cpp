@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance_panel.h"
 #include "panels/appearance_slider.h"
+#include "panels/gradient_editor.h"
 #include "panels/gradient_preview.h"
+#include "panels/gradient_strip.h"
 #include "panels/number_field.h"
 #include "view/maps_support.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QSignalSpy>
 #include <QSlider>
+#include <QTemporaryDir>
+#include <QToolButton>
 
 #include <memory>
 
@@ -67,6 +72,85 @@ private slots:
         QCOMPARE(slider->value(), start);
     }
 
+    void stopsAreEditedByMouse() {
+        openEditor();
+        view::GradientStrip* strip = m_panel->gradientEditor()->strip();
+        const auto stops = [this] { return appearance().palette.stops; };
+        const QPoint handle = strip->handleOf(3);
+        QTest::mousePress(strip, Qt::LeftButton, {}, handle);
+        QCOMPARE(strip->selected(), std::size_t{3});
+        const double before = stops()[3].position;
+        QTest::mouseMove(strip, handle + QPoint(6, 0));
+        QTest::mouseMove(strip, handle + QPoint(9, 2));
+        const double during = stops()[3].position;
+        QVERIFY(during > before);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTest::mouseRelease(strip, Qt::LeftButton, {}, handle + QPoint(9, 2));
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(stops()[3].position, during);
+        const QPoint between((strip->handleOf(5).x() + strip->handleOf(6).x()) / 2, 10);
+        QTest::mouseDClick(strip, Qt::LeftButton, {}, between);
+        QCOMPARE(stops().size(), std::size_t{10});
+        QCOMPARE(strip->selected(), std::size_t{6});
+        QTest::keyClick(strip, Qt::Key_Delete);
+        QCOMPARE(stops().size(), std::size_t{9});
+        QCOMPARE(m_document->undoStack()->count(), 3);
+        for (int i = 0; i < 3; ++i)
+            m_document->undoStack()->undo();
+        QVERIFY(appearance().palette == Appearance{}.palette);
+        QVERIFY(strip->gradient() == Appearance{}.palette);
+    }
+
+    void stopsAreEditedByKeys() {
+        openEditor();
+        view::GradientStrip* strip = m_panel->gradientEditor()->strip();
+        strip->setFocus();
+        QTest::keyClick(strip, Qt::Key_PageDown);
+        QCOMPARE(strip->selected(), std::size_t{1});
+        QVERIFY(strip->accessibleDescription().startsWith(QStringLiteral("Stop 2 of 9 at 8.4 %, #9c283d")));
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(strip, Qt::Key_Right);
+        QVERIFY(std::abs(appearance().palette.stops[1].position - 0.114) < 1e-9);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTest::keyClick(strip, Qt::Key_End); // ends the run
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QTest::keyClick(strip, Qt::Key_Right); // the last stop stays
+        QTest::keyClick(strip, Qt::Key_Delete);
+        QVERIFY(appearance().palette.stops.back() == Appearance{}.palette.stops.back());
+        QTest::keyClick(strip, Qt::Key_Insert);
+        QCOMPARE(appearance().palette.stops.size(), std::size_t{10});
+        QCOMPARE(strip->selected(), std::size_t{8});
+        QTest::keyClick(strip, Qt::Key_Left);
+        QTest::keyClick(strip, Qt::Key_Escape);
+        QCOMPARE(m_document->undoStack()->count(), 2);
+        m_panel->gradientEditor()->reverse();
+        m_panel->gradientEditor()->distribute();
+        QCOMPARE(m_document->undoStack()->count(), 4);
+        QCOMPARE(appearance().palette.stops[3].position, 1.0 / 3);
+        QCOMPARE(appearance().palette.stops.front().colour, Appearance{}.palette.stops.back().colour);
+    }
+
+    void palettesAreSavedAndLoaded() {
+        openEditor();
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("mine.gpl"));
+        QSignalSpy messages(m_panel.get(), &view::AppearancePanel::message);
+        m_panel->gradientEditor()->reverse();
+        const attractor::Palette reversed = appearance().palette;
+        m_panel->gradientEditor()->save(path);
+        QCOMPARE(messages.size(), 1);
+        m_document->undoStack()->undo();
+        m_panel->gradientEditor()->load(path);
+        QVERIFY(appearance().palette == reversed);
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Load the palette mine.gpl"));
+        const QString bad = folder.filePath(QStringLiteral("bad.map"));
+        QVERIFY(QFile(bad).open(QIODevice::WriteOnly));
+        m_panel->gradientEditor()->load(bad);
+        QCOMPARE(messages.size(), 2);
+        QVERIFY(messages.back().front().toString().startsWith(QStringLiteral("bad.map: ")));
+        QVERIFY(appearance().palette == reversed);
+    }
+
     void aTypedGammaMustBePositive() {
         view::NumberField* field = m_panel->gamma()->field();
         field->setFocus();
@@ -122,6 +206,12 @@ private slots:
 
 private:
     const Appearance& appearance() const { return m_document->fractal().appearance; }
+    void openEditor() {
+        m_panel->resize(400, 600);
+        m_panel->editGradient()->click();
+        QVERIFY(m_panel->gradientEditor()->isVisible());
+        QCoreApplication::processEvents();
+    }
     static void choose(QComboBox* box, int index) {
         box->setCurrentIndex(index);
         emit box->activated(index);

@@ -8,6 +8,7 @@
 #include "canvas/canvas_note.h"
 #include "canvas/grid_item.h"
 #include "canvas/note_item.h"
+#include "canvas/trail_item.h"
 
 #include <QFont>
 #include <QLineF>
@@ -53,6 +54,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_cageItem(std::make_unique<CageItem>()),
       m_gizmo(std::make_unique<GizmoItem>()),
       m_snapMark(std::make_unique<SnapMark>()),
+      m_trailItem(std::make_unique<TrailItem>()),
       m_rubber(std::make_unique<RubberItem>()),
       m_noteItem(std::make_unique<NoteItem>(NoteItem::Place::Top)),
       m_promptItem(std::make_unique<NoteItem>(NoteItem::Place::Bottom)) {
@@ -70,8 +72,8 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
 CanvasScene::~CanvasScene() = default;
 
 std::vector<QGraphicsItem*> CanvasScene::overlays() const {
-    return {m_grid.get(),     m_gizmo.get(),    m_cageItem.get(),  m_rubber.get(),
-            m_snapMark.get(), m_noteItem.get(), m_promptItem.get()};
+    return {m_grid.get(),   m_trailItem.get(), m_gizmo.get(),    m_cageItem.get(),
+            m_rubber.get(), m_snapMark.get(),  m_noteItem.get(), m_promptItem.get()};
 }
 
 void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRatio) {
@@ -297,6 +299,10 @@ void CanvasScene::place() {
     for (const ifs::Vector<2>& point : m_clicked)
         clicked.append(pixelOf(m_camera, point));
     m_rubber->setPoints(clicked, m_rubberEnd ? std::optional(pixelOf(m_camera, *m_rubberEnd)) : std::nullopt);
+    QPolygonF trail;
+    for (const ifs::Vector<2>& point : m_trail)
+        trail.append(pixelOf(m_camera, point));
+    m_trailItem->setPoints(trail);
     m_snapMark->setSnap(m_snap, m_snap ? pixelOf(m_camera, m_snap->point) : QPointF());
     mark();
     updateVisibility();
@@ -307,6 +313,11 @@ void CanvasScene::mark() {
     m_gizmo->setMarks(m_hovered, m_pressed, m_focused);
 }
 
+void CanvasScene::showTrail(const std::vector<ifs::Vector<2>>& points) {
+    m_trail = points;
+    place();
+}
+
 void CanvasScene::restyle() {
     const OverlayStyle style = overlayStyle(m_document->fractal().appearance.background, m_palette);
     m_attractor->setStyle(style);
@@ -315,6 +326,7 @@ void CanvasScene::restyle() {
     m_gizmo->setStyle(style);
     m_snapMark->setStyle(style);
     m_rubber->setStyle(style);
+    m_trailItem->setStyle(style);
     m_noteItem->setStyle(style);
     m_promptItem->setStyle(style);
     setBackgroundBrush(style.backdrop);

@@ -23,6 +23,7 @@ class GridItem;
 class NoteItem;
 class RubberItem;
 class SnapMark;
+class TrailItem;
 
 // What is on the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
 // Follows the document and never edits it.
@@ -70,6 +71,8 @@ public:
     void showSnap(const std::optional<Snapped>& snap);
     void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
 
+    void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last
+
     void setPrompt(const QString& prompt); // what the tool asks for; empty: none
     void setHint(const QString& hint);     // shown while there is no prompt
     QString note() const;                  // the sentence shown about the picture
@@ -103,6 +106,7 @@ private:
     std::optional<QPointF> m_heldKnob;
     std::optional<Snapped> m_snap;
     std::vector<ifs::Vector<2>> m_clicked;
+    std::vector<ifs::Vector<2>> m_trail;
     std::optional<ifs::Vector<2>> m_rubberEnd;
     GizmoLayout m_gizmoLayout;
     CanvasPart m_hovered;
@@ -122,6 +126,7 @@ private:
     std::unique_ptr<CageItem> m_cageItem;
     std::unique_ptr<GizmoItem> m_gizmo;
     std::unique_ptr<SnapMark> m_snapMark;
+    std::unique_ptr<TrailItem> m_trailItem;
     std::unique_ptr<RubberItem> m_rubber;
     std::unique_ptr<NoteItem> m_noteItem;
     std::unique_ptr<NoteItem> m_promptItem;

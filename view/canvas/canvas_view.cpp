@@ -294,6 +294,10 @@ Snapping CanvasView::snapping() const {
     return m_scene->snapping();
 }
 
+void CanvasView::showTrail(const std::vector<ifs::Vector<2>>& points) {
+    m_scene->showTrail(points);
+}
+
 void CanvasView::setHint(const QString& hint) {
     m_hint = hint;
     m_scene->setHint(hint);

@@ -63,6 +63,7 @@ public:
     bool overlaysVisible() const;
     void setSnapping(Snapping snapping);
     Snapping snapping() const;
+    void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last
     void setHint(const QString& hint); // for a first run: shown until the first gesture
 
     QString note() const; // the sentence about the picture, if one is shown

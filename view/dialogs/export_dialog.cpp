@@ -21,7 +21,7 @@ namespace view {
 
 namespace {
 
-enum Format { Png, Svg };
+enum Format { Png, Svg, Pdf };
 
 // The same view in another size: what was on the screen stays in the picture.
 attractor::Camera resized(attractor::Camera camera, const QSize& size) {
@@ -61,7 +61,8 @@ ExportDialog::~ExportDialog() = default;
 
 void ExportDialog::createFormat() {
     m_format = new QComboBox(m_options);
-    m_format->addItems({tr("PNG: pixels"), tr("SVG: shapes for drawing programs")});
+    m_format->addItems(
+        {tr("PNG: pixels"), tr("SVG: shapes for drawing programs"), tr("PDF: shapes for print")});
     m_format->setAccessibleName(tr("Format"));
     m_size = new ExportSizeEditor({std::max(1, m_camera.width), std::max(1, m_camera.height)}, m_options);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
@@ -92,18 +93,35 @@ QWidget* ExportDialog::createPngOptions() {
     m_supersample->setRange(1, 4);
     m_supersample->setValue(m_fractal.appearance.supersample);
     m_supersample->setAccessibleName(tr("Cells along the side of a pixel"));
+    m_depthOfColour = new QComboBox(page);
+    m_depthOfColour->addItem(tr("8 bits a channel"), QVariant::fromValue(io::PngFormat::Depth::Bits8));
+    m_depthOfColour->addItem(tr("16 bits a channel, for further work on the picture"),
+                             QVariant::fromValue(io::PngFormat::Depth::Bits16));
+    m_depthOfColour->setAccessibleName(tr("Colour depth"));
     m_memory = new QLabel(page);
     m_memory->setAccessibleName(tr("Memory needed"));
     auto* form = new QFormLayout(page);
     form->setContentsMargins({});
     form->addRow(tr("&Quality:"), m_quality);
     form->addRow(tr("&Supersampling:"), m_supersample);
+    form->addRow(tr("C&olour depth:"), m_depthOfColour);
     form->addRow(tr("Memory:"), m_memory);
     return page;
 }
 
 QWidget* ExportDialog::createSvgOptions() {
     auto* page = new QWidget(m_options);
+    m_style = new QComboBox(page);
+    m_style->addItem(tr("Copies of copies: a small file"), int(io::ShapeStyle::Structured));
+    m_style->addItem(tr("Outline, for cutters and plotters"), int(io::ShapeStyle::Outline));
+    m_style->addItem(tr("Points"), int(io::ShapeStyle::Points));
+    m_style->setAccessibleName(tr("Kind of shapes"));
+    m_points = new QSpinBox(page);
+    m_points->setRange(1, int(io::SvgFormat::mostPoints));
+    m_points->setValue(int(io::SvgFormat().points));
+    m_points->setSingleStep(10'000);
+    m_points->setGroupSeparatorShown(true);
+    m_points->setAccessibleName(tr("Number of points"));
     m_autoDepth = new QCheckBox(tr("As deep as a pixel &needs"), page);
     m_autoDepth->setChecked(true);
     m_depth = new QSpinBox(page);
@@ -116,9 +134,12 @@ QWidget* ExportDialog::createSvgOptions() {
     m_plan->setAccessibleName(tr("What the picture will be like"));
     auto* form = new QFormLayout(page);
     form->setContentsMargins({});
+    form->addRow(tr("S&hapes:"), m_style);
+    form->addRow(tr("&Points:"), m_points);
     form->addRow(tr("&Depth:"), m_depth);
     form->addRow(QString(), m_autoDepth);
     form->addRow(m_plan);
+    m_svgForm = form;
     return page;
 }
 
@@ -144,12 +165,18 @@ void ExportDialog::connectOptions() {
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &ExportDialog::update);
     connect(m_supersample, &QSpinBox::valueChanged, this, &ExportDialog::update);
+    connect(m_depthOfColour, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_depth, &QSpinBox::valueChanged, this, &ExportDialog::update);
+    connect(m_style, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
 }
 
 bool ExportDialog::isSvg() const {
-    return m_format->currentIndex() == Svg;
+    return m_format->currentIndex() != Png;
+}
+
+io::ShapeStyle ExportDialog::style() const {
+    return io::ShapeStyle(m_style->currentData().toInt());
 }
 
 document::Fractal ExportDialog::fractalToExport() const {
@@ -164,9 +191,15 @@ io::Export ExportDialog::exportNow() const {
     const auto cage = m_triangle->isChecked() ? io::CageVisibility::Shown : io::CageVisibility::Hidden;
     if (isSvg()) {
         const auto depth = m_autoDepth->isChecked() ? std::nullopt : std::optional(m_depth->value());
-        return io::SvgExport{fractalToExport(), camera, {depth, cage}};
+        const auto file = m_format->currentIndex() == Pdf ? io::ShapeFile::Pdf : io::ShapeFile::Svg;
+        const io::SvgFormat format{depth, cage, style(), std::uint64_t(m_points->value())};
+        return io::SvgExport{fractalToExport(), camera, format, file};
     }
-    io::PngExport picture{fractalToExport(), {}, m_size->dotsPerInch(), cage};
+    io::PngExport picture{fractalToExport(),
+                          {},
+                          m_size->dotsPerInch(),
+                          cage,
+                          m_depthOfColour->currentData().value<io::PngFormat::Depth>()};
     picture.request = document::renderRequest(picture.fractal, camera);
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples =
@@ -185,12 +218,17 @@ void ExportDialog::update() {
         m_message->setText(tr("Only plane systems can be exported as a picture."));
         m_message->show();
     }
+    const bool points = style() == io::ShapeStyle::Points;
+    m_svgForm->setRowVisible(m_points, points);
+    m_svgForm->setRowVisible(m_depth, !points);
+    m_svgForm->setRowVisible(m_autoDepth, !points);
+    m_transparent->setEnabled(!isSvg() || style() != io::ShapeStyle::Outline);
     if (isSvg()) {
         m_planTimer.start();
         return;
     }
     const auto png = std::get<io::PngExport>(exportNow());
-    m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png.request)))));
+    m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png)))));
 }
 
 void ExportDialog::updateSvgPlan() {
@@ -206,6 +244,10 @@ void ExportDialog::updateSvgPlan() {
         const QSignalBlocker quiet(m_depth);
         m_depth->setValue(plan.depth);
     }
+    if (style() == io::ShapeStyle::Points) {
+        m_plan->setText(tr("One dot for every point of the chaos game that is in view."));
+        return;
+    }
     m_plan->setText(
         tr("%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels "
            "from the attractor, and nothing of it is farther from what is drawn.")
@@ -217,8 +259,13 @@ void ExportDialog::updateSvgPlan() {
 }
 
 void ExportDialog::chooseFile() {
-    const QString suffix = isSvg() ? QStringLiteral("svg") : QStringLiteral("png");
-    const QString filter = isSvg() ? tr("Scalable pictures (*.svg)") : tr("Pictures (*.png)");
+    const bool isPdf = m_format->currentIndex() == Pdf;
+    const QString suffix = isPdf     ? QStringLiteral("pdf")
+                           : isSvg() ? QStringLiteral("svg")
+                                     : QStringLiteral("png");
+    const QString filter = isPdf     ? tr("PDF documents (*.pdf)")
+                           : isSvg() ? tr("Scalable pictures (*.svg)")
+                                     : tr("Pictures (*.png)");
     const QString path =
         chooseFileToSave(this, tr("Export Picture"), m_fractal.name + u'.' + suffix, filter, suffix);
     if (!path.isEmpty()) exportTo(path);

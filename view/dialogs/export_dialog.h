@@ -14,6 +14,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -46,7 +47,8 @@ private:
     QWidget* createProgress();
     void connectOptions();
 
-    bool isSvg() const;
+    bool isSvg() const; // or PDF: shapes
+    io::ShapeStyle style() const;
     document::Fractal fractalToExport() const;
     io::Export exportNow() const;
     void update();
@@ -63,7 +65,11 @@ private:
     QCheckBox* m_triangle = nullptr;
     QComboBox* m_quality = nullptr;
     QSpinBox* m_supersample = nullptr;
+    QComboBox* m_depthOfColour = nullptr;
     QLabel* m_memory = nullptr;
+    QFormLayout* m_svgForm = nullptr;
+    QComboBox* m_style = nullptr;
+    QSpinBox* m_points = nullptr;
     QCheckBox* m_autoDepth = nullptr;
     QSpinBox* m_depth = nullptr;
     QLabel* m_plan = nullptr;

@@ -94,7 +94,7 @@ QImage pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
     camera.height = std::max(1, int(camera.height * factor));
     camera.pixelsPerUnit *= factor;
     const document::Fractal printed = onPaper(fractal);
-    io::PngExport picture{printed, document::renderRequest(printed, camera), {}, io::CageVisibility::Hidden};
+    io::PngExport picture{printed, document::renderRequest(printed, camera), {}};
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 50ull * std::uint64_t(camera.width) * std::uint64_t(camera.height);
     return io::drawPicture(picture).image;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance_panel.h"
 
+#include "icon.h"
 #include "panels/appearance_colour_button.h"
 #include "panels/appearance_slider.h"
+#include "panels/gradient_editor.h"
 #include "panels/gradient_preview.h"
 
 #include <QCheckBox>
@@ -68,17 +70,44 @@ void AppearancePanel::makeColourRows(QFormLayout* form) {
     });
     form->addRow(tr("Colour by"), m_colourBy);
 
+    makeGradientRows(form);
+
+    m_plain = colourButton(tr("Plain colour"), tr("Change the plain colour"), &Appearance::plain);
+    m_plainLabel = new QLabel(tr("Colour"), this);
+    form->addRow(m_plainLabel, m_plain);
+}
+
+void AppearancePanel::makeGradientRows(QFormLayout* form) {
     m_gradient = new GradientChooser(this);
     m_gradient->setAccessibleName(tr("Palette"));
     m_gradientLabel = new QLabel(tr("Palette"), this);
     connect(m_gradient, &GradientChooser::chosen, this, [this](const attractor::Palette& palette) {
         edit(tr("Change the palette"), [&](Appearance& a) { a.palette = palette; });
     });
-    form->addRow(m_gradientLabel, m_gradient);
+    m_editGradient = new QToolButton(this);
+    m_editGradient->setIcon(icon(QStringLiteral("edit")));
+    m_editGradient->setIconSize({18, 18});
+    m_editGradient->setCheckable(true);
+    m_editGradient->setAutoRaise(true);
+    m_editGradient->setAccessibleName(tr("Edit Palette"));
+    m_editGradient->setToolTip(tr("Edit the palette, or load one from a file"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(m_gradient, 1);
+    row->addWidget(m_editGradient);
+    form->addRow(m_gradientLabel, row);
 
-    m_plain = colourButton(tr("Plain colour"), tr("Change the plain colour"), &Appearance::plain);
-    m_plainLabel = new QLabel(tr("Colour"), this);
-    form->addRow(m_plainLabel, m_plain);
+    m_editor = new GradientEditor(this);
+    m_editor->hide();
+    form->addRow(m_editor);
+    connect(m_editGradient, &QToolButton::toggled, m_editor, &QWidget::setVisible);
+    connect(m_editor, &GradientEditor::tried, this,
+            [this](const QString& what, const attractor::Palette& palette) {
+                preview(what, [&](Appearance& a) { a.palette = palette; });
+            });
+    connect(m_editor, &GradientEditor::accepted, this, [this] { m_edit.commit(); });
+    connect(m_editor, &GradientEditor::rejected, this, [this] { m_edit.cancel(); });
+    connect(m_editor, &GradientEditor::message, this, &AppearancePanel::message);
 }
 
 void AppearancePanel::makeToneRows(QFormLayout* form) {
@@ -172,6 +201,7 @@ void AppearancePanel::follow(const document::Change& change) {
     setEnabled(document::dimension(m_document->fractal()) == 2);
     m_colourBy->setCurrentIndex(m_colourBy->findData(static_cast<int>(appearance.colourBy)));
     m_gradient->showPalette(appearance.palette);
+    m_editor->setGradient(appearance.palette);
     m_plain->setColour(appearance.plain);
     m_background->setColour(appearance.background);
     m_transparent->setChecked(appearance.background.alpha == 0);
@@ -182,6 +212,8 @@ void AppearancePanel::follow(const document::Change& change) {
         appearance.colourBy == ColourBy::Density || appearance.colourBy == ColourBy::Address;
     m_gradient->setEnabled(usesPalette);
     m_gradientLabel->setEnabled(usesPalette);
+    m_editGradient->setEnabled(usesPalette);
+    m_editor->setEnabled(usesPalette);
     m_plain->setEnabled(appearance.colourBy == ColourBy::Plain);
     m_plainLabel->setEnabled(m_plain->isEnabled());
     m_reset->setEnabled(!(appearance == Appearance{}));

@@ -19,6 +19,7 @@ namespace view {
 class AppearanceSlider;
 class ColourButton;
 class GradientChooser;
+class GradientEditor;
 
 // How the attractor is coloured. Every control is live; one undo step per drag, dialog or typed number.
 class AppearancePanel : public QWidget {
@@ -29,15 +30,21 @@ public:
 
     QComboBox* colourBy() const { return m_colourBy; }
     GradientChooser* gradient() const { return m_gradient; }
+    GradientEditor* gradientEditor() const { return m_editor; }
+    QToolButton* editGradient() const { return m_editGradient; }
     AppearanceSlider* brightness() const { return m_brightness; }
     AppearanceSlider* gamma() const { return m_gamma; }
     QCheckBox* transparent() const { return m_transparent; }
     QComboBox* supersampling() const { return m_supersampling; }
     void resetToDefault();
 
+signals:
+    void message(const QString& sentence);
+
 private:
     using Setting = std::function<void(attractor::Appearance&)>;
     void makeColourRows(QFormLayout* form);
+    void makeGradientRows(QFormLayout* form);
     void makeToneRows(QFormLayout* form);
     void makeMapColours(QFormLayout* form);
     ColourButton* colourButton(const QString& name, const QString& undoText,
@@ -54,6 +61,8 @@ private:
     QComboBox* m_colourBy;
     GradientChooser* m_gradient;
     QLabel* m_gradientLabel;
+    QToolButton* m_editGradient;
+    GradientEditor* m_editor;
     ColourButton* m_plain;
     QLabel* m_plainLabel;
     ColourButton* m_background;

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "io/aifs.h"
+
+#include "io/written_weights.h"
+
+#include <charconv>
+
+namespace io {
+
+namespace {
+
+// Without an exponent, which IFStile does not promise to read.
+QByteArray plain(double value) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0 ? 0.0 : value,
+                                   std::chars_format::fixed);
+    return {buffer.data(), end.ptr - buffer.data()};
+}
+
+QByteArray list(std::initializer_list<double> values) {
+    QByteArrayList texts;
+    for (const double value : values)
+        texts << plain(value);
+    return '[' + texts.join(',') + ']';
+}
+
+QByteArray text(const RowStochastic& s) {
+    QByteArrayList rows;
+    for (int j = 0; j < 3; ++j)
+        rows << list({s(j, 0), s(j, 1), s(j, 2)});
+    return '[' + rows.join(',') + ']';
+}
+
+// A letter, then letters, digits and underscores.
+QByteArray identifier(const QString& name) {
+    QByteArray id;
+    for (const QChar c : name)
+        id += c.unicode() < 0x80 && c.isLetterOrNumber() ? c.toLatin1() : '_';
+    return id.isEmpty() || (id[0] >= '0' && id[0] <= '9') ? "s_" + id : id;
+}
+
+QByteArray oneLine(QString text) {
+    for (QChar& c : text)
+        if (c.category() == QChar::Other_Control) c = u' ';
+    return text.toUtf8();
+}
+
+QByteArray block(const document::Fractal& fractal, const document::System2& system) {
+    const std::vector<double> weights = writtenWeights(system);
+    QByteArray text = '@' + identifier(fractal.name) + ":\n$dim=2\n$n=" + oneLine(fractal.name) + '\n';
+    QByteArrayList names;
+    QByteArrayList shares;
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        if (!(weights[i] > 0)) continue;
+        const auto& [a, b] = system.maps[i].map;
+        names << 'f' + QByteArray::number(qulonglong(i) + 1);
+        shares << plain(weights[i]);
+        text += names.last() + '=' + list({b.x(), b.y()}) + '*' + list({a(0, 0), a(0, 1), a(1, 0), a(1, 1)}) +
+                '\n';
+    }
+    text += "A=(" + names.join('|') + ")*A\n# weights: " + shares.join(' ') + '\n';
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    if (cage.rest.size() != 3) return text;
+    const auto form = affineInvariantForm(system, {cage.rest[0], cage.rest[1], cage.rest[2]});
+    text += "# control triangle at rest:";
+    for (const auto& vertex : form.simplex)
+        text += ' ' + list({vertex.x(), vertex.y()});
+    text += "\n# row j of S: barycentric coordinates of the image of vertex j\n";
+    for (std::size_t i = 0; i < form.maps.size(); ++i)
+        if (weights[i] > 0)
+            text += "# S" + QByteArray::number(qulonglong(i) + 1) + '=' + io::text(form.maps[i]) + '\n';
+    return text;
+}
+
+} // namespace
+
+AffineInvariantForm affineInvariantForm(const document::System2& system, const ifs::Simplex<2>& simplex) {
+    AffineInvariantForm form{simplex, {}};
+    for (const auto& weighted : system.maps) {
+        RowStochastic s;
+        for (int j = 0; j < 3; ++j)
+            s.row(j) = ifs::barycentric<2>(simplex, weighted.map(simplex[std::size_t(j)])).transpose();
+        form.maps.push_back(s);
+    }
+    return form;
+}
+
+QByteArray writeAifs(const QList<std::shared_ptr<const document::Fractal>>& fractals) {
+    QByteArrayList blocks;
+    for (const auto& fractal : fractals)
+        if (const document::System2* system = document::system2(*fractal);
+            system && !ifs::activeMaps(*system).maps.empty())
+            blocks << block(*fractal, *system);
+    return blocks.join('\n');
+}
+
+} // namespace io

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "io/svg_shapes.h"
+
+#include "attractor/chaos_game.h"
+#include "attractor/drawable_system.h"
+
+#include <QCoreApplication>
+
+#include <clipper.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace io {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("SvgWriter", text);
+}
+
+// Unions of polygons in whole numbers, in which they are exact. Every level has a grid of its own, in the
+// coordinates of the code, as fine as the numbers allow that are multiplied without overflow.
+class UnionOfLevels {
+public:
+    UnionOfLevels(const SvgLevels& levels, int depth, std::stop_token stop)
+        : m_levels(levels), m_depth(depth), m_stop(std::move(stop)) {}
+
+    const std::vector<Ring>& of(int level) {
+        if (const auto known = m_unions.find(level); known != m_unions.end()) return known->second;
+        std::vector<Ring> rings;
+        if (level == 0)
+            rings = {m_levels.outline(m_depth)};
+        else if (!m_stop.stop_requested())
+            rings = united(copies(level));
+        return m_unions[level] = std::move(rings);
+    }
+
+private:
+    std::vector<Ring> copies(int level) {
+        std::vector<Ring> rings;
+        for (std::size_t i = 0; i < m_levels.index().size(); ++i) {
+            const ifs::AffineMap<2> map = m_levels.map(i, level, m_depth);
+            // A map that turns the plane over turns rings around, holes and all.
+            const bool turns = ifs::determinant<2>(map.linear) < 0;
+            const auto& shadow = m_levels.shadowOf(i);
+            for (Ring ring : shadow ? shadow->bars : of(m_levels.below(level, i))) {
+                for (auto& point : ring)
+                    point = map(point);
+                if (turns) std::reverse(ring.begin(), ring.end());
+                rings.push_back(std::move(ring));
+            }
+        }
+        return rings;
+    }
+
+    static std::vector<Ring> united(const std::vector<Ring>& rings) {
+        constexpr double largest = 1 << 29; // of the library's fast range
+        ifs::Vector<2> low = ifs::Vector<2>::Constant(HUGE_VAL);
+        ifs::Vector<2> high = -low;
+        for (const Ring& ring : rings)
+            for (const auto& point : ring) {
+                low = low.cwiseMin(point);
+                high = high.cwiseMax(point);
+            }
+        const ifs::Vector<2> middle = (low + high) / 2;
+        const double scale = largest / std::max((high - low).maxCoeff(), 1e-300);
+        ClipperLib::Clipper clipper;
+        for (const Ring& ring : rings) {
+            ClipperLib::Path path;
+            for (const auto& point : ring)
+                path.emplace_back(std::llround((point.x() - middle.x()) * scale),
+                                  std::llround((point.y() - middle.y()) * scale));
+            clipper.AddPath(path, ClipperLib::ptSubject, true);
+        }
+        ClipperLib::Paths result;
+        clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+        std::vector<Ring> united;
+        for (const auto& path : result) {
+            Ring ring;
+            for (const auto& point : path)
+                ring.push_back(middle + ifs::Vector<2>(double(point.X), double(point.Y)) / scale);
+            united.push_back(std::move(ring));
+        }
+        return united;
+    }
+
+    const SvgLevels& m_levels;
+    int m_depth;
+    std::stop_token m_stop;
+    std::map<int, std::vector<Ring>> m_unions;
+};
+
+} // namespace
+
+ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camera& camera) {
+    const document::System2* system = document::system2(fractal);
+    if (!system) return {{}, tr("Only plane systems can be written as a scalable picture.")};
+    ifs::AffineMap<2> display = worldToPixel(camera);
+    if (fractal.cage) display = display * ifs::displayMap(*fractal.cage);
+    auto levels = SvgLevels::of(*system, display);
+    if (!levels)
+        return {
+            {},
+            tr("The system has no attractor of which an outline could be certified, so there is nothing to "
+               "make copies of.")};
+    return {std::move(levels), {}};
+}
+
+attractor::Rgba shapeColour(const attractor::Appearance& appearance) {
+    constexpr double bright = 0.75;
+    return appearance.colourBy == attractor::ColourBy::Plain
+               ? appearance.plain
+               : attractor::colourAt(appearance.palette, bright);
+}
+
+std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, const SvgLevels& levels,
+                                           std::size_t i) {
+    const attractor::Appearance& appearance = fractal.appearance;
+    const std::size_t place = levels.index()[i];
+    if (appearance.colourBy == attractor::ColourBy::Map)
+        return attractor::mapColour(appearance, document::system2(fractal)->maps[place].id, place);
+    if (appearance.colourBy == attractor::ColourBy::Address)
+        return attractor::colourAt(appearance.palette, (double(i) + 0.5) / double(levels.index().size()));
+    return std::nullopt;
+}
+
+std::vector<Ring> leafUnion(const SvgLevels& levels, int depth, const std::stop_token& stop) {
+    UnionOfLevels unions(levels, depth, stop);
+    std::vector<Ring> rings = unions.of(depth);
+    if (stop.stop_requested()) return {};
+    for (Ring& ring : rings)
+        for (auto& point : ring)
+            point = levels.display()(point);
+    return rings;
+}
+
+std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const attractor::Camera& camera,
+                                        std::uint64_t points, std::uint64_t seed) {
+    constexpr double shades = 64; // along a palette
+    const attractor::Appearance& appearance = fractal.appearance;
+    const document::System2& system = *document::system2(fractal);
+    const attractor::DrawableSystem drawable = attractor::drawable(system);
+    if (drawable.maps.empty()) return {};
+    const ifs::AffineMap<2> display =
+        fractal.cage ? worldToPixel(camera) * ifs::displayMap(*fractal.cage) : worldToPixel(camera);
+    std::map<std::size_t, ColouredPoints> groups;
+    attractor::Orbit orbit(drawable, seed);
+    for (std::uint64_t n = 0; n < points; ++n) {
+        const auto point = orbit.next();
+        const ifs::Vector<2> pixel = display(point.x);
+        if (!(pixel.minCoeff() >= 0) || pixel.x() > camera.width || pixel.y() > camera.height) continue;
+        std::size_t group = 0;
+        attractor::Rgba colour = shapeColour(appearance);
+        if (appearance.colourBy == attractor::ColourBy::Map) {
+            group = drawable.index[point.lastMap];
+            colour = attractor::mapColour(appearance, system.maps[group].id, group);
+        } else if (appearance.colourBy == attractor::ColourBy::Address) {
+            const double shade = std::floor(point.addressCoordinate * shades);
+            group = std::size_t(shade);
+            colour = attractor::colourAt(appearance.palette, (shade + 0.5) / shades);
+        }
+        auto& coloured = groups[group];
+        coloured.colour = colour;
+        coloured.points.push_back(pixel);
+    }
+    std::vector<ColouredPoints> result;
+    for (auto& [group, coloured] : groups)
+        result.push_back(std::move(coloured));
+    return result;
+}
+
+} // namespace io

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/save_file.h"
+#include "io/svg_levels.h"
+
+#include "attractor/camera.h"
+
+#include <stop_token>
+#include <vector>
+
+// The shapes of a scalable picture, whatever file they are written to.
+namespace io {
+
+struct ShapeLevels {
+    std::optional<SvgLevels> levels;
+    Failure failure; // why there are none
+};
+ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camera& camera);
+
+// One colour for what has shades in a picture made of points: the plain one, or the bright part of the
+// palette.
+attractor::Rgba shapeColour(const attractor::Appearance& appearance);
+// Of what the i-th of `levels`' maps draws in the whole; nullopt: the colour of all.
+std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, const SvgLevels& levels,
+                                           std::size_t i);
+
+// The union of all copies of level 0 in a picture of this depth, in pixels: closed rings that touch neither
+// themselves nor each other but in points; filled by the even-odd rule. Empty when stopped.
+using Ring = std::vector<ifs::Vector<2>>;
+std::vector<Ring> leafUnion(const SvgLevels& levels, int depth, const std::stop_token& stop = {});
+
+// Points of the chaos game that the camera sees, in pixels, by colour. The system must be plane.
+struct ColouredPoints {
+    attractor::Rgba colour;
+    std::vector<ifs::Vector<2>> points;
+};
+std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const attractor::Camera& camera,
+                                        std::uint64_t points, std::uint64_t seed);
+
+} // namespace io

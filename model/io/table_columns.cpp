@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "io/table_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace io {
+
+namespace {
+
+using enum TableColumn;
+
+constexpr double degree = std::numbers::pi / 180;
+
+struct Name {
+    const char* name;
+    TableColumn column;
+};
+// The first name of a column is the one we write.
+constexpr std::array columnsByName{
+    Name{"a", A},           Name{"b", B},         Name{"c", C},         Name{"d", D},
+    Name{"e", E},           Name{"f", F},         Name{"p", Weight},    Name{"r", R},
+    Name{"s", S},           Name{"theta", Theta}, Name{"phi", Phi},     Name{"cumulative", Cumulative},
+    Name{"θ", Theta},       Name{"φ", Phi},       Name{"ϕ", Phi},       Name{"ϑ", Theta},
+    Name{"h", E},           Name{"k", F},         Name{"prob", Weight}, Name{"probability", Weight},
+    Name{"weight", Weight}, Name{"p%", Weight},   Name{"%", Weight}};
+
+bool isWeight(TableColumn column) {
+    return column == Weight || column == Cumulative;
+}
+
+bool isComplete(TableColumns columns) {
+    std::sort(columns.begin(), columns.end());
+    return columns == TableColumns{A, B, C, D, E, F, Weight} ||
+           columns == TableColumns{A, B, C, D, E, F, Cumulative} ||
+           columns == TableColumns{R, S, Theta, Phi, E, F, Weight} ||
+           columns == TableColumns{R, S, Theta, Phi, E, F, Cumulative};
+}
+
+} // namespace
+
+TableColumns fractintColumns() {
+    return {A, B, C, D, E, F, Weight};
+}
+
+std::optional<TableColumns> tableColumns(const QStringList& names) {
+    TableColumns columns;
+    for (const QString& name : names) {
+        const auto* const known =
+            std::find_if(columnsByName.begin(), columnsByName.end(), [&name](const Name& candidate) {
+                return name.compare(QString::fromUtf8(candidate.name), Qt::CaseInsensitive) == 0;
+            });
+        if (known == columnsByName.end()) return std::nullopt;
+        columns.push_back(known->column);
+    }
+    if (std::none_of(columns.begin(), columns.end(), isWeight)) columns.push_back(Weight);
+    return isComplete(columns) ? std::optional(columns) : std::nullopt;
+}
+
+std::optional<TableColumns> tableColumns(const QString& text) {
+    QString spaced = text;
+    spaced.replace(u',', u' ');
+    const QStringList names = spaced.split(u' ', Qt::SkipEmptyParts);
+    if (names.size() != 1) return tableColumns(names);
+    QStringList letters;
+    for (const QChar letter : names.first())
+        letters << QString(letter);
+    return tableColumns(letters);
+}
+
+QStringList columnNames(const TableColumns& columns) {
+    QStringList names;
+    for (const TableColumn column : columns)
+        names << QString::fromUtf8(
+            std::find_if(columnsByName.begin(), columnsByName.end(), [column](const Name& known) {
+                return known.column == column;
+            })->name);
+    return names;
+}
+
+ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> numbers) {
+    std::array<double, 12> value{};
+    std::optional<double> weight;
+    const bool hasWeight = numbers.size() == columns.size();
+    std::size_t next = 0;
+    for (const TableColumn column : columns) {
+        if (!isWeight(column))
+            value[std::size_t(column)] = numbers[next++];
+        else if (hasWeight)
+            weight = numbers[next++];
+    }
+    const auto of = [&value](TableColumn column) { return value[std::size_t(column)]; };
+    ifs::WeightedMap<2> row;
+    row.map = ifs::affineMap(of(A), of(B), of(C), of(D), of(E), of(F));
+    if (std::find(columns.begin(), columns.end(), R) != columns.end())
+        row.map = ifs::affineMap(of(R) * std::cos(of(Theta) * degree), -of(S) * std::sin(of(Phi) * degree),
+                                 of(R) * std::sin(of(Theta) * degree), of(S) * std::cos(of(Phi) * degree),
+                                 of(E), of(F));
+    row.weight = weight;
+    return row;
+}
+
+std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight) {
+    const auto& m = map.linear;
+    std::vector<double> numbers;
+    for (const TableColumn column : columns) {
+        switch (column) {
+        case A:
+            numbers.push_back(m(0, 0));
+            break;
+        case B:
+            numbers.push_back(m(0, 1));
+            break;
+        case C:
+            numbers.push_back(m(1, 0));
+            break;
+        case D:
+            numbers.push_back(m(1, 1));
+            break;
+        case E:
+            numbers.push_back(map.translation.x());
+            break;
+        case F:
+            numbers.push_back(map.translation.y());
+            break;
+        case R:
+            numbers.push_back(m.col(0).norm());
+            break;
+        case S:
+            numbers.push_back(m.col(1).norm());
+            break;
+        case Theta:
+            numbers.push_back(std::atan2(m(1, 0), m(0, 0)) / degree);
+            break;
+        case Phi:
+            numbers.push_back(std::atan2(-m(0, 1), m(1, 1)) / degree);
+            break;
+        case Weight:
+        case Cumulative:
+            numbers.push_back(weight);
+            break;
+        }
+    }
+    return numbers;
+}
+
+} // namespace io

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "io/text_formats.h"
+
+#include "io/aifs.h"
+#include "io/fractint_writer.h"
+#include "io/table_reader.h"
+
+#include <algorithm>
+#include <array>
+
+namespace io {
+
+namespace {
+
+struct Name {
+    const char* name;
+    TextFormat format;
+};
+// The first of each format is its suffix.
+constexpr std::array names{Name{"ifs", TextFormat::Fractint}, Name{"flame", TextFormat::Flame},
+                           Name{"aifs", TextFormat::Aifs},    Name{"csv", TextFormat::Csv},
+                           Name{"tsv", TextFormat::Tsv},      Name{"fractint", TextFormat::Fractint},
+                           Name{"flam3", TextFormat::Flame}};
+
+} // namespace
+
+std::optional<TextFormat> textFormat(const QString& name) {
+    for (const Name& known : names)
+        if (name.compare(QLatin1String(known.name), Qt::CaseInsensitive) == 0) return known.format;
+    return std::nullopt;
+}
+
+QString suffixOf(TextFormat format) {
+    const auto* const known = std::find_if(names.begin(), names.end(),
+                                           [format](const Name& name) { return name.format == format; });
+    return QLatin1String(known->name);
+}
+
+bool holdsOneSystem(TextFormat format) {
+    return format == TextFormat::Csv || format == TextFormat::Tsv;
+}
+
+QByteArray textOf(const QList<std::shared_ptr<const document::Fractal>>& fractals, TextFormat format,
+                  const TextOptions& options) {
+    const auto first = std::find_if(fractals.begin(), fractals.end(), [](const auto& fractal) {
+        return document::system2(*fractal) != nullptr;
+    });
+    if (first == fractals.end()) return {};
+    switch (format) {
+    case TextFormat::Flame:
+        return writeFlame(fractals, options.axis);
+    case TextFormat::Aifs:
+        return writeAifs(fractals);
+    case TextFormat::Csv:
+        return writeTable(*document::system2(**first), options.columns, TableSeparator::Comma);
+    case TextFormat::Tsv:
+        return writeTable(*document::system2(**first), options.columns, TableSeparator::Tab);
+    case TextFormat::Fractint:
+        break;
+    }
+    QByteArrayList entries;
+    for (const auto& fractal : fractals)
+        if (document::system2(*fractal)) entries << writeEntry(*fractal);
+    return entries.join('\n');
+}
+
+} // namespace io

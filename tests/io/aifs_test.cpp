@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "io/aifs.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+
+// Numbers from docs/mathematics.md, "Affine invariant form".
+class AifsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void sierpinskiIsTheMatrixOfMidpoints();
+    void flower();
+    void rowsSumToOneAndGiveTheMapsBack();
+    void sameMatricesWhereverTheSimplexIs();
+    void writesWhatIFStileReads();
+    void namesAndSwitchedOffMaps();
+};
+
+namespace {
+
+using Simplex = ifs::Simplex<2>;
+
+const Simplex unit{ifs::Vector<2>(0, 0), ifs::Vector<2>(1, 0), ifs::Vector<2>(0, 1)};
+
+document::System2 flower() {
+    document::System2 system;
+    ifs::append(system, ifs::affineMap(0.47, 0.3, -0.3, 0.47, 0.37, 1.74));
+    ifs::append(system, ifs::affineMap(0.48, -0.29, 0.29, 0.48, -0.34, 1.75));
+    return system;
+}
+
+void compare(const Eigen::Matrix3d& actual, const Eigen::Matrix3d& expected, double tolerance = 1e-13) {
+    QVERIFY((actual - expected).cwiseAbs().maxCoeff() <= tolerance);
+}
+
+// Ŵ = T Sᵀ T⁻¹: the map that takes the vertices to the points with the rows as coordinates.
+ifs::AffineMap<2> mapOf(const io::RowStochastic& s, const Simplex& simplex) {
+    Simplex image;
+    for (int j = 0; j < 3; ++j)
+        image[std::size_t(j)] = ifs::point<2>(simplex, s.row(j).transpose());
+    return ifs::simplexMap<2>(simplex, image);
+}
+
+QByteArray text(const document::Fractal& fractal) {
+    return io::writeAifs({std::make_shared<const document::Fractal>(fractal)});
+}
+
+} // namespace
+
+void AifsTest::sierpinskiIsTheMatrixOfMidpoints() {
+    const Simplex simplex{ifs::Vector<2>(-3, 1), ifs::Vector<2>(5, 2), ifs::Vector<2>(0, 7)};
+    document::System2 system;
+    for (const auto& vertex : simplex)
+        ifs::append(system, ifs::affineMap(0.5, 0, 0, 0.5, vertex.x() / 2, vertex.y() / 2));
+    const auto form = io::affineInvariantForm(system, simplex);
+    QCOMPARE(form.maps.size(), std::size_t(3));
+    compare(form.maps[0], (Eigen::Matrix3d() << 1, 0, 0, .5, .5, 0, .5, 0, .5).finished());
+    compare(form.maps[1], (Eigen::Matrix3d() << .5, .5, 0, 0, 1, 0, 0, .5, .5).finished());
+    compare(form.maps[2], (Eigen::Matrix3d() << .5, 0, .5, 0, .5, .5, 0, 0, 1).finished());
+}
+
+void AifsTest::flower() {
+    const auto form = io::affineInvariantForm(::flower(), unit);
+    compare(form.maps[0],
+            (Eigen::Matrix3d() << -1.11, .37, 1.74, -1.28, .84, 1.44, -1.88, .67, 2.21).finished());
+    compare(form.maps[1],
+            (Eigen::Matrix3d() << -.41, -.34, 1.75, -1.18, .14, 2.04, -.60, -.63, 2.23).finished());
+}
+
+void AifsTest::rowsSumToOneAndGiveTheMapsBack() {
+    const Simplex simplex{ifs::Vector<2>(-1, -2), ifs::Vector<2>(4, 0.5), ifs::Vector<2>(1, 3)};
+    const document::System2 system = ::flower();
+    const auto form = io::affineInvariantForm(system, simplex);
+    for (std::size_t i = 0; i < form.maps.size(); ++i) {
+        for (int j = 0; j < 3; ++j)
+            QVERIFY(std::abs(form.maps[i].row(j).sum() - 1) <= 1e-13);
+        const auto back = mapOf(form.maps[i], simplex);
+        QVERIFY((back.linear - system.maps[i].map.linear).norm() <= 1e-13);
+        QVERIFY((back.translation - system.maps[i].map.translation).norm() <= 1e-13);
+    }
+}
+
+void AifsTest::sameMatricesWhereverTheSimplexIs() {
+    const Simplex moved{ifs::Vector<2>(2, 2), ifs::Vector<2>(3, 5), ifs::Vector<2>(-1, 4)};
+    const auto system = ::flower();
+    const auto transported = ifs::conjugate<2>(ifs::simplexMap<2>(unit, moved), system);
+    QVERIFY(transported);
+    const auto here = io::affineInvariantForm(system, unit);
+    const auto there = io::affineInvariantForm(*transported, moved);
+    for (std::size_t i = 0; i < here.maps.size(); ++i)
+        compare(there.maps[i], here.maps[i], 1e-12);
+}
+
+void AifsTest::writesWhatIFStileReads() {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("2nd fern!");
+    document::System2 system;
+    ifs::append(system, ifs::affineMap(0.85, 0.04, -0.04, 0.85, 1e-7, 1.6), 0.9);
+    ifs::append(system, ifs::affineMap(0, 0, 0, 0.16, 0, 0), 0.1);
+    fractal.system = system;
+    const QByteArray bytes = text(fractal);
+    QVERIFY2(bytes.startsWith("@s_2nd_fern_:\n$dim=2\n$n=2nd fern!\n"
+                              "f1=[0.0000001,1.6]*[0.85,0.04,-0.04,0.85]\n"
+                              "f2=[0,0]*[0,0,0,0.16]\n"
+                              "A=(f1|f2)*A\n"
+                              "# weights: 0.9 0.1\n"
+                              "# control triangle at rest: ["),
+             bytes.constData());
+    QVERIFY2(bytes.contains("\n# S2=[["), bytes.constData());
+    for (const QByteArray& line : bytes.split('\n'))
+        QVERIFY2(!line.startsWith('f') || !line.contains('e'), line.constData());
+}
+
+void AifsTest::namesAndSwitchedOffMaps() {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("leaf\n@evil:");
+    document::System2 system = ::flower();
+    system.maps[0].enabled = false;
+    fractal.system = system;
+    const QByteArray bytes = text(fractal);
+    QVERIFY2(bytes.startsWith("@leaf__evil_:\n$dim=2\n$n=leaf @evil:\nf2="), bytes.constData());
+    QVERIFY(bytes.contains("\nA=(f2)*A\n"));
+    system.maps[1].enabled = false;
+    fractal.system = system;
+    QVERIFY(text(fractal).isEmpty());
+}
+
+QTEST_APPLESS_MAIN(AifsTest)
+#include "aifs_test.moc"

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "io/collection_reader.h"
+#include "io/table_reader.h"
+#include "io/text_formats.h"
+
+#include <QTest>
+
+// Files of any kind, told from their content.
+class CollectionReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void formats_data();
+    void formats();
+    void parameterFilesGiveTheirSystems();
+    void ambiguousTablesAsk();
+    void chosenColumnsAreTaken();
+    void roundTrips_data();
+    void roundTrips();
+};
+
+namespace {
+
+const document::System2& firstSystem(const document::FractalFile& file) {
+    static const document::System2 none;
+    if (file.entries.isEmpty()) return none;
+    const document::System2* system = document::system2(*file.entries.first().fractal);
+    return system ? *system : none;
+}
+
+document::Fractal fern() {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("fern");
+    document::System2 system;
+    ifs::append(system, ifs::affineMap(0, 0, 0, 0.16, 0, 0), 0.01);
+    ifs::append(system, ifs::affineMap(0.85, 0.04, -0.04, 0.85, 0, 1.6), 0.85);
+    ifs::append(system, ifs::affineMap(0.2, -0.26, 0.23, 0.22, 0, 1.6), 0.07);
+    ifs::append(system, ifs::affineMap(-0.15, 0.28, 0.26, 0.24, 0, 0.44), 0.07);
+    ifs::append(system, ifs::affineMap(1.0 / 3, 0.1, 0.7, -1e-9, 2.5, 1e12), 0);
+    fractal.system = system;
+    return fractal;
+}
+
+} // namespace
+
+void CollectionReaderTest::formats_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<int>("maps");
+    const auto row = [](const char* name, const char* bytes, const char* format, int maps) {
+        QTest::newRow(name) << QByteArray(bytes) << QString::fromLatin1(format) << maps;
+    };
+    row("collection", "x {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n", "fractint", 2);
+    row("bare rows", ".5 0 0 .5 0 0 .5\n.5 0 0 .5 1 0 .5\n", "fractint", 2);
+    row("csv", "a,b,c,d,e,f,p\n.5,0,0,.5,0,0,.5\n.5,0,0,.5,1,0,.5\n", "table", 2);
+    row("tsv with labels", "map\ta\tb\tc\td\te\tf\nw1\t0,5\t0\t0\t,5\t0\t0\nw2\t0,5\t0\t0\t,5\t1\t0\n",
+        "table", 2);
+    row("one column per map", "a .5 .5 .5\nb 0 0 0\nc 0 0 0\nd .5 .5 .5\ne 0 1 0\nf 0 0 1\n", "table", 3);
+    row("count and matrices", "2\n.5\n.5 0 0\n0 .5 0\n0 0 1\n.5\n.5 0 1\n0 .5 0\n0 0 1\n", "table", 2);
+    row("flame", "<flame><xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame>", "flame", 1);
+    row("expressions are no table", "0, 0.16*y;0.5\r\n0.5*x, y/2;0.5\r\n", "fractint", 0);
+    row("prose", "Once upon a time\nthere were 6 maps\n", "fractint", 0);
+}
+
+void CollectionReaderTest::formats() {
+    QFETCH(QByteArray, bytes);
+    const io::Collection collection = io::readCollection(bytes);
+    QTEST(collection.format, "format");
+    QTEST(int(firstSystem(collection.file).maps.size()), "maps");
+    QCOMPARE(collection.file.entries.isEmpty(),
+             std::any_of(collection.file.problems.begin(), collection.file.problems.end(),
+                         [](const auto& p) { return p.severity == document::Problem::Severity::Error; }));
+}
+
+void CollectionReaderTest::parameterFilesGiveTheirSystems() {
+    const io::Collection collection = io::readCollection(
+        "picture { ; drawn with Fractint\n  reset=1960 type=ifs ifsfile=x.ifs ifs=leaf corners=-2/2/0/3\n}\n"
+        "frm:julia (XAXIS) {\n z = pixel: z = z*z + p1, |z| < 4 }\n"
+        "IFS:leaf { ; by hand\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n"
+        "ifs:twig (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n}\n");
+    QCOMPARE(collection.file.entries.size(), 2);
+    QCOMPARE(collection.file.entries[0].fractal->name, QStringLiteral("leaf"));
+    QCOMPARE(document::dimension(*collection.file.entries[0].fractal), 2);
+    QCOMPARE(collection.file.entries[1].fractal->name, QStringLiteral("twig"));
+    QCOMPARE(document::dimension(*collection.file.entries[1].fractal), 3);
+}
+
+void CollectionReaderTest::ambiguousTablesAsk() {
+    const io::Collection collection =
+        io::readCollection("m11,m12,m13,m21,m22,m23\n.5,0,1,0,.5,2\n.5,0,3,0,.5,4\n");
+    QCOMPARE(collection.format, QStringLiteral("table"));
+    QVERIFY(collection.file.entries.isEmpty());
+    QCOMPARE(collection.file.problems.value(0).line, 1);
+    QVERIFY(collection.file.problems.value(0).message.contains(QStringLiteral("order")));
+}
+
+void CollectionReaderTest::chosenColumnsAreTaken() {
+    io::ReadOptions options;
+    options.columns = io::tableColumns(QStringLiteral("abecdf"));
+    QVERIFY(options.columns);
+    const auto collection = io::readCollection("m11,m12,m13,m21,m22,m23\n.5,.1,1,.2,.4,2\n",
+                                               QStringLiteral("/tmp/My maps.csv"), options);
+    QCOMPARE(collection.file.entries.value(0).fractal->name, QStringLiteral("My_maps"));
+    QCOMPARE(firstSystem(collection.file).maps.size(), std::size_t(1));
+    QVERIFY(firstSystem(collection.file).maps[0].map == ifs::affineMap(.5, .1, .2, .4, 1, 2));
+    QVERIFY(!firstSystem(collection.file).maps[0].weight);
+}
+
+void CollectionReaderTest::roundTrips_data() {
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<QString>("columns");
+    QTest::newRow("fractint") << QStringLiteral("ifs") << QStringLiteral("abcdefp");
+    QTest::newRow("flame") << QStringLiteral("flame") << QStringLiteral("abcdefp");
+    QTest::newRow("csv") << QStringLiteral("csv") << QStringLiteral("abcdefp");
+    QTest::newRow("csv, row by row") << QStringLiteral("csv") << QStringLiteral("a b e c d f p");
+    QTest::newRow("tsv, weight first") << QStringLiteral("tsv") << QStringLiteral("pacbdef");
+}
+
+// Every number comes back as the same double.
+void CollectionReaderTest::roundTrips() {
+    QFETCH(QString, format);
+    QFETCH(QString, columns);
+    const auto fractal = std::make_shared<const document::Fractal>(fern());
+    io::TextOptions options;
+    options.columns = io::tableColumns(columns).value();
+    const QByteArray text = io::textOf({fractal}, io::textFormat(format).value(), options);
+    const io::Collection back = io::readCollection(text);
+    const auto& maps = firstSystem(back.file).maps;
+    const auto& before = document::system2(*fractal)->maps;
+    QCOMPARE(maps.size(), before.size());
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        QVERIFY2(maps[i].map == before[i].map, text.constData());
+        QCOMPARE(maps[i].weight, before[i].weight);
+    }
+}
+
+QTEST_APPLESS_MAIN(CollectionReaderTest)
+#include "collection_reader_test.moc"

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "arising.h"
+
+#include "panels/arising_bar.h"
+#include "render_bridge.h"
+
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include <memory>
+
+using view::Arising;
+using Mode = view::Arising::Mode;
+
+class ArisingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_document = std::make_unique<document::Document>(); // a Sierpiński triangle
+        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
+        m_bridge->setQuality(2'000'000);
+        attractor::Camera camera;
+        camera.width = 200;
+        camera.height = 160;
+        m_bridge->setCamera(fitted(camera, {0, 0}, {1, 0.87}));
+        m_arising = std::make_unique<Arising>(m_document.get(), m_bridge.get());
+    }
+
+    void stepsFillFewerPixelsTheMoreThereAre() {
+        m_arising->setMode(Mode::Steps);
+        QCOMPARE(m_arising->deepest(), 12); // 3¹² < 10⁶ < 3¹³
+        QCOMPARE(m_arising->copies(), 1.0);
+        double before = 0;
+        for (int n = 0; n <= 4; ++n) {
+            m_arising->setStep(n);
+            const double lit = litPixels();
+            QCOMPARE(m_bridge->frame()->iterations, n);
+            if (n > 0)
+                QVERIFY2(std::abs(lit / before - 0.75) < 0.08, qPrintable(QString::number(lit / before)));
+            before = lit;
+        }
+        QCOMPARE(m_arising->copies(), 81.0);
+        m_arising->setStep(99);
+        QCOMPARE(m_arising->step(), 12);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void theChaosGamePlotsExactlyItsPoints() {
+        m_arising->setMode(Mode::ChaosGame);
+        QCOMPARE(litPixels(), 0.0);
+        for (int n = 1; n <= 12; ++n) {
+            m_arising->plotOne();
+            const double lit = litPixels();
+            QCOMPARE(m_bridge->frame()->samples, std::uint64_t(n));
+            QVERIFY(lit >= 1 && lit <= n);
+            QCOMPARE(m_arising->trail().size(), std::size_t(std::min(n, 8)));
+            QVERIFY(m_arising->lastMap() < 3);
+        }
+        // The newest point of the trail is one of those in the picture.
+        const auto pixel = toPixel(m_bridge->camera(), m_arising->trail().back());
+        QVERIFY(lit(int(pixel.x()), int(pixel.y())));
+        m_arising->startAgain();
+        QCOMPARE(m_arising->points(), std::uint64_t{0});
+        QVERIFY(m_arising->trail().empty());
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void runsAndPauses() {
+        view::ArisingBar bar(m_arising.get());
+        m_arising->setRunning(true);
+        QVERIFY(!m_arising->isRunning()); // only a chaos game runs
+        m_arising->setMode(Mode::ChaosGame);
+        m_arising->setSpeed(1000);
+        bar.run()->click();
+        QVERIFY(m_arising->isRunning());
+        QTRY_VERIFY(m_arising->points() > 50);
+        bar.run()->click();
+        QVERIFY(!m_arising->isRunning());
+        const std::uint64_t points = m_arising->points();
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QCOMPARE(m_bridge->frame()->samples, points);
+        QSignalSpy frames(m_bridge.get(), &view::RenderBridge::frameChanged);
+        QTest::qWait(150);
+        QCOMPARE(m_arising->points(), points);
+        QCOMPARE(frames.size(), 0); // nothing is drawn while it is paused
+        bar.run()->click();
+        m_arising->setMode(Mode::Density);
+        QVERIFY(!m_arising->isRunning());
+    }
+
+    void theTrailFollowsTheCage() {
+        m_arising->setMode(Mode::ChaosGame);
+        for (int n = 0; n < 3; ++n)
+            m_arising->plotOne();
+        const ifs::Vector<2> before = m_arising->trail().back();
+        document::Fractal moved = m_document->fractal();
+        moved.cage = document::effectiveCage(moved);
+        for (auto& vertex : moved.cage->current)
+            vertex += ifs::Vector<2>(0.25, 0.5);
+        m_document->edit(QStringLiteral("move"), moved);
+        QVERIFY((m_arising->trail().back() - before).isApprox(ifs::Vector<2>(0.25, 0.5), 1e-12));
+        QCOMPARE(m_arising->points(), std::uint64_t{3});
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QCOMPARE(m_bridge->frame()->samples, std::uint64_t{3});
+    }
+
+    void backToDensityRefines() {
+        m_arising->setMode(Mode::Steps);
+        litPixels();
+        m_arising->setMode(Mode::Density);
+        QTRY_VERIFY(m_bridge->isCurrent() && m_bridge->frame()->samples >= 2'000'000);
+    }
+
+    void theBarShowsTheState() {
+        view::ArisingBar bar(m_arising.get());
+        bar.show();
+        for (auto* button : bar.findChildren<QToolButton*>())
+            if (button->isCheckable()) button->click();
+        QCOMPARE(m_arising->mode(), Mode::ChaosGame);
+        m_arising->setMode(Mode::Steps);
+        bar.steps()->setValue(3);
+        QCOMPARE(m_arising->step(), 3);
+        QCOMPARE(bar.steps()->maximum(), 12);
+        document::Fractal two = m_document->fractal();
+        document::system2(two)->maps.pop_back();
+        m_document->edit(QStringLiteral("fewer"), two);
+        QCOMPARE(bar.steps()->maximum(), 19); // 2¹⁹ < 10⁶ < 2²⁰
+    }
+
+private:
+    bool lit(int x, int y) const {
+        const auto& frame = *m_bridge->frame();
+        const std::uint32_t pixel = frame.pixels[std::size_t(y) * 200 + std::size_t(x)];
+        return pixel != frame.pixels[0]; // the corner shows the background
+    }
+    double litPixels() const {
+        if (!QTest::qWaitFor([this] { return m_bridge->isCurrent(); }, 20'000)) return -1;
+        double count = 0;
+        for (int y = 0; y < 160; ++y)
+            for (int x = 0; x < 200; ++x)
+                count += lit(x, y) ? 1 : 0;
+        return count;
+    }
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<view::RenderBridge> m_bridge;
+    std::unique_ptr<Arising> m_arising;
+};
+
+QTEST_MAIN(ArisingTest)
+#include "arising_test.moc"

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export_data_dialog.h"
+
+#include "dialogs/save_file_dialog.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFontDatabase>
+#include <QFormLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace view {
+
+namespace {
+
+enum Format { Flame, Aifs, Csv, Tsv, PointsCsv, PointsPly };
+
+std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fractal) {
+    const document::System2* system = document::system2(fractal);
+    if (!system || !fractal.cage || fractal.cage->rest == fractal.cage->current ||
+        fractal.cage->rest.size() != 3)
+        return {};
+    const auto baked = ifs::bake(*system, *fractal.cage);
+    if (!baked) return {};
+    document::Fractal result = fractal;
+    result.system = baked->system;
+    result.cage = baked->cage;
+    return std::make_shared<const document::Fractal>(std::move(result));
+}
+
+} // namespace
+
+ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent)
+    : QDialog(parent), m_fractal(document->fractal()), m_baked(bakedOf(m_fractal)) {
+    setWindowTitle(tr("Export Data of “%1”").arg(m_fractal.name));
+    m_form = new QFormLayout;
+    createOptions(m_form);
+    m_preview = new QPlainTextEdit(this);
+    m_preview->setReadOnly(true);
+    m_preview->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_preview->setAccessibleName(tr("What the file will hold"));
+    m_message = new QLabel(this);
+    m_message->setWordWrap(true);
+    m_message->setAccessibleName(tr("Result"));
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_progress->hide();
+    auto* buttons = new QDialogButtonBox(this);
+    m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_copy = buttons->addButton(tr("Copy &Text"), QDialogButtonBox::ActionRole);
+    m_close = buttons->addButton(QDialogButtonBox::Close);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(m_form);
+    layout->addWidget(m_preview, 1);
+    layout->addWidget(m_message);
+    layout->addWidget(m_progress);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDataDialog::chooseFile);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    connect(m_copy, &QPushButton::clicked, this, &ExportDataDialog::copy);
+    resize(fontMetrics().averageCharWidth() * 90, fontMetrics().lineSpacing() * 26);
+    update();
+}
+
+ExportDataDialog::~ExportDataDialog() = default;
+
+void ExportDataDialog::createOptions(QFormLayout* form) {
+    m_format = new QComboBox(this);
+    m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
+                        tr("Table with commas (.csv)"), tr("Table with tabs (.tsv)"), tr("Points (.csv)"),
+                        tr("Points, coloured (.ply)")});
+    m_columns = new QComboBox(this);
+    m_columns->addItem(tr("a b c d e f p: Fractint, Barnsley"), QStringLiteral("abcdefp"));
+    m_columns->addItem(tr("a b e c d f p: each equation in a row"), QStringLiteral("abecdfp"));
+    m_columns->addItem(tr("a c b d e f p: column by column"), QStringLiteral("acbdefp"));
+    m_columns->addItem(tr("p a b c d e f: the weight first"), QStringLiteral("pabcdef"));
+    m_columns->addItem(tr("r s theta phi e f p: scales, and angles in degrees"),
+                       QStringLiteral("r s theta phi e f p"));
+    m_points = new QSpinBox(this);
+    m_points->setRange(1, int(io::PointCloud::mostPoints));
+    m_points->setValue(100'000);
+    m_points->setSingleStep(100'000);
+    m_points->setGroupSeparatorShown(true);
+    m_turnY = new QCheckBox(tr("&Turn y around, so that the flame is the same way up"), this);
+    m_turnY->setChecked(true);
+    m_bake = new QCheckBox(tr("&Bake the placement, so that the maps draw what is shown"), this);
+    m_bake->setChecked(true);
+    form->addRow(tr("&Format:"), m_format);
+    form->addRow(tr("&Columns:"), m_columns);
+    form->addRow(tr("&Points:"), m_points);
+    form->addRow(QString(), m_turnY);
+    form->addRow(QString(), m_bake);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDataDialog::update);
+    connect(m_columns, &QComboBox::currentIndexChanged, this, &ExportDataDialog::update);
+    connect(m_turnY, &QCheckBox::toggled, this, &ExportDataDialog::update);
+    connect(m_bake, &QCheckBox::toggled, this, &ExportDataDialog::update);
+}
+
+std::optional<io::TextFormat> ExportDataDialog::textFormat() const {
+    switch (m_format->currentIndex()) {
+    case Flame:
+        return io::TextFormat::Flame;
+    case Aifs:
+        return io::TextFormat::Aifs;
+    case Csv:
+        return io::TextFormat::Csv;
+    case Tsv:
+        return io::TextFormat::Tsv;
+    default:
+        return std::nullopt;
+    }
+}
+
+io::PointFormat ExportDataDialog::pointFormat() const {
+    return m_format->currentIndex() == PointsPly ? io::PointFormat::Ply : io::PointFormat::Csv;
+}
+
+QString ExportDataDialog::suffix() const {
+    if (const auto format = textFormat()) return io::suffixOf(*format);
+    return pointFormat() == io::PointFormat::Ply ? QStringLiteral("ply") : QStringLiteral("csv");
+}
+
+std::shared_ptr<const document::Fractal> ExportDataDialog::fractalToExport() const {
+    return m_baked && m_bake->isChecked() ? m_baked : std::make_shared<const document::Fractal>(m_fractal);
+}
+
+QByteArray ExportDataDialog::text() const {
+    io::TextOptions options;
+    options.axis = m_turnY->isChecked() ? io::FlameAxis::Flipped : io::FlameAxis::AsWritten;
+    options.columns = io::tableColumns(m_columns->currentData().toString()).value_or(io::fractintColumns());
+    return io::textOf({fractalToExport()}, *textFormat(), options);
+}
+
+void ExportDataDialog::update() {
+    constexpr qsizetype mostShown = 8000; // bytes; a palette is long
+    const auto format = textFormat();
+    const bool isTable = format && io::holdsOneSystem(*format);
+    m_form->setRowVisible(m_columns, isTable);
+    m_form->setRowVisible(m_points, !format);
+    m_form->setRowVisible(m_turnY, format == io::TextFormat::Flame);
+    m_form->setRowVisible(m_bake, format && m_baked);
+    m_copy->setVisible(format.has_value());
+    m_preview->setVisible(format.has_value());
+    const bool possible = document::system2(m_fractal) != nullptr;
+    m_export->setEnabled(possible);
+    m_copy->setEnabled(possible);
+    m_message->clear();
+    if (!possible)
+        say(tr("Only the numbers of plane systems can be exported."));
+    else if (!format)
+        say(tr("The points of the chaos game where they are shown, without the first 14."));
+    if (format && possible) m_preview->setPlainText(QString::fromUtf8(text().left(mostShown)));
+}
+
+void ExportDataDialog::chooseFile() {
+    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
+    const QString path =
+        chooseFileToSave(this, tr("Export Data"), m_fractal.name + u'.' + suffix(), filter, suffix());
+    if (!path.isEmpty()) exportTo(path);
+}
+
+void ExportDataDialog::exportTo(const QString& path) {
+    if (textFormat()) {
+        io::ExportOutcome outcome;
+        outcome.failure = io::saveFile(path, text());
+        return finish(outcome, path);
+    }
+    // Both calls come from the thread of the job, which ends before this dialog does.
+    const auto progress = [this](double fraction) {
+        QMetaObject::invokeMethod(
+            this, [this, fraction] { m_progress->setValue(int(1000 * fraction)); }, Qt::QueuedConnection);
+    };
+    const auto finished = [this, path](const io::ExportOutcome& outcome) {
+        QMetaObject::invokeMethod(
+            this, [this, outcome, path] { finish(outcome, path); }, Qt::QueuedConnection);
+    };
+    m_progress->setValue(0);
+    m_progress->show();
+    m_export->setEnabled(false);
+    m_close->setText(tr("&Stop"));
+    const io::PointCloud cloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()};
+    m_job = std::make_unique<io::ExportJob>(cloud, path, progress, finished);
+}
+
+void ExportDataDialog::copy() {
+    QGuiApplication::clipboard()->setText(QString::fromUtf8(text()));
+    say(tr("The text is on the clipboard."));
+}
+
+void ExportDataDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
+    m_job.reset();
+    m_progress->hide();
+    m_export->setEnabled(true);
+    m_close->setText(tr("&Close"));
+    if (outcome.stopped)
+        say(tr("The export was stopped; nothing was written."));
+    else if (outcome.failure)
+        say(*outcome.failure);
+    else
+        say(tr("Written to %1.").arg(path));
+    if (!outcome.stopped && !outcome.failure) emit exported(path);
+}
+
+void ExportDataDialog::say(const QString& sentence) {
+    m_message->setText(sentence);
+}
+
+} // namespace view

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/mutate_dialog.h"
+
+#include "document/variations.h"
+#include "panels/entries_edits.h"
+
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace view {
+
+namespace {
+
+constexpr int side = 132; // of a picture
+constexpr int columns = 4;
+constexpr int strengthSteps = 100;
+
+} // namespace
+
+MutateDialog::MutateDialog(document::Document* document, Source source, QWidget* parent)
+    : QDialog(parent),
+      m_document(document),
+      m_source(source),
+      m_parent(document->fractal()),
+      m_thumbnails(new Thumbnails(this)) {
+    setWindowTitle(source == Source::Current ? tr("Variations of “%1”").arg(m_parent.name)
+                                             : tr("Fractals by Chance"));
+    m_thumbnails->setSize(side, devicePixelRatioF());
+    connect(m_thumbnails, &Thumbnails::ready, this, [this](quint64 key) {
+        if (key / count == quint64(m_seed->value())) showPicture(int(key % count));
+    });
+    m_grid = new QListWidget(this);
+    m_grid->setAccessibleName(tr("Variations"));
+    m_grid->setViewMode(QListView::IconMode);
+    m_grid->setMovement(QListView::Static);
+    m_grid->setResizeMode(QListView::Adjust);
+    m_grid->setUniformItemSizes(true);
+    m_grid->setIconSize({side, side});
+    m_grid->setGridSize({side + 12, side + 12});
+    m_grid->setMinimumSize(columns * (side + 12) + 2 * m_grid->frameWidth() + 2,
+                           count / columns * (side + 12) + 2 * m_grid->frameWidth() + 2);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_use = buttons->addButton(source == Source::Current ? tr("&Use This One") : tr("&Add to the File"),
+                               QDialogButtonBox::AcceptRole);
+    m_vary = buttons->addButton(tr("&Vary This One"), QDialogButtonBox::ActionRole);
+    m_vary->setToolTip(tr("Make the chosen one what the variations start from"));
+    auto* layout = new QVBoxLayout(this);
+    createControls();
+    layout->addWidget(m_grid, 1);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &MutateDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &MutateDialog::reject);
+    connect(m_vary, &QPushButton::clicked, this, &MutateDialog::varyChosen);
+    connect(m_grid, &QListWidget::itemDoubleClicked, this, &MutateDialog::accept);
+    connect(m_grid, &QListWidget::currentRowChanged, this, &MutateDialog::updateButtons);
+    connect(&m_timer, &QTimer::timeout, this, &MutateDialog::makeNext);
+    makeAll();
+}
+
+void MutateDialog::createControls() {
+    m_strength = new QSlider(Qt::Horizontal, this);
+    m_strength->setRange(2, strengthSteps);
+    m_strength->setValue(30);
+    m_strength->setAccessibleName(tr("How different the variations are"));
+    m_seed = new QSpinBox(this);
+    m_seed->setRange(1, 999'999);
+    m_seed->setAccessibleName(tr("Seed of the random numbers"));
+    m_seed->setToolTip(tr("The same seed gives the same sheet again"));
+    auto* other = new QPushButton(tr("&Others"), this);
+    other->setToolTip(tr("Another sheet: the next seed"));
+    auto* strengthLabel = new QLabel(tr("&Difference:"), this);
+    strengthLabel->setBuddy(m_strength);
+    auto* seedLabel = new QLabel(tr("&Seed:"), this);
+    seedLabel->setBuddy(m_seed);
+    auto* row = new QHBoxLayout;
+    row->addWidget(strengthLabel);
+    row->addWidget(m_strength, 1);
+    row->addStretch();
+    row->addWidget(seedLabel);
+    row->addWidget(m_seed);
+    row->addWidget(other);
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    strengthLabel->setVisible(m_source == Source::Current);
+    m_strength->setVisible(m_source == Source::Current);
+    connect(m_strength, &QSlider::valueChanged, this, &MutateDialog::makeAll);
+    connect(m_seed, &QSpinBox::valueChanged, this, &MutateDialog::makeAll);
+    connect(other, &QPushButton::clicked, m_seed, &QSpinBox::stepUp);
+}
+
+void MutateDialog::makeAll() {
+    m_thumbnails->clear();
+    m_fractals.clear();
+    m_grid->clear();
+    for (int i = 0; i < count; ++i)
+        m_grid->addItem(new QListWidgetItem);
+    m_timer.start(0);
+    updateButtons();
+}
+
+void MutateDialog::makeNext() {
+    const auto index = int(m_fractals.size());
+    if (index == count) {
+        m_timer.stop();
+        return;
+    }
+    const std::uint64_t seed = std::uint64_t(m_seed->value()) * count + std::uint64_t(index);
+    const double strength = double(m_strength->value()) / strengthSteps;
+    m_fractals.push_back(std::make_shared<const document::Fractal>(
+        m_source == Source::Current ? document::variation(m_parent, strength, seed)
+                                    : document::randomFractal(seed)));
+    m_grid->item(index)->setData(Qt::AccessibleTextRole, tr("Variation %1").arg(index + 1));
+    showPicture(index);
+    updateButtons();
+}
+
+void MutateDialog::showPicture(int index) {
+    if (index >= int(m_fractals.size())) return;
+    const auto key = quint64(m_seed->value()) * count + quint64(index);
+    const QPixmap pixmap = m_thumbnails->thumbnail(key, m_fractals[std::size_t(index)]).pixmap;
+    if (!pixmap.isNull()) m_grid->item(index)->setIcon(pixmap);
+}
+
+int MutateDialog::chosen() const {
+    const int row = m_grid->currentRow();
+    return row < int(m_fractals.size()) ? row : -1;
+}
+
+void MutateDialog::updateButtons() {
+    m_use->setEnabled(chosen() >= 0);
+    m_vary->setEnabled(chosen() >= 0);
+    m_vary->setVisible(m_source == Source::Current);
+}
+
+void MutateDialog::varyChosen() {
+    if (chosen() < 0) return;
+    m_parent = *m_fractals[std::size_t(chosen())];
+    makeAll();
+}
+
+void MutateDialog::accept() {
+    if (chosen() < 0) return;
+    const auto& fractal = m_fractals[std::size_t(chosen())];
+    if (m_source == Source::Current) {
+        m_document->edit(tr("Mutate"), *fractal);
+    } else {
+        document::Entry entry;
+        entry.fractal = fractal;
+        const Inserted added = inserted(m_document->file(), {entry}, m_document->currentId());
+        m_document->editFile(tr("Add Random Fractal"), added.file, added.ids.value(0));
+    }
+    QDialog::accept();
+}
+
+} // namespace view
