@@ -9,6 +9,7 @@
 #include "usage_error.h"
 
 #include "attractor/kernels.h"
+#include "ifs/hull_cage.h"
 #include "io/export_job.h"
 
 #include <QCoreApplication>
@@ -154,14 +155,20 @@ std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const
         bare.cage.reset();
         return document::effectiveCage(bare).rest;
     }
-    if (text == "box") {
-        document::Fractal bare = fractal;
-        bare.cage.reset();
-        const auto box = document::displayedBox(bare);
-        if (!box) throw UsageError{tr("--rest-cage box: the system has no attractor to put a box around.")};
-        return {box->min, {box->max.x(), box->min.y()}, box->max, {box->min.x(), box->max.y()}};
+    const bool hull = text == "hull" || text.rfind("hull:", 0) == 0;
+    if (!hull && text != "box") return pointsArgument("--rest-cage", text);
+    const auto support = ifs::SupportFunction<2>::of(ifs::activeMaps(*document::system2(fractal)).maps);
+    if (!support)
+        throw UsageError{tr("--rest-cage %1: the system has no attractor that could be enclosed.")
+                             .arg(QString::fromStdString(text))};
+    if (!hull) {
+        const auto box = ifs::boundingBox(*support, 1e-10 * support->radius());
+        return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
     }
-    return pointsArgument("--rest-cage", text);
+    const int corners = text == "hull" ? 8 : QString::fromStdString(text.substr(5)).toInt();
+    if (corners < 3 || corners > int(ifs::mostCorners))
+        throw UsageError{tr("--rest-cage hull:N takes from 3 to %1 corners.").arg(ifs::mostCorners)};
+    return ifs::simplifiedHull(ifs::enlargedHull(*support), corners);
 }
 
 void applyCage(document::Fractal& fractal, const Arguments& arguments) {
@@ -380,7 +387,7 @@ void addFramingOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--cage", arguments.cage,
                        "Where the corners are: \"x,y x,y x,y\", up to 64; more than three bend the picture");
     command.add_option("--rest-cage", arguments.restCage,
-                       "Where they were: \"x,y x,y x,y\", canonical or box");
+                       "Where they were: \"x,y x,y x,y\", canonical, box, hull or hull:N");
 }
 
 } // namespace

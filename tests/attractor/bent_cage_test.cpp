@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <span>
 
 using namespace attractor;
 using ifs::Vector;
@@ -275,13 +276,13 @@ private slots:
         request.samples = 500'000;
         BandedRendering whole(request);
         BandedRendering parts(request);
-        const auto all = whole.band(0, request.camera.height);
-        std::vector<std::uint32_t> joined;
-        for (int row = 0; row < request.camera.height; row += 50) {
-            const auto part = parts.band(row, 50);
-            joined.insert(joined.end(), part->begin(), part->end());
-        }
-        QVERIFY(*all == joined);
+        const auto width = std::size_t(request.camera.width);
+        std::vector<std::uint32_t> all(width * std::size_t(request.camera.height));
+        std::vector<std::uint32_t> joined(all.size());
+        QVERIFY(whole.band(0, request.camera.height, all));
+        for (int row = 0; row < request.camera.height; row += 50)
+            QVERIFY(parts.band(row, 50, std::span(joined).subspan(std::size_t(row) * width, 50 * width)));
+        QVERIFY(all == joined);
     }
 
     void paperModeAndDeterministicAlgorithmBend() {

@@ -88,7 +88,7 @@ private slots:
     }
 
     void aBentCageSaysSoAndCannotBeBaked() {
-        m_panel->fitBox();
+        m_panel->fit(view::PolygonChoice::Box);
         QCOMPARE(cage().rest.size(), std::size_t{4});
         QVERIFY(m_panel->status().startsWith(QStringLiteral("4 ")));
         document::Fractal fractal = m_document->fractal();
@@ -111,6 +111,30 @@ private slots:
         const auto& maps = document::system2(m_document->fractal())->maps;
         for (std::size_t i = 0; i < maps.size(); ++i)
             QVERIFY(distance(maps[i].map, shown.maps[i].map) < 1e-12);
+    }
+
+    void polygonsAreFittedAroundThePicture() {
+        const auto support =
+            ifs::SupportFunction<2>::of(ifs::activeMaps(*document::system2(m_document->fractal())).maps);
+        for (const auto choice : {view::PolygonChoice::Hull, view::PolygonChoice::Regular})
+            for (const int corners : {3, 5, 8, 24}) {
+                m_panel->fit(choice, corners);
+                const auto rest = cage().rest;
+                QCOMPARE(rest.size(), std::size_t(corners));
+                QVERIFY(cage().current == rest);
+                QCOMPARE(ifs::suitableCoordinates(rest, &*support), ifs::Coordinates::Wachspress);
+            }
+        // Around the picture as it is placed, and the picture stays.
+        document::Fractal fractal = m_document->fractal();
+        for (auto& vertex : fractal.cage->current)
+            vertex = ifs::Vector<2>(2 * vertex.y() + 1, vertex.x());
+        m_document->edit(QStringLiteral("place"), fractal);
+        const auto shown = *document::effectiveSystem(m_document->fractal());
+        m_panel->fit(view::PolygonChoice::Hull, 6);
+        const auto now = *document::effectiveSystem(m_document->fractal());
+        for (std::size_t i = 0; i < shown.maps.size(); ++i)
+            QVERIFY(distance(shown.maps[i].map, now.maps[i].map) < 1e-9);
+        QCOMPARE(cage().rest.size(), std::size_t{6});
     }
 
     void unbakeKeepsThePicture() {
