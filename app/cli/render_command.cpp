@@ -10,6 +10,7 @@
 
 #include "attractor/kernels.h"
 #include "ifs/hull_cage.h"
+#include "ifs/support_function.h"
 #include "io/export_job.h"
 
 #include <QCoreApplication>
@@ -146,6 +147,34 @@ void applyAppearance(attractor::Appearance& appearance, const Arguments& argumen
     if (arguments.supersample) appearance.supersample = *arguments.supersample;
 }
 
+// N of "hull:N".
+int hullCorners(const std::string& text) {
+    constexpr int Usual = 8;
+    if (text == "hull") return Usual;
+    bool isNumber = false;
+    const int corners = QString::fromStdString(text.substr(5)).toInt(&isNumber);
+    if (!isNumber || corners < 3 || corners > 64)
+        throw UsageError{tr("--rest-cage hull:N takes 3 to 64 corners, and not “%1”.")
+                             .arg(QString::fromStdString(text.substr(5)))};
+    return corners;
+}
+
+// A certified box or hull around the attractor.
+std::vector<ifs::Vector<2>> verticesAround(const document::Fractal& fractal, const std::string& text) {
+    const auto maps = ifs::activeMaps(*document::system2(fractal)).maps;
+    const auto support = ifs::SupportFunction<2>::of(maps);
+    if (!support)
+        throw UsageError{tr("--rest-cage %1 is not possible here: the system has no certified attractor.")
+                             .arg(QString::fromStdString(text))};
+    const auto box = ifs::boundingBox(*support);
+    if (text == "box") {
+        const ifs::Vector<2> min = box.min.array() - box.error, max = box.max.array() + box.error;
+        return {min, {max.x(), min.y()}, max, {min.x(), max.y()}};
+    }
+    const auto hull = ifs::convexHull(*support, 1e-6 * (box.max - box.min).norm());
+    return ifs::simplifiedHull(ifs::enlargedHull(hull.vertices, hull.error), hullCorners(text));
+}
+
 // The rest vertices that --rest-cage and the entry ask for.
 std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const Arguments& arguments) {
     if (!arguments.restCage) return document::effectiveCage(fractal).rest;
@@ -155,20 +184,8 @@ std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const
         bare.cage.reset();
         return document::effectiveCage(bare).rest;
     }
-    const bool hull = text == "hull" || text.rfind("hull:", 0) == 0;
-    if (!hull && text != "box") return pointsArgument("--rest-cage", text);
-    const auto support = ifs::SupportFunction<2>::of(ifs::activeMaps(*document::system2(fractal)).maps);
-    if (!support)
-        throw UsageError{tr("--rest-cage %1: the system has no attractor that could be enclosed.")
-                             .arg(QString::fromStdString(text))};
-    if (!hull) {
-        const auto box = ifs::boundingBox(*support, 1e-10 * support->radius());
-        return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
-    }
-    const int corners = text == "hull" ? 8 : QString::fromStdString(text.substr(5)).toInt();
-    if (corners < 3 || corners > int(ifs::mostCorners))
-        throw UsageError{tr("--rest-cage hull:N takes from 3 to %1 corners.").arg(ifs::mostCorners)};
-    return ifs::simplifiedHull(ifs::enlargedHull(*support), corners);
+    if (text == "box" || text == "hull" || text.starts_with("hull:")) return verticesAround(fractal, text);
+    return pointsArgument("--rest-cage", text);
 }
 
 void applyCage(document::Fractal& fractal, const Arguments& arguments) {

@@ -167,7 +167,7 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.svg --depth 150");
     row("render systems.ifs -o x.png --algorithm deterministic");
     row("render systems.ifs -o x.png --rest-cage hull:2");
-    row("render systems.ifs -o x.png --rest-cage hull:8 --cage 0,0;1,0");
+    row("render systems.ifs -o x.png --rest-cage hull:many");
     row("render systems.ifs -o x.png --rest-cage 0,0;1,0");
     row("render systems.ifs -o x.png --view 1,2");
     row("render systems.ifs -o x.png --view 1,2,0");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dialogs/aifs_dialog.h"
 #include "panels/cage_panel.h"
 #include "panels/number_field.h"
 #include "view/maps_support.h"
@@ -135,6 +136,29 @@ private slots:
         for (std::size_t i = 0; i < shown.maps.size(); ++i)
             QVERIFY(distance(shown.maps[i].map, now.maps[i].map) < 1e-9);
         QCOMPARE(cage().rest.size(), std::size_t{6});
+    }
+
+    void theAffineInvariantFormIsShown() {
+        document::Document sierpinski; // over its own triangle: halves and ones
+        document::Fractal fractal = sierpinski.fractal();
+        const QStringList lines = view::aifsText(fractal).split(u'\n');
+        QCOMPARE(lines.filter(QStringLiteral("S")).size(), 3);
+        double sum = 0;
+        int rows = 0;
+        for (const QString& line : lines) {
+            const QStringList entries = line.simplified().split(u' ');
+            if (entries.size() != 3 || line.startsWith(u'V')) continue;
+            ++rows;
+            for (const QString& text : entries)
+                sum += text.toDouble();
+        }
+        QCOMPARE(rows, 9);
+        QVERIFY(std::abs(sum - 9) < 1e-9);
+        // Dragging the triangle moves its vertices and leaves the matrices.
+        fractal.cage = document::effectiveCage(fractal);
+        fractal.cage->current[0] = {-3, 2};
+        const QStringList dragged = view::aifsText(fractal).split(u'\n');
+        QVERIFY(dragged[0] != lines[0] && dragged.mid(3) == lines.mid(3));
     }
 
     void unbakeKeepsThePicture() {
