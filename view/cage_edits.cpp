@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cage_edits.h"
 
+#include "ifs/hull_cage.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -163,13 +165,20 @@ std::optional<document::Fractal> withCageFitted(const document::Fractal& fractal
     return after;
 }
 
-std::optional<document::Fractal> withCageAroundBox(const document::Fractal& fractal) {
+std::optional<document::Fractal> withCageAround(const document::Fractal& fractal, PolygonChoice choice,
+                                                int corners) {
     const auto support = ifs::SupportFunction<2>::of(displayedMaps(fractal));
     if (!support) return std::nullopt;
-    const auto box = ifs::boundingBox(*support, relativeTolerance * support->radius());
-    const ifs::Vector<2> low = box.min - ifs::Vector<2>::Constant(box.error);
-    const ifs::Vector<2> high = box.max + ifs::Vector<2>::Constant(box.error);
-    return withCageThrough(fractal, {low, {high.x(), low.y()}, high, {low.x(), high.y()}});
+    if (choice == PolygonChoice::Box) {
+        const auto box = ifs::boundingBox(*support, relativeTolerance * support->radius());
+        const ifs::Vector<2> low = box.min - ifs::Vector<2>::Constant(box.error);
+        const ifs::Vector<2> high = box.max + ifs::Vector<2>::Constant(box.error);
+        return withCageThrough(fractal, {low, {high.x(), low.y()}, high, {low.x(), high.y()}});
+    }
+    const auto around = ifs::enlargedHull(*support);
+    return withCageThrough(fractal, choice == PolygonChoice::Hull
+                                        ? ifs::simplifiedHull(around, corners)
+                                        : ifs::regularPolygonAround(around, corners));
 }
 
 QString fitObstacle(const document::Fractal& fractal) {

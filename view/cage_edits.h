@@ -40,8 +40,11 @@ enum class SimplexChoice { Minimal, PlusPlus, MinusPlus, PlusMinus, MinusMinus }
 std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const document::Fractal& fractal,
                                                          SimplexChoice choice);
 std::optional<document::Fractal> withCageFitted(const document::Fractal& fractal, SimplexChoice choice);
-// The displayed picture held by its bounding box; nullopt as above.
-std::optional<document::Fractal> withCageAroundBox(const document::Fractal& fractal);
+// The displayed picture held by its bounding box, by its convex hull simplified from outside to so many
+// corners, or by the smallest regular polygon with so many; nullopt as above.
+enum class PolygonChoice { Box, Hull, Regular };
+std::optional<document::Fractal> withCageAround(const document::Fractal& fractal, PolygonChoice choice,
+                                                int corners = 4);
 // Why no cage can be fitted; empty when one can.
 QString fitObstacle(const document::Fractal& fractal);
 

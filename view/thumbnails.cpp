@@ -23,8 +23,8 @@ bool looksTheSame(const document::Fractal& a, const document::Fractal& b) {
     return a.system == b.system && a.cage == b.cage && a.appearance == b.appearance;
 }
 
-// What the picture is to hold; nullopt when there is nothing to draw. A cage with many corners has no
-// certified box, but its corners hold the picture as a rule.
+// What the picture is to hold; nullopt when there is nothing to draw. Where no box is certified, the
+// corners of the cage hold the picture as a rule.
 std::optional<document::Box> boxToShow(const document::Fractal& fractal) {
     if (auto box = document::displayedBox(fractal)) return box;
     if (!fractal.cage || fractal.cage->current.empty()) return std::nullopt;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/cage_actions.h"
+#include "dialogs/aifs_dialog.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/export_data_dialog.h"
 #include "dialogs/export_dialog.h"
@@ -187,6 +188,12 @@ void MainWindow::createCageActions() {
             &view::unbakeCage);
     operate({}, tr("Make Re&gular"), {}, tr("Put the vertices on the regular polygon nearest to them"),
             &view::makeCageRegular);
+    command(m_cageMenu, {}, tr("Affine &Invariant Form…"), {},
+            tr("Show every map as a row-stochastic matrix over the control triangle"), [this] {
+                auto* dialog = new view::AifsDialog(m_document.fractal(), this);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->show();
+            });
     m_cageMenu->addSeparator();
     auto* modes = new QActionGroup(this);
     const auto mode = [this, modes](const QString& icon, const QString& text, const QString& tip,

@@ -72,6 +72,12 @@ Polygon enlargedHull(const Polygon& hull, double distance) {
     return convexHull(std::move(points), 0);
 }
 
+Polygon enlargedHull(const SupportFunction<2>& support) {
+    const double fine = 1e-5 * support.radius();
+    const ConvexHull hull = convexHull(support, fine);
+    return enlargedHull(hull.vertices, hull.error + fine);
+}
+
 Polygon simplifiedHull(const Polygon& hull, int corners) {
     Polygon polygon = hull;
     std::vector<Ear> ears;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/polygon.h"
+#include "ifs/support_function.h"
 
 // Cages of few corners around a convex hull. All polygons are convex and counter-clockwise; a hull may be a
 // point or a segment. docs/mathematics.md, "Cages around a hull".
@@ -10,6 +11,8 @@ namespace ifs {
 // A polygon that contains everything within `distance` of the hull, and nothing farther than √2·distance.
 // `distance` must be positive when the hull is a point or a segment.
 Polygon enlargedHull(const Polygon& hull, double distance);
+// The certified hull of an attractor, enlarged by its error and a hundred-thousandth of its radius.
+Polygon enlargedHull(const SupportFunction<2>& support);
 
 // A polygon of at most `corners` ≥ 3 corners around the hull, made by replacing edges by the point where
 // their neighbours meet, least area first. A hull that has no more corners comes back as it is. The hull must

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <span>
 
 using namespace attractor;
 using ifs::Vector;
@@ -55,7 +56,7 @@ public:
         std::discrete_distribution<std::size_t> choice(d.probabilities.begin(), d.probabilities.end());
         std::vector<Vector<2>> orbit;
         Vector<2> x = d.centre;
-        for (int n = -100; n < 40'000; ++n) {
+        for (int n = -100; n < 30'000; ++n) {
             x = d.maps[choice(random)](x);
             if (n >= 0) orbit.push_back(x);
         }
@@ -88,13 +89,22 @@ public:
             for (std::size_t i = 0; i < d.maps.size(); ++i)
                 open.push_back({node.map * d.maps[i], node.probability * d.probabilities[i]});
         }
+        // Most points where most of them are seen; how many says nothing about their shares.
+        std::vector<double> wanted;
         double total = 0;
-        for (const Node& node : kept)
-            total += node.probability;
         for (const Node& node : kept) {
-            const int count = 1 + int(points * node.probability / total);
-            for (int n = 0; n < count; ++n)
-                plot(node.map(orbit[random() % orbit.size()]), node.probability / count);
+            double seen = 0.3;
+            for (std::size_t k = 0; k < 60; ++k)
+                seen += isInView(node.map(orbit[k * 499])) ? 1 : 0;
+            wanted.push_back(node.probability * seen);
+            total += wanted.back();
+        }
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            const int count = 1 + int(points * wanted[k] / total);
+            for (int n = 0; n < count; ++n) {
+                x = d.maps[choice(random)](x);
+                plot(kept[k].map(x), kept[k].probability / count);
+            }
         }
     }
 
@@ -102,6 +112,11 @@ public:
     double inView() const { return std::accumulate(shares.begin(), shares.end(), 0.0); }
 
 private:
+    bool isInView(const Vector<2>& x) const {
+        const Vector<2> at = toPixel(m_request.camera, m_placement(x));
+        const Camera& camera = m_request.camera;
+        return at.x() >= 0 && at.x() < camera.width && at.y() >= 0 && at.y() < camera.height;
+    }
     void plot(const Vector<2>& x, double share) {
         const Vector<2> at = toPixel(m_request.camera, m_placement(x));
         const Camera& camera = m_request.camera;
@@ -174,7 +189,7 @@ private slots:
         QTest::addColumn<double>("zoom");
         const char* names[] = {"maple", "fern", "sierpinski"};
         for (int which = 0; which < 3; ++which)
-            for (const double zoom : {1.0, 12.0, 150.0, 1e4})
+            for (const double zoom : {1.0, 150.0, 1e4})
                 QTest::addRow("%s ×%g", names[which], zoom) << which << 8 - which << 0.2 << zoom;
         QTest::addRow("hardly bent") << 0 << 5 << 1e-4 << 1.0;
         QTest::addRow("bent over") << 0 << 6 << 0.8 << 1.0;
@@ -261,13 +276,13 @@ private slots:
         request.samples = 500'000;
         BandedRendering whole(request);
         BandedRendering parts(request);
-        const auto all = whole.band(0, request.camera.height);
-        std::vector<std::uint32_t> joined;
-        for (int row = 0; row < request.camera.height; row += 50) {
-            const auto part = parts.band(row, 50);
-            joined.insert(joined.end(), part->begin(), part->end());
-        }
-        QVERIFY(*all == joined);
+        const auto width = std::size_t(request.camera.width);
+        std::vector<std::uint32_t> all(width * std::size_t(request.camera.height));
+        std::vector<std::uint32_t> joined(all.size());
+        QVERIFY(whole.band(0, request.camera.height, all));
+        for (int row = 0; row < request.camera.height; row += 50)
+            QVERIFY(parts.band(row, 50, std::span(joined).subspan(std::size_t(row) * width, 50 * width)));
+        QVERIFY(all == joined);
     }
 
     void paperModeAndDeterministicAlgorithmBend() {
@@ -299,7 +314,7 @@ private slots:
         };
         const auto occupied = std::count(expected.begin(), expected.end(), true);
         const ifs::Matrix<2> pixels = worldToPixel(request.camera).linear;
-        QVERIFY(std::abs(double(occupied) - 1.55 * std::abs(pixels.determinant())) < 600);
+        QVERIFY(std::abs(double(occupied) - 1.55 * std::abs(ifs::determinant<2>(pixels))) < 600);
         QVERIFY2(difference(covered(Algorithm::Deterministic, 3)) < 600, "deterministic");
         QVERIFY2(difference(covered(Algorithm::Density, 0)) < 1200, "density");
         request.samples = 1'500'000;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dialogs/aifs_dialog.h"
 #include "panels/cage_panel.h"
 #include "panels/number_field.h"
 #include "view/maps_support.h"
@@ -88,7 +89,7 @@ private slots:
     }
 
     void aBentCageSaysSoAndCannotBeBaked() {
-        m_panel->fitBox();
+        m_panel->fit(view::PolygonChoice::Box);
         QCOMPARE(cage().rest.size(), std::size_t{4});
         QVERIFY(m_panel->status().startsWith(QStringLiteral("4 ")));
         document::Fractal fractal = m_document->fractal();
@@ -111,6 +112,53 @@ private slots:
         const auto& maps = document::system2(m_document->fractal())->maps;
         for (std::size_t i = 0; i < maps.size(); ++i)
             QVERIFY(distance(maps[i].map, shown.maps[i].map) < 1e-12);
+    }
+
+    void polygonsAreFittedAroundThePicture() {
+        const auto support =
+            ifs::SupportFunction<2>::of(ifs::activeMaps(*document::system2(m_document->fractal())).maps);
+        for (const auto choice : {view::PolygonChoice::Hull, view::PolygonChoice::Regular})
+            for (const int corners : {3, 5, 8, 24}) {
+                m_panel->fit(choice, corners);
+                const auto rest = cage().rest;
+                QCOMPARE(rest.size(), std::size_t(corners));
+                QVERIFY(cage().current == rest);
+                QCOMPARE(ifs::suitableCoordinates(rest, &*support), ifs::Coordinates::Wachspress);
+            }
+        // Around the picture as it is placed, and the picture stays.
+        document::Fractal fractal = m_document->fractal();
+        for (auto& vertex : fractal.cage->current)
+            vertex = ifs::Vector<2>(2 * vertex.y() + 1, vertex.x());
+        m_document->edit(QStringLiteral("place"), fractal);
+        const auto shown = *document::effectiveSystem(m_document->fractal());
+        m_panel->fit(view::PolygonChoice::Hull, 6);
+        const auto now = *document::effectiveSystem(m_document->fractal());
+        for (std::size_t i = 0; i < shown.maps.size(); ++i)
+            QVERIFY(distance(shown.maps[i].map, now.maps[i].map) < 1e-9);
+        QCOMPARE(cage().rest.size(), std::size_t{6});
+    }
+
+    void theAffineInvariantFormIsShown() {
+        document::Document sierpinski; // over its own triangle: halves and ones
+        document::Fractal fractal = sierpinski.fractal();
+        const QStringList lines = view::aifsText(fractal).split(u'\n');
+        QCOMPARE(lines.filter(QStringLiteral("S")).size(), 3);
+        double sum = 0;
+        int rows = 0;
+        for (const QString& line : lines) {
+            const QStringList entries = line.simplified().split(u' ');
+            if (entries.size() != 3 || line.startsWith(u'V')) continue;
+            ++rows;
+            for (const QString& text : entries)
+                sum += text.toDouble();
+        }
+        QCOMPARE(rows, 9);
+        QVERIFY(std::abs(sum - 9) < 1e-9);
+        // Dragging the triangle moves its vertices and leaves the matrices.
+        fractal.cage = document::effectiveCage(fractal);
+        fractal.cage->current[0] = {-3, 2};
+        const QStringList dragged = view::aifsText(fractal).split(u'\n');
+        QVERIFY(dragged[0] != lines[0] && dragged.mid(3) == lines.mid(3));
     }
 
     void unbakeKeepsThePicture() {

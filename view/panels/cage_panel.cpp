@@ -172,7 +172,15 @@ QLayout* CagePanel::makeButtons() {
     for (std::size_t i = 0; i < choices.size(); ++i)
         add(tr("Canonical Simplex %1").arg(orientationText(orientations[i])), choices[i]);
     menu->addSeparator();
-    menu->addAction(tr("Bounding Box"), this, &CagePanel::fitBox);
+    menu->addAction(tr("Bounding Box"), this, [this] { fit(PolygonChoice::Box); });
+    const auto addPolygons = [&](const QString& title, PolygonChoice choice) {
+        QMenu* polygons = menu->addMenu(title);
+        for (const int corners : {3, 4, 5, 6, 8, 12, 16, 24})
+            polygons->addAction(tr("%n Corners", nullptr, corners), this,
+                                [this, choice, corners] { fit(choice, corners); });
+    };
+    addPolygons(tr("Convex Hull, Simplified to"), PolygonChoice::Hull);
+    addPolygons(tr("Regular Polygon with"), PolygonChoice::Regular);
 
     auto* row = new QHBoxLayout;
     row->setSpacing(2);
@@ -346,13 +354,13 @@ void CagePanel::fit(SimplexChoice choice) {
         emit message(fitObstacle(m_document->fractal()));
 }
 
-void CagePanel::fitBox() {
+void CagePanel::fit(PolygonChoice choice, int corners) {
     const QString obstacle = fitObstacle(m_document->fractal());
-    auto fitted = obstacle.isEmpty() ? withCageAroundBox(m_document->fractal()) : std::nullopt;
+    auto fitted = obstacle.isEmpty() ? withCageAround(m_document->fractal(), choice, corners) : std::nullopt;
     if (fitted)
-        m_document->edit(tr("Fit the bounding box"), std::move(*fitted));
+        m_document->edit(tr("Fit the cage"), std::move(*fitted));
     else
-        emit message(obstacle.isEmpty() ? tr("The bounding box is flat and cannot be a cage.") : obstacle);
+        emit message(obstacle.isEmpty() ? tr("The picture is too thin for such a cage.") : obstacle);
 }
 
 void CagePanel::reset() {

@@ -36,7 +36,7 @@ public:
     QString barycentric() const; // of the point typed in the panel
 
     void fit(SimplexChoice choice);
-    void fitBox();
+    void fit(PolygonChoice choice, int corners = 4);
     void setDeformation(ifs::Deformation deformation);
     void reset();
     void bake();
