@@ -45,7 +45,7 @@ std::optional<Input> readInput(const std::string& file) {
         reportError(name, *loaded.failure);
         return std::nullopt;
     }
-    return Input{name, loaded.bytes, io::readCollection(loaded.bytes)};
+    return Input{name, loaded.bytes, io::readCollection(loaded.bytes, file == "-" ? QString() : name)};
 }
 
 bool isLoaded(const document::Entry& entry) {

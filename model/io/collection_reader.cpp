@@ -6,6 +6,8 @@
 #include "io/png_system.h"
 #include "io/svg_system.h"
 
+#include <QFileInfo>
+
 namespace io {
 
 namespace {
@@ -22,11 +24,11 @@ document::FractalFile fileOf(const EmbeddedSystem& embedded) {
 
 } // namespace
 
-Collection readCollection(const QByteArray& bytes) {
+Collection readCollection(const QByteArray& bytes, const QString& path) {
     if (looksLikePng(bytes)) return {QStringLiteral("png"), fileOf(readPngSystem(bytes))};
     if (looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes))};
     if (looksLikeFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes)};
-    return {QStringLiteral("fractint"), readFractint(bytes)};
+    return {QStringLiteral("fractint"), readFractint(bytes, QFileInfo(path).completeBaseName())};
 }
 
 } // namespace io

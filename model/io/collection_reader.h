@@ -15,6 +15,7 @@ struct Collection {
 };
 
 // Tells the format from the content: a Fractint collection, flames, or a picture that carries one.
-Collection readCollection(const QByteArray& bytes);
+// `path` names the entry of a file of bare rows.
+Collection readCollection(const QByteArray& bytes, const QString& path = {});
 
 } // namespace io
