@@ -10,6 +10,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
@@ -83,6 +84,8 @@ void MainWindow::createFileActions() {
                 tr("Export the picture as PNG or SVG, framed as on the screen"), [this] {
                     auto* dialog = new view::ExportDialog(&m_document, m_canvas->camera(), this);
                     dialog->setAttribute(Qt::WA_DeleteOnClose);
+                    const QString folder = QFileInfo(m_file.path()).absolutePath();
+                    if (!m_file.path().isEmpty() && QFileInfo(folder).isWritable()) dialog->setFolder(folder);
                     dialog->show();
                 });
     command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
@@ -117,7 +120,7 @@ void MainWindow::createEditActions() {
             tr("Rotate, scale, shear, reflect or move the whole fractal by numbers"), [this] {
                 auto* dialog = new view::TransformDialog(&m_document, this);
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
-                dialog->show();
+                dialog->open(); // another edit would end what it shows
             });
     m_toolBarActions << undo << redo << nullptr;
 }
