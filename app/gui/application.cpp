@@ -58,11 +58,7 @@ void Application::openWindows(const QStringList& files) {
         window->show();
         window->openRecovered(abandoned);
     }
-    for (const QString& file : files) {
-        auto* window = new MainWindow;
-        window->show();
-        window->openPath(file);
-    }
+    MainWindow::openEach(files);
     if (topLevelWidgets().isEmpty()) {
         auto* window = new MainWindow;
         window->openFirstPicture();

@@ -26,6 +26,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QSettings>
 
 namespace {
@@ -181,13 +182,23 @@ void MainWindow::openFirstPicture() {
     }
 }
 
-void MainWindow::openPath(const QString& path) {
+bool MainWindow::openPath(const QString& path) {
     if (const io::Failure failure = m_file.open(path)) {
         fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
-        return;
+        return false;
     }
     m_canvas->fit();
     reportOpened();
+    return true;
+}
+
+void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
+    MainWindow* unused = first;
+    for (const QString& path : paths) {
+        MainWindow* window = unused ? unused : new MainWindow;
+        window->show();
+        unused = window->openPath(path) ? nullptr : window;
+    }
 }
 
 void MainWindow::openRecovered(const document::Abandoned& abandoned) {
@@ -339,6 +350,35 @@ void MainWindow::restoreLayout() {
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
 }
 
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    makeRoomForPicture();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (width() < event->oldSize().width()) makeRoomForPicture();
+}
+
+// In a window that is made narrow the panels yield, so that half of it is left to the picture.
+void MainWindow::makeRoomForPicture() {
+    const int missing = width() / 2 - m_canvas->width();
+    if (missing <= 0) return;
+    QList<QDockWidget*> beside;
+    int together = 0;
+    for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
+        for (auto* panel : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
+            if (dockWidgetArea(panel) == area && !panel->isFloating() && !panel->visibleRegion().isEmpty()) {
+                beside << panel;
+                together += panel->width();
+                break;
+            }
+    QList<int> widths;
+    for (const QDockWidget* panel : beside)
+        widths << panel->width() - missing * panel->width() / together;
+    resizeDocks(beside, widths, Qt::Horizontal);
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
     if (!urls.isEmpty() && urls.first().isLocalFile()) event->acceptProposedAction();
@@ -346,16 +386,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
-    bool first = true;
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (!url.isLocalFile()) continue;
-        if (first) {
-            if (maySpoil()) openPath(url.toLocalFile());
-        } else {
-            auto* window = new MainWindow;
-            window->show();
-            window->openPath(url.toLocalFile());
-        }
-        first = false;
-    }
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) paths << url.toLocalFile();
+    if (!paths.isEmpty() && maySpoil()) openEach(paths, this);
 }

@@ -26,14 +26,19 @@ public:
     explicit MainWindow(QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    void openPath(const QString& path); // says what went wrong
-    void openFirstPicture();            // the maple of the collection, without a path
+    bool openPath(const QString& path); // says what went wrong
+    // Each in a window of its own, the first in `first` when there is one. What cannot be opened leaves its
+    // window to the next.
+    static void openEach(const QStringList& paths, MainWindow* first = nullptr);
+    void openFirstPicture(); // the maple of the collection, without a path
     void openRecovered(const document::Abandoned& abandoned);
 
     document::Document& document() { return m_document; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -69,6 +74,7 @@ private:
     void say(const QString& sentence); // in the status bar, for a few seconds
     void fail(const QString& title, const QString& sentence);
     void restoreLayout();
+    void makeRoomForPicture();
 
     document::Document m_document;
     OpenFile m_file;

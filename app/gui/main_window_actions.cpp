@@ -14,6 +14,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
@@ -87,6 +88,8 @@ void MainWindow::createFileActions() {
                 tr("Export the picture as PNG, SVG or PDF, framed as on the screen"), [this] {
                     auto* dialog = new view::ExportDialog(&m_document, m_canvas->camera(), this);
                     dialog->setAttribute(Qt::WA_DeleteOnClose);
+                    const QString folder = QFileInfo(m_file.path()).absolutePath();
+                    if (!m_file.path().isEmpty() && QFileInfo(folder).isWritable()) dialog->setFolder(folder);
                     dialog->show();
                 });
     command(m_fileMenu, {}, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
@@ -127,7 +130,7 @@ void MainWindow::createEditActions() {
             tr("Rotate, scale, shear, reflect or move the whole fractal by numbers"), [this] {
                 auto* dialog = new view::TransformDialog(&m_document, this);
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
-                dialog->show();
+                dialog->open(); // another edit would end what it shows
             });
     const auto pick = [this](view::MutateDialog::Source source) {
         auto* dialog = new view::MutateDialog(&m_document, source, this);

@@ -50,7 +50,8 @@ io::Failure OpenFile::open(const QString& path) {
 
 void OpenFile::recover(const document::Snapshot& snapshot) {
     if (snapshot.path.isEmpty() || open(snapshot.path)) startNew();
-    document::FractalFile recovered = io::readFractint(snapshot.bytes);
+    document::FractalFile recovered =
+        io::readFractint(snapshot.bytes, QFileInfo(snapshot.path).completeBaseName());
     const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
     const document::EntryId current =
         known ? recovered.entries[snapshot.current].id : document::EntryId::None;
@@ -78,7 +79,7 @@ bool OpenFile::changedOnDisk() const {
 io::Failure OpenFile::write(const QString& path) {
     const QByteArray bytes = io::writeFractint(m_document->file());
     if (io::Failure failure = io::saveFile(path, bytes)) return failure;
-    m_document->markSaved(io::readFractint(bytes));
+    m_document->markSaved(io::readFractint(bytes, QFileInfo(path).completeBaseName()));
     remember(path, bytes);
     recent_files::add(path);
     return std::nullopt;

@@ -55,11 +55,12 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
     constexpr qsizetype sample = 1000; // bytes, enough for five lines of a matrix
     const bool isTable = options.columns || beginsWithMatrices(QString::fromUtf8(bytes.left(sample)));
     document::FractalFile file;
-    if (!isTable) file = readFractint(bytes);
+    if (!isTable) file = readFractint(bytes, QFileInfo(path).completeBaseName());
     if (file.entries.isEmpty())
         if (auto table = fileOfTable(bytes, path, options.columns))
             return {QStringLiteral("table"), std::move(*table)};
-    return {QStringLiteral("fractint"), isTable ? readFractint(bytes) : std::move(file)};
+    return {QStringLiteral("fractint"),
+            isTable ? readFractint(bytes, QFileInfo(path).completeBaseName()) : std::move(file)};
 }
 
 } // namespace io

@@ -23,7 +23,8 @@ struct ReadOptions {
 };
 
 // Tells the format from the content: a Fractint collection, flames, a table of numbers, or a picture that
-// carries a collection. `path` names the entry of a table.
+// carries a collection. `path` names the entry of a table or of a file
+// of bare rows.
 Collection readCollection(const QByteArray& bytes, const QString& path = {}, const ReadOptions& options = {});
 
 } // namespace io

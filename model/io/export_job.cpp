@@ -51,4 +51,15 @@ ExportJob::ExportJob(Export what, const QString& path, Progress progress,
     : m_thread([what = std::move(what), path, progress = std::move(progress), finished = std::move(finished)](
                    const std::stop_token& stop) { finished(exportTo(what, path, progress, stop)); }) {}
 
+DrawingJob::DrawingJob(PngExport what, std::function<void(const Picture&)> finished)
+    : m_thread([what = std::move(what), finished = std::move(finished)](const std::stop_token& stop) {
+          Picture picture;
+          try {
+              picture = drawPicture(what, {}, stop);
+          } catch (const std::bad_alloc&) {
+              picture = {};
+          }
+          finished(picture);
+      }) {}
+
 } // namespace io

@@ -37,4 +37,15 @@ private:
     std::jthread m_thread;
 };
 
+// The same for a picture that stays in memory; null in `finished` when stopped.
+class DrawingJob {
+public:
+    DrawingJob(PngExport what, std::function<void(const Picture&)> finished);
+
+    void stop() { m_thread.request_stop(); }
+
+private:
+    std::jthread m_thread;
+};
+
 } // namespace io

@@ -430,7 +430,8 @@ QByteArray editedText(const EntrySource& source, const Fractal& fractal) {
                           original->fractal.system.index() == before.system.index();
     if (canPatch) {
         const QByteArray text = Edit(source, original->layout, fractal).text();
-        const auto reread = parsed(text, lineEndByteOf(source), bare);
+        auto reread = parsed(text, lineEndByteOf(source), bare);
+        if (reread && bare) reread->fractal.name = before.name; // it has none of its own
         if (reread && reread->fractal == expected(fractal, before)) return text;
     }
     return writeEntry(fractal, source.lineEnd);

@@ -101,8 +101,11 @@ bool holdsOnlyRows(QByteArrayView bytes, char lineEndByte) {
 
 class FileReader {
 public:
-    explicit FileReader(const QByteArray& bytes)
-        : m_bytes(bytes), m_lineEnd(fractint::lineEndByte(bytes)), m_lines(bytes, m_lineEnd) {}
+    FileReader(const QByteArray& bytes, const QString& bareName)
+        : m_bytes(bytes),
+          m_bareName(bareName),
+          m_lineEnd(fractint::lineEndByte(bytes)),
+          m_lines(bytes, m_lineEnd) {}
 
     FractalFile read() &&;
 
@@ -119,6 +122,7 @@ private:
     void report(Problem::Severity severity, int line, int column, const QString& message);
 
     const QByteArray& m_bytes;
+    QString m_bareName;
     char m_lineEnd;
     LineCounter m_lines;
     FractalFile m_file;
@@ -236,6 +240,11 @@ void FileReader::addEntry(const Block& block) {
     inside.open = block.open < 0 ? -1 : block.open - block.all.begin;
     fractint::ParsedEntry parsed = fractint::parseEntry(source->text, inside, m_lineEnd);
     source->fractal = std::move(parsed.fractal);
+    if (block.open < 0 && !m_bareName.isEmpty()) {
+        source->fractal.name = document::uniqueName(m_bareName, [](const QString&) { return false; });
+        for (Problem& problem : parsed.problems)
+            problem.entry = source->fractal.name;
+    }
 
     Entry entry;
     entry.id = static_cast<EntryId>(m_file.entries.size() + 1);
@@ -291,8 +300,8 @@ void FileReader::report(Problem::Severity severity, int line, int column, const 
 
 } // namespace
 
-document::FractalFile readFractint(const QByteArray& bytes) {
-    return FileReader(bytes).read();
+document::FractalFile readFractint(const QByteArray& bytes, const QString& bareName) {
+    return FileReader(bytes, bareName).read();
 }
 
 } // namespace io

@@ -11,7 +11,7 @@ namespace io {
 // and more, saying what was bent. A broken entry becomes an entry without a system, with its problem; the
 // others load. Concatenating the head, before + text of every entry, and the tail gives `bytes` back. Never
 // fails: a file that is no Fractint collection at all has no entries and an error that names what it looks
-// like.
-document::FractalFile readFractint(const QByteArray& bytes);
+// like. `bareName`, made legal, is what the entry of a file of bare rows is called: the file's base name.
+document::FractalFile readFractint(const QByteArray& bytes, const QString& bareName = {});
 
 } // namespace io

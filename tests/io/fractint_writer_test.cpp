@@ -61,6 +61,7 @@ private slots:
     void entriesMoveWithTheirBytes();
     void newEntriesGoBeforeTheTail();
     void bareFileGetsBracesWhenItMust();
+    void bareFileIsCalledAsItsFile();
     void newEntryReadsBack();
     void ownLinesAreShort();
     void ownLinesGoWhenEverythingIsStandard();
@@ -207,6 +208,18 @@ void FractintWriterTest::newEntriesGoBeforeTheTail() {
     open.entries.append(file.entries.last());
     QVERIFY(io::writeFractint(open).contains("no line end\n\nsierpinski {"));
     QCOMPARE(io::readFractint(io::writeFractint(open)).entries.size(), 2);
+}
+
+void FractintWriterTest::bareFileIsCalledAsItsFile() {
+    const QByteArray bare = ".5 0 0 .5 0 0 .5 ; first\n.5 0 0 .5 1 0 .5\n";
+    const FractalFile file = io::readFractint(bare, QStringLiteral("old fern"));
+    QCOMPARE(file.entries.first().fractal->name, QStringLiteral("old_fern"));
+    QCOMPARE(io::writeFractint(file), bare); // the name is not in the file
+    QCOMPARE(io::writeFractint(edited(file, 0, [](Fractal& f) { maps(f)[0].map.linear(0, 0) = 0.25; })),
+             "0.25 0 0 .5 0 0 .5 ; first\n.5 0 0 .5 1 0 .5\n");
+    QVERIFY(io::writeFractint(edited(file, 0, [](Fractal& f) {
+                f.appearance.gamma = 3;
+            })).startsWith("old_fern {\n"));
 }
 
 void FractintWriterTest::bareFileGetsBracesWhenItMust() {

@@ -192,12 +192,42 @@ private slots:
         QVERIFY((vertices()[1] - before[1]).norm() > 0.01);
         m_document->undoStack()->undo();
         const QPointF outwards = (vertex(1) - m_canvas->canvas().positionOf({Kind::Pivot, 0})) * 0.25;
-        drag(vertex(1), outwards, Qt::AltModifier | Qt::ShiftModifier);
+        drag(vertex(1), outwards, Qt::AltModifier);
         const double ratio = (vertices()[0] - pivot).norm() / (before[0] - pivot).norm();
         QVERIFY(ratio > 1.01);
         for (std::size_t i = 0; i < 3; ++i)
             QVERIFY((vertices()[i] - pivot - ratio * (before[i] - pivot)).norm() < 1e-9);
         QCOMPARE(steps(), 1);
+    }
+
+    void shiftScalesAlongOneAxis() {
+        const Vector<2> pivot = m_canvas->canvas().pivot();
+        const std::vector<Vector<2>> before = vertices();
+        drag(vertex(2), {10, -60}, Qt::AltModifier | Qt::ShiftModifier);
+        const double ratio = (vertices()[2].y() - pivot.y()) / (before[2].y() - pivot.y());
+        QVERIFY(ratio > 1.1);
+        for (std::size_t i = 0; i < 3; ++i) {
+            QCOMPARE(vertices()[i].x(), before[i].x());
+            QVERIFY(std::abs(vertices()[i].y() - pivot.y() - ratio * (before[i].y() - pivot.y())) < 1e-9);
+        }
+    }
+
+    // As it must be where the window manager keeps a press with Alt for itself.
+    void aKeyPressedDuringTheDragCounts() {
+        const std::vector<Vector<2>> before = vertices();
+        const QPointF start = vertex(1);
+        press(start);
+        move(start + QPointF(30, 0));
+        QCOMPARE(vertices()[0], before[0]);
+        move(start + QPointF(30, 0), Qt::ControlModifier);
+        QVERIFY(vertices()[0] != before[0]);
+        move(start + QPointF(30, 5)); // let go of: still a rotation
+        QVERIFY(vertices()[0] != before[0]);
+        release(start + QPointF(30, 5));
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Rotate the cage"));
+        QCOMPARE(steps(), 1);
+        m_document->undoStack()->undo();
+        QVERIFY(vertices() == before);
     }
 
     void handlesDoTheSameWithoutKeys() {

@@ -33,19 +33,21 @@ double angleOf(const CageDrag& drag, const ifs::Vector<2>& offset, double pixels
     return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
 }
 
+// The same factor both ways, by how far the pointer is from the pivot; constrained, along the axis on which
+// it has moved farther.
 ifs::Vector<2> factorsOf(const CageDrag& drag, const ifs::Vector<2>& offset, Constraint constraint,
                          double pixelsPerUnit) {
     const double shortest = shortestArm / pixelsPerUnit;
     const ifs::Vector<2> arm = drag.press - drag.pivot;
-    if (constraint == Constraint::Constrained) {
+    if (constraint == Constraint::Free) {
         const double length = arm.norm();
         const ifs::Vector<2> direction = length > 0 ? ifs::Vector<2>(arm / length) : ifs::Vector<2>(1, 0);
         return ifs::Vector<2>::Constant(1 + direction.dot(offset) / std::max(length, shortest));
     }
-    const auto factor = [&](double along, double moved) {
-        return 1 + moved / std::copysign(std::max(std::abs(along), shortest), along);
-    };
-    return {factor(arm.x(), offset.x()), factor(arm.y(), offset.y())};
+    const int axis = std::abs(offset.x()) < std::abs(offset.y()) ? 1 : 0;
+    ifs::Vector<2> factors(1, 1);
+    factors[axis] += offset[axis] / std::copysign(std::max(std::abs(arm[axis]), shortest), arm[axis]);
+    return factors;
 }
 
 DragResult moved(const CageDrag& drag, ifs::Vector<2> offset, Constraint constraint,

@@ -26,7 +26,7 @@ struct CageDrag {
 
 enum class Constraint {
     Free,
-    Constrained, // Move: along one axis; Rotate: steps of 15°; Scale: the same factor both ways
+    Constrained, // Move and Scale: along one axis; Rotate: steps of 15°
 };
 
 struct DragResult {

@@ -24,9 +24,10 @@ using Kind = CanvasPart::Kind;
 constexpr double slack = 2; // pixels a click may shake without becoming a drag
 
 CageDrag::Mode modeOf(const CanvasPart& part, Qt::KeyboardModifiers modifiers) {
-    if (part.kind == Kind::Rotate || modifiers.testFlag(Qt::ControlModifier)) return CageDrag::Mode::Rotate;
-    if (part.kind == Kind::Scale || modifiers.testFlag(Qt::AltModifier)) return CageDrag::Mode::Scale;
-    return CageDrag::Mode::Move;
+    if (part.kind == Kind::Rotate) return CageDrag::Mode::Rotate;
+    if (part.kind == Kind::Scale) return CageDrag::Mode::Scale;
+    if (modifiers.testFlag(Qt::ControlModifier)) return CageDrag::Mode::Rotate;
+    return modifiers.testFlag(Qt::AltModifier) ? CageDrag::Mode::Scale : CageDrag::Mode::Move;
 }
 
 std::vector<int> verticesOf(const CanvasPart& part, CageDrag::Mode mode, std::size_t count) {
@@ -95,7 +96,7 @@ void CageTool::move(const Pointer& pointer) {
     switch (m_state) {
     case State::Idle:
     case State::Nudging:
-        m_scene->setHovered(m_scene->partAt(pointer.position, pointer.reach));
+        hover(m_scene->partAt(pointer.position, pointer.reach));
         return;
     case State::Cancelled:
         return;
@@ -110,6 +111,8 @@ void CageTool::move(const Pointer& pointer) {
         emit grasped();
         break;
     case State::Dragging:
+        turnInto(modeOf(m_part, pointer.modifiers));
+        break;
     case State::MovingPivot:
         break;
     }
@@ -136,6 +139,17 @@ void CageTool::open(const CanvasPart& part, CageDrag::Mode mode, const QPointF& 
     else if (part.kind == Kind::Edge)
         text = tr("Move edge %1–%2").arg(m_drag.vertices[0] + 1).arg(m_drag.vertices[1] + 1);
     m_gesture = std::make_unique<document::EditGesture>(m_scene->document(), text);
+}
+
+// Ctrl and Alt may be pressed after the button: some window managers keep a press that comes with one of them
+// for themselves. Letting go of the key changes nothing.
+void CageTool::turnInto(CageDrag::Mode mode) {
+    if (mode == CageDrag::Mode::Move || mode == m_drag.mode || !m_gesture || !m_gesture->isOpen()) return;
+    m_gesture.reset();
+    restorePivot();
+    const ifs::Vector<2> press = m_drag.press;
+    open(m_part, mode, m_press);
+    m_drag.press = press; // whatever the view has become since
 }
 
 void CageTool::dragTo(const Pointer& pointer) {
@@ -193,19 +207,31 @@ void CageTool::end() {
 }
 
 void CageTool::leave() {
-    if (m_state == State::Idle) m_scene->setHovered({});
+    if (m_state == State::Idle) hover({});
 }
 
 bool CageTool::cancel() {
     if (m_state == State::Idle || m_state == State::Cancelled) return false;
     const State state = m_state;
     if (m_gesture) m_gesture->cancel();
-    if (state != State::Nudging)
-        m_scene->setPivot(m_ownPivotAtPress ? std::optional(m_pivotAtPress) : std::nullopt);
+    if (state != State::Nudging) restorePivot();
     end();
     if (state != State::Nudging) m_state = State::Cancelled;
     emit cursorChanged();
     return true;
+}
+
+void CageTool::restorePivot() {
+    m_scene->setPivot(m_ownPivotAtPress ? std::optional(m_pivotAtPress) : std::nullopt);
+}
+
+// What the handles without a number are for is said in the status bar.
+void CageTool::hover(const CanvasPart& part) {
+    const CanvasPart before = m_scene->hovered();
+    if (part == before) return;
+    m_scene->setHovered(part);
+    const QString use = m_scene->useOf(part);
+    if (!use.isEmpty() || !m_scene->useOf(before).isEmpty()) emit message(use);
 }
 
 void CageTool::stop() {

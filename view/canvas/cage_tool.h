@@ -48,6 +48,9 @@ private:
     void dragTo(const Pointer& pointer);
     void movePivot(const Pointer& pointer);
     void open(const CanvasPart& part, CageDrag::Mode mode, const QPointF& press);
+    void turnInto(CageDrag::Mode mode);
+    void restorePivot();
+    void hover(const CanvasPart& part);
     void preview(const DragResult& result);
     void end();
     void nudge(const CanvasPart& part, const QPointF& direction, Qt::KeyboardModifiers modifiers);

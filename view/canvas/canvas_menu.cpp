@@ -89,8 +89,10 @@ void addEdgeActions(QMenu& menu, const MenuContext& context, int edge, const QPo
         [context, edge, position] { context.view.insertVertexAt(edge, position); });
 }
 
-void addPivotActions(QMenu& menu, const MenuContext& context) {
-    menu.addSection(Menu::tr("Pivot"));
+void addPivotActions(QMenu& menu, const MenuContext& context, Kind kind) {
+    menu.addSection(kind == Kind::Rotate  ? Menu::tr("Rotate: Shift turns in steps of 15°")
+                    : kind == Kind::Scale ? Menu::tr("Scale: Shift keeps to x or y")
+                                          : Menu::tr("Pivot"));
     add(menu, Menu::tr("Put the &Pivot in the Middle"),
         Menu::tr("Turns and scales the cage about its middle"),
         [context] { context.scene.setPivot(std::nullopt); })
@@ -161,7 +163,7 @@ void popUpCanvasMenu(const MenuContext& context, const CanvasPart& part, const Q
         if (part.kind == Kind::Vertex) addVertexActions(*menu, context, part.index);
         if (part.kind == Kind::Edge) addEdgeActions(*menu, context, part.index, global);
         if (part.kind == Kind::Pivot || part.kind == Kind::Rotate || part.kind == Kind::Scale)
-            addPivotActions(*menu, context);
+            addPivotActions(*menu, context, part.kind);
         if (part.kind != Kind::None) addCageActions(*menu, context);
     }
     if (part.kind == Kind::None) {

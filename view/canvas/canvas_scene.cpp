@@ -243,6 +243,23 @@ QString CanvasScene::placeOf(const CanvasPart& part) const {
     return {};
 }
 
+QString CanvasScene::useOf(const CanvasPart& part) const {
+    switch (part.kind) {
+    case Kind::Pivot:
+        return tr("Drag the pivot: the cage turns and scales about it.");
+    case Kind::Rotate:
+        return tr("Drag to turn the cage about the pivot; Shift: in steps of 15°.");
+    case Kind::Scale:
+        return tr("Drag to scale the cage about the pivot; Shift: along x or y only.");
+    case Kind::None:
+    case Kind::Vertex:
+    case Kind::Edge:
+    case Kind::Inside:
+        break;
+    }
+    return {};
+}
+
 void CanvasScene::setHovered(CanvasPart part) {
     if (m_hovered == part) return;
     m_hovered = part;

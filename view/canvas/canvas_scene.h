@@ -55,6 +55,7 @@ public:
     std::vector<CanvasPart> handles() const; // those the keyboard walks through, in that order
     QString nameOf(const CanvasPart& part) const;
     QString placeOf(const CanvasPart& part) const; // coordinates, or what the arrow keys do
+    QString useOf(const CanvasPart& part) const;   // of a handle without a number: what dragging it does
 
     CanvasPart hovered() const { return m_hovered; }
     CanvasPart pressed() const { return m_pressed; }

@@ -69,24 +69,26 @@ void GridItem::paintGrid(QPainter& painter) const {
     const double ratio = painter.device()->devicePixelRatioF();
     const ifs::Vector<2> corner = worldAt(m_camera, QPointF(0, 0));
     const ifs::Vector<2> opposite = worldAt(m_camera, QPointF(m_camera.width, m_camera.height));
-    const auto draw = [&](int axis) {
+    QList<QLineF> minor;
+    QList<QLineF> major;
+    const auto collect = [&](int axis) {
         const Lines lines = linesBetween(corner[axis], opposite[axis], spacing.minor);
         for (double k = lines.first; k <= lines.last; ++k) {
             if (k == 0 && m_axes) continue;
-            const bool major = std::fmod(k, spacing.subdivisions) == 0;
+            QList<QLineF>& lineup = std::fmod(k, spacing.subdivisions) == 0 ? major : minor;
             ifs::Vector<2> world = m_camera.centre;
             world[axis] = k * spacing.minor;
             const ifs::Vector<2> pixel = attractor::toPixel(m_camera, world);
             const double at = crisp(pixel[axis], ratio);
-            painter.setPen(QPen(major ? m_style.gridMajor : m_style.gridMinor, 1 / ratio));
-            if (axis == 0)
-                painter.drawLine(QPointF(at, 0), QPointF(at, m_camera.height));
-            else
-                painter.drawLine(QPointF(0, at), QPointF(m_camera.width, at));
+            lineup.append(axis == 0 ? QLineF(at, 0, at, m_camera.height) : QLineF(0, at, m_camera.width, at));
         }
     };
-    draw(0);
-    draw(1);
+    collect(0);
+    collect(1);
+    painter.setPen(QPen(m_style.gridMinor, 1 / ratio));
+    painter.drawLines(minor);
+    painter.setPen(QPen(m_style.gridMajor, 1 / ratio));
+    painter.drawLines(major);
 }
 
 void GridItem::paintAxes(QPainter& painter) const {

@@ -7,6 +7,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
@@ -258,6 +260,10 @@ void ExportDialog::updateSvgPlan() {
                      : QString()));
 }
 
+void ExportDialog::setFolder(const QString& folder) {
+    m_folder = folder;
+}
+
 void ExportDialog::chooseFile() {
     const bool isPdf = m_format->currentIndex() == Pdf;
     const QString suffix = isPdf     ? QStringLiteral("pdf")
@@ -266,9 +272,13 @@ void ExportDialog::chooseFile() {
     const QString filter = isPdf     ? tr("PDF documents (*.pdf)")
                            : isSvg() ? tr("Scalable pictures (*.svg)")
                                      : tr("Pictures (*.png)");
+    const QString name = m_fractal.name + u'.' + suffix;
     const QString path =
-        chooseFileToSave(this, tr("Export Picture"), m_fractal.name + u'.' + suffix, filter, suffix);
-    if (!path.isEmpty()) exportTo(path);
+        chooseFileToSave(this, tr("Export Picture"),
+                         m_folder.isEmpty() ? name : QDir(m_folder).filePath(name), filter, suffix);
+    if (path.isEmpty()) return;
+    m_folder = QFileInfo(path).path(); // the next one goes there too
+    exportTo(path);
 }
 
 void ExportDialog::exportTo(const QString& path) {

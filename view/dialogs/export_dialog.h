@@ -34,7 +34,8 @@ public:
     ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent = nullptr);
     ~ExportDialog() override;
 
-    void exportTo(const QString& path); // what the Export button does once a file is chosen
+    void setFolder(const QString& folder); // to suggest; without one, that of the last export
+    void exportTo(const QString& path);    // what the Export button does once a file is chosen
 
 signals:
     void exported(const QString& path);
@@ -59,6 +60,7 @@ private:
 
     document::Fractal m_fractal; // as it was when the dialog opened, with what the camera showed
     attractor::Camera m_camera;
+    QString m_folder;
     QComboBox* m_format = nullptr;
     ExportSizeEditor* m_size = nullptr;
     QCheckBox* m_transparent = nullptr;

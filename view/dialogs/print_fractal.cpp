@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/print_fractal.h"
 
-#include "io/png_export.h"
+#include "io/export_job.h"
 
 #include <QCoreApplication>
+#include <QEventLoop>
 #include <QFontMetricsF>
-#include <QGuiApplication>
 #include <QPainter>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
+#include <QProgressDialog>
 
 #include <algorithm>
 #include <array>
@@ -87,7 +88,7 @@ document::Fractal onPaper(document::Fractal fractal) {
     return fractal;
 }
 
-QImage pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
+io::PngExport pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
     constexpr int longSide = 2400;
     const double factor = double(longSide) / std::max({1, camera.width, camera.height});
     camera.width = std::max(1, int(camera.width * factor));
@@ -97,7 +98,28 @@ QImage pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
     io::PngExport picture{printed, document::renderRequest(printed, camera), {}};
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 50ull * std::uint64_t(camera.width) * std::uint64_t(camera.height);
-    return io::drawPicture(picture).image;
+    return picture;
+}
+
+// Null when the user has changed their mind.
+QImage drawn(const io::PngExport& picture, QWidget* parent) {
+    QProgressDialog progress(tr("Drawing the picture…"), tr("Cancel"), 0, 0, parent);
+    progress.setWindowModality(Qt::WindowModal);
+    QImage image;
+    QEventLoop loop;
+    io::DrawingJob job(picture, [&](const io::Picture& done) {
+        QMetaObject::invokeMethod(
+            &loop,
+            [&, finished = done.image] {
+                image = finished;
+                loop.quit();
+            },
+            Qt::QueuedConnection);
+    });
+    QObject::connect(&progress, &QProgressDialog::canceled, &loop, [&job] { job.stop(); });
+    progress.show();
+    loop.exec();
+    return image;
 }
 
 } // namespace
@@ -123,9 +145,8 @@ void paintPage(QPainter& painter, const QRectF& page, const document::Fractal& f
 
 void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent) {
     const document::Fractal fractal = document->fractal();
-    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const QImage picture = pictureFor(fractal, camera);
-    QGuiApplication::restoreOverrideCursor();
+    const QImage picture = drawn(pictureFor(fractal, camera), parent);
+    if (picture.isNull()) return;
     QPrinter printer(QPrinter::HighResolution);
     printer.setDocName(fractal.name);
     QPrintPreviewDialog preview(&printer, parent);

@@ -1,19 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/save_file_dialog.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
 
 namespace view {
 
+namespace {
+
+QString documents() {
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+} // namespace
+
 QString chooseFileToSave(QWidget* parent, const QString& title, const QString& suggestion,
                          const QString& filter, const QString& suffix) {
-    const QFileInfo suggested(suggestion);
+    const QString lastFolder = QStringLiteral("dialogs/folder");
+    QSettings settings;
+    const QFileInfo suggested(QDir(settings.value(lastFolder, documents()).toString()), suggestion);
     QFileDialog dialog(parent, title, suggested.path(), filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(suggested.fileName());
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    if (dialog.exec() != QDialog::Accepted) return {};
+    QString chosen = dialog.selectedFiles().value(0);
+    settings.setValue(lastFolder, QFileInfo(chosen).absolutePath());
+    return chosen;
 }
 
 } // namespace view

@@ -66,7 +66,7 @@ CollectionTheme readTheme(const QString& path) {
     if (loaded.failure)
         theme.description = *loaded.failure;
     else
-        theme.entries = io::readFractint(loaded.bytes).entries;
+        theme.entries = io::readFractint(loaded.bytes, info.completeBaseName()).entries;
     return theme;
 }
 

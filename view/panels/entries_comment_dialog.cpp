@@ -61,8 +61,11 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
 
 document::Fractal EntriesCommentDialog::fractal() const {
     document::Fractal after = m_before;
-    after.headerComment = m_header->text();
+    // Without the blanks around it, as it will be read from the file.
+    after.headerComment = m_header->text().trimmed();
     after.comments = lines();
+    for (QString& line : after.comments)
+        line = line.trimmed();
     return after;
 }
 

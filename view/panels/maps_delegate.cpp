@@ -21,9 +21,7 @@ struct NumberParts {
 
 NumberParts split(const QString& number) {
     const auto point = number.contains(u'e') ? -1 : number.indexOf(u'.');
-    NumberParts parts{point < 0 ? number : number.left(point), point < 0 ? QString() : number.mid(point)};
-    parts.whole.replace(u'-', QChar(0x2212)); // a minus as wide as a digit
-    return parts;
+    return {point < 0 ? number : number.left(point), point < 0 ? QString() : number.mid(point)};
 }
 
 int fractionWidth(const QFontMetrics& metrics, int decimals) {

@@ -8,6 +8,7 @@
 #include "panels/map_shape_editor.h"
 #include "panels/maps_delegate.h"
 #include "panels/maps_row_header.h"
+#include "panels/menu_button.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -135,12 +136,11 @@ QToolButton* MapsPanel::weightsButton() {
         tr("Weights for an even cover of the attractor at its own dimension"), WeightRule::Dimension);
     menu->addSeparator();
     add("normalise", tr("Normalise"), tr("The same proportions, with the sum 1"), WeightRule::Normalise);
-    auto* made = new QToolButton(this);
+    auto* made = new MenuButton(this);
     made->setText(tr("Weights"));
     made->setIcon(icon(QStringLiteral("weight-equal")));
     made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     made->setMenu(menu);
-    made->setPopupMode(QToolButton::InstantPopup);
     made->setAutoRaise(true);
     made->setToolTip(tr("Weights of all maps that are on, by a rule"));
     made->setAccessibleName(tr("Weights"));

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "main_window.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMessageBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+// The window as a whole: what it opens and how it divides its room.
+class MainWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void cleanup();
+    void brokenPathsShareOneWindow();
+    void aNarrowWindowIsHalfPicture_data();
+    void aNarrowWindowIsHalfPicture();
+
+private:
+    static QList<MainWindow*> windows() {
+        QList<MainWindow*> found;
+        for (QWidget* widget : QApplication::topLevelWidgets())
+            if (auto* window = qobject_cast<MainWindow*>(widget)) found << window;
+        return found;
+    }
+};
+
+void MainWindowTest::initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
+    QCoreApplication::setApplicationName(QStringLiteral("BarycageTest"));
+    QApplication::setQuitOnLastWindowClosed(false);
+}
+
+void MainWindowTest::cleanup() {
+    for (MainWindow* window : windows())
+        delete window;
+}
+
+void MainWindowTest::brokenPathsShareOneWindow() {
+    const QString good = QStringLiteral(BARYCAGE_TEST_DATA "/shapes.ifs");
+    MainWindow::openEach({QStringLiteral("/nowhere/a.ifs"), QStringLiteral("/nowhere/b.ifs"),
+                          QStringLiteral("/nowhere/c.ifs")});
+    QCOMPARE(windows().size(), 1);
+    QCOMPARE(windows().first()->findChildren<QMessageBox*>().size(), 3); // each is told
+    cleanup();
+
+    MainWindow::openEach({QStringLiteral("/nowhere/a.ifs"), good, good});
+    QCOMPARE(windows().size(), 2);
+    for (MainWindow* window : windows())
+        QVERIFY(window->windowTitle().startsWith(QStringLiteral("shapes.ifs")));
+}
+
+void MainWindowTest::aNarrowWindowIsHalfPicture_data() {
+    QTest::addColumn<int>("width");
+    for (const int width : {1440, 1280, 1024})
+        QTest::addRow("%d", width) << width;
+}
+
+void MainWindowTest::aNarrowWindowIsHalfPicture() {
+    QFETCH(int, width);
+    MainWindow window;
+    window.setAttribute(Qt::WA_DeleteOnClose, false);
+    const auto* canvas = window.findChild<view::CanvasView*>();
+    window.resize(width, 768);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QCOMPARE(window.width(), width);
+    QVERIFY2(canvas->width() >= width * 46 / 100, qPrintable(QString::number(canvas->width())));
+    window.resize(1600, 900);
+    QTest::qWait(50);
+    window.resize(width, 768); // the same when it is made so
+    QTRY_VERIFY(canvas->width() >= width * 46 / 100);
+}
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "support/window_on_x.h"
+
+#include "attractor/camera.h"
+#include "canvas/canvas_scene.h"
+#include "io/fractint_reader.h"
+#include "io/save_file.h"
+
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScreen>
+#include <QSettings>
+#include <QStandardPaths>
+
+namespace support {
+
+bool waitFor(const std::function<bool()>& condition) {
+    QElapsedTimer since;
+    since.start();
+    while (!condition()) {
+        if (since.elapsed() > 20'000) return false;
+        QEventLoop loop;
+        QTimer::singleShot(10, &loop, &QEventLoop::quit);
+        loop.exec();
+    }
+    return true;
+}
+
+void WindowOnX::openWindow() {
+    if (const QString obstacle = XInput::obstacle(); !obstacle.isEmpty()) QSKIP(qPrintable(obstacle));
+    QSettings().clear();
+    m_hand = std::make_unique<XInput>();
+    m_window = new MainWindow;
+    m_window->setGeometry(20, 40, 1300, 800);
+    m_window->openFirstPicture();
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowActive(m_window));
+    QTest::qWait(300); // the window manager settles the geometry
+    canvas().fit();
+}
+
+void WindowOnX::closeWindow() {
+    if (!m_window) return;
+    m_hand.reset();
+    document().undoStack()->setClean(); // nothing to ask about
+    m_window->close();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(!m_window);
+    const QStringList late = watchdog().takeLate();
+    QVERIFY2(late.isEmpty(), qPrintable(late.join(u'\n')));
+}
+
+view::CanvasView& WindowOnX::canvas() const {
+    return *m_window->findChild<view::CanvasView*>();
+}
+
+QPoint WindowOnX::onScreen(const ifs::Vector<2>& world) const {
+    const ifs::Vector<2> pixel = attractor::toPixel(canvas().camera(), world) / canvas().devicePixelRatioF();
+    return onCanvas({qRound(pixel.x()), qRound(pixel.y())});
+}
+
+QPoint WindowOnX::handle(const view::CanvasPart& part) const {
+    return onCanvas(canvas().canvas().positionOf(part).toPoint());
+}
+
+QPoint WindowOnX::vertex(int index) const {
+    return onScreen(cage().current[std::size_t(index)]);
+}
+
+QString WindowOnX::copyOfCollection(const QString& name) {
+    QString path = m_folder.filePath(name + QStringLiteral(".ifs"));
+    QFile::remove(path);
+    if (!QFile::copy(QStringLiteral(":/ifs_library/%1.ifs").arg(name), path)) return {};
+    QFile(path).setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+    return path;
+}
+
+document::Fractal WindowOnX::savedEntry(const QString& path) const {
+    const qsizetype index = document::indexOf(document().file(), document().currentId());
+    return *io::readFractint(io::loadFile(path).bytes).entries.at(index).fractal;
+}
+
+void WindowOnX::choose(const QStringList& path) {
+    const auto actionNamed = [](const QWidget* menu, const QString& name) -> QAction* {
+        for (QAction* action : menu->actions())
+            if (action->text().remove(u'&') == name) return action;
+        qFatal("no menu entry %s", qPrintable(name));
+    };
+    QAction* action = actionNamed(m_window->menuBar(), path.first());
+    hand().clickAt(m_window->menuBar()->mapToGlobal(m_window->menuBar()->actionGeometry(action).center()));
+    for (const QString& name : path.mid(1)) {
+        QMenu* menu = action->menu();
+        QVERIFY(waitFor([&] { return menu->isVisible(); }));
+        action = actionNamed(menu, name);
+        hand().clickAt(menu->mapToGlobal(menu->actionGeometry(action).center()));
+    }
+}
+
+void WindowOnX::photograph(const QString& name) const {
+    const QString folder = qEnvironmentVariable("BARYCAGE_KEEP");
+    if (!folder.isEmpty()) QVERIFY(m_window->screen()->grabWindow().save(folder + u'/' + name));
+}
+
+int run(QObject& test, int& argc, char** argv) {
+    QStandardPaths::setTestModeEnabled(true);
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    WatchedApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
+    QCoreApplication::setApplicationName(QStringLiteral("BarycageTest"));
+    QApplication::setQuitOnLastWindowClosed(false); // tests close and open windows
+    const int failures = QTest::qExec(&test, argc, argv);
+    qInfo("%s", qPrintable(application.summary()));
+    return failures;
+}
+
+} // namespace support

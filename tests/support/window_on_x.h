@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "main_window.h"
+#include "support/watchdog.h"
+#include "support/x_input.h"
+
+#include <QApplication>
+#include <QPointer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QUndoStack>
+
+#include <functional>
+#include <memory>
+
+namespace view {
+struct CanvasPart;
+}
+
+namespace support {
+
+// Until `condition` holds; in an event loop, as the program itself waits. False when that takes too long.
+bool waitFor(const std::function<bool()>& condition);
+
+// A window of the program on a real X server and the hand that uses it, for tests to derive from. Each test
+// function has a fresh window with the maple and fails when an event took the thread of the window too long.
+class WindowOnX : public QObject {
+    Q_OBJECT
+
+protected:
+    void openWindow();  // skips the test where there is no X server
+    void closeWindow(); // unsaved work is given up; reports what was late
+
+    MainWindow& window() const { return *m_window; }
+    view::CanvasView& canvas() const;
+    XInput& hand() const { return *m_hand; }
+    document::Document& document() const { return m_window->document(); }
+    const document::Fractal& fractal() const { return document().fractal(); }
+    ifs::ControlCage<2> cage() const { return document::effectiveCage(fractal()); }
+    int steps() const { return document().undoStack()->count(); }
+
+    QPoint onScreen(const ifs::Vector<2>& world) const;
+    QPoint handle(const view::CanvasPart& part) const;
+    QPoint vertex(int index) const; // on the screen
+    QPoint onCanvas(const QPoint& pixel) const { return canvas().viewport()->mapToGlobal(pixel); }
+    QString folder() const { return m_folder.path(); } // for what the test writes
+    QPoint middleOf(const QWidget* widget) const { return widget->mapToGlobal(widget->rect().center()); }
+
+    // The collection `name` of the program in a file of its own that can be written.
+    QString copyOfCollection(const QString& name);
+    document::Fractal savedEntry(const QString& path) const; // the current entry as it is in the file
+
+    // Opens the menus one by one with the pointer and clicks the last name. Names without "&".
+    void choose(const QStringList& path);
+
+    // Does `open` and, when a dialog of this kind has appeared, in whatever event loop, `use`, which is to
+    // close it. False when it did not appear or stayed.
+    template <typename Dialog>
+    bool answer(const std::function<void()>& open, const std::function<void(Dialog&)>& use) {
+        bool met = false;
+        bool gone = false;
+        QTimer poll;
+        QObject::connect(&poll, &QTimer::timeout, &poll, [&] {
+            auto* found = visible<Dialog>();
+            if (!found || met || !found->isActiveWindow()) return;
+            met = true;
+            watchdog().ignoreThisEvent(); // it holds the work of the test
+            const QPointer<Dialog> dialog = found;
+            use(*dialog);
+            gone = waitFor([&] { return !dialog || !dialog->isVisible(); });
+            if (!gone) dialog->close();
+        });
+        poll.start(30);
+        open();
+        waitFor([&] { return met; });
+        return met && waitFor([&] { return gone; });
+    }
+    template <typename Widget> static Widget* visible() {
+        for (QWidget* widget : QApplication::topLevelWidgets())
+            if (auto* found = qobject_cast<Widget*>(widget); found && found->isVisible()) return found;
+        return nullptr;
+    }
+    // The part of a dialog that has this accessible name or, of buttons, this text without "&".
+    template <typename Widget> static Widget* named(const QWidget& parent, const QString& name) {
+        for (auto* child : parent.findChildren<Widget*>()) {
+            const QString text = child->property("text").toString().remove(u'&');
+            if (child->isVisible() && (child->accessibleName() == name || text == name)) return child;
+        }
+        return nullptr;
+    }
+
+    static WatchedApplication& watchdog() { return *static_cast<WatchedApplication*>(qApp); }
+    void photograph(const QString& name) const; // of the screen, into the folder that BARYCAGE_KEEP names
+
+private:
+    QPointer<MainWindow> m_window;
+    std::unique_ptr<XInput> m_hand;
+    QTemporaryDir m_folder;
+};
+
+// main() of a test that derives from WindowOnX.
+int run(QObject& test, int& argc, char** argv);
+
+} // namespace support
