@@ -2,8 +2,8 @@
 #include "thumbnails.h"
 
 #include "attractor/render_queue.h"
+#include "io/thumbnail_cache.h"
 
-#include <QImage>
 #include <QPainter>
 
 #include <algorithm>
@@ -40,6 +40,19 @@ bool showsNothing(const attractor::Frame& frame) {
     return frame.note == attractor::RenderNote::NoMaps || frame.note == attractor::RenderNote::NoAttractor;
 }
 
+QImage pictureOf(const attractor::Frame& frame) {
+    return QImage(reinterpret_cast<const uchar*>(frame.pixels.data()), frame.camera.width,
+                  frame.camera.height, QImage::Format_ARGB32_Premultiplied)
+        .copy();
+}
+
+// As the cache knows it.
+QImage nothing() {
+    QImage image(1, 1, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    return image;
+}
+
 } // namespace
 
 Thumbnails::Thumbnails(QObject* parent) : QObject(parent), m_pictures(cacheBytes) {
@@ -60,6 +73,14 @@ void Thumbnails::setSize(int side, qreal devicePixelRatio) {
     m_side = side;
     m_ratio = devicePixelRatio;
     clear();
+}
+
+void Thumbnails::setCache(std::unique_ptr<io::ThumbnailCache> cache) {
+    m_cache = std::move(cache);
+}
+
+int Thumbnails::pixels() const {
+    return qRound(m_side * m_ratio);
 }
 
 Thumbnail Thumbnails::thumbnail(Key key, const FractalPointer& fractal) {
@@ -109,9 +130,13 @@ void Thumbnails::want(Key key, const FractalPointer& fractal) {
 void Thumbnails::submitNext() {
     if (m_wanted.isEmpty() || m_running.size() >= mostRunning) return;
     const Wanted wanted = m_wanted.takeLast();
+    if (findInCache(wanted)) {
+        if (!m_wanted.isEmpty()) m_submitTimer.start();
+        return;
+    }
     if (const auto box = boxToShow(*wanted.fractal)) {
         attractor::Camera camera;
-        camera.width = camera.height = qRound(m_side * m_ratio);
+        camera.width = camera.height = pixels();
         camera = attractor::fitted(camera, box->min, box->max, margin);
         attractor::RenderRequest request = document::renderRequest(*wanted.fractal, camera);
         request.samples = static_cast<std::uint64_t>(camera.width) * camera.height * samplesPerPixel;
@@ -120,7 +145,8 @@ void Thumbnails::submitNext() {
         ++m_submitted;
         m_queue->submit(m_lastJob, std::move(request));
     } else {
-        keep(wanted, {Thumbnail::State::NoAttractor, {}});
+        if (m_cache) m_cache->keep(*wanted.fractal, pixels(), nothing());
+        keep(wanted, toThumbnail(nothing()));
     }
     if (!m_wanted.isEmpty()) m_submitTimer.start();
 }
@@ -132,8 +158,15 @@ void Thumbnails::take(std::uint64_t job, const std::shared_ptr<const attractor::
     m_running.erase(running);
     m_submitTimer.start();
     if (!frame) return;
-    keep(wanted, showsNothing(*frame) ? Thumbnail{Thumbnail::State::NoAttractor, {}}
-                                      : Thumbnail{Thumbnail::State::Ready, toPixmap(*frame)});
+    const QImage picture = showsNothing(*frame) ? nothing() : pictureOf(*frame);
+    if (m_cache) m_cache->keep(*wanted.fractal, pixels(), picture);
+    keep(wanted, toThumbnail(picture));
+}
+
+bool Thumbnails::findInCache(const Wanted& wanted) {
+    const QImage known = m_cache ? m_cache->find(*wanted.fractal, pixels()) : QImage();
+    if (!known.isNull()) keep(wanted, toThumbnail(known));
+    return !known.isNull();
 }
 
 void Thumbnails::keep(const Wanted& wanted, const Thumbnail& thumbnail) {
@@ -142,9 +175,8 @@ void Thumbnails::keep(const Wanted& wanted, const Thumbnail& thumbnail) {
     emit ready(wanted.key);
 }
 
-QPixmap Thumbnails::toPixmap(const attractor::Frame& frame) const {
-    const QImage picture(reinterpret_cast<const uchar*>(frame.pixels.data()), frame.camera.width,
-                         frame.camera.height, QImage::Format_ARGB32_Premultiplied);
+Thumbnail Thumbnails::toThumbnail(const QImage& picture) const {
+    if (picture.width() <= 1) return {Thumbnail::State::NoAttractor, {}};
     QImage rounded(picture.size(), QImage::Format_ARGB32_Premultiplied);
     rounded.fill(Qt::transparent);
     QPainter painter(&rounded);
@@ -155,7 +187,7 @@ QPixmap Thumbnails::toPixmap(const attractor::Frame& frame) const {
     painter.end();
     QPixmap pixmap = QPixmap::fromImage(std::move(rounded));
     pixmap.setDevicePixelRatio(m_ratio);
-    return pixmap;
+    return {Thumbnail::State::Ready, pixmap};
 }
 
 } // namespace view

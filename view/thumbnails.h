@@ -6,6 +6,7 @@
 
 #include <QCache>
 #include <QHash>
+#include <QImage>
 #include <QList>
 #include <QObject>
 #include <QPixmap>
@@ -16,6 +17,9 @@
 
 namespace attractor {
 class RenderQueue;
+}
+namespace io {
+class ThumbnailCache;
 }
 
 namespace view {
@@ -52,6 +56,9 @@ public:
     void setSize(int side, qreal devicePixelRatio);
     int side() const { return m_side; }
 
+    // Pictures are looked for there before they are drawn, and kept there.
+    void setCache(std::unique_ptr<io::ThumbnailCache> cache);
+
     // Never waits. When the picture of `fractal` is not there it is asked for, and ready(key) follows.
     Thumbnail thumbnail(Key key, const FractalPointer& fractal);
     void clear(); // forgets pictures and requests, for instance when the keys take another meaning
@@ -77,7 +84,9 @@ private:
     void submitNext();
     void take(std::uint64_t job, const std::shared_ptr<const attractor::Frame>& frame);
     void keep(const Wanted& wanted, const Thumbnail& thumbnail);
-    QPixmap toPixmap(const attractor::Frame& frame) const;
+    bool findInCache(const Wanted& wanted);
+    Thumbnail toThumbnail(const QImage& picture) const;
+    int pixels() const; // along the side
 
     int m_side = 48;
     qreal m_ratio = 1;
@@ -87,6 +96,7 @@ private:
     std::uint64_t m_lastJob = 0;
     std::uint64_t m_submitted = 0;
     QTimer m_submitTimer;
+    std::unique_ptr<io::ThumbnailCache> m_cache;     // may be null
     std::unique_ptr<attractor::RenderQueue> m_queue; // last: stops before the rest goes
 };
 

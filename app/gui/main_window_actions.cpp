@@ -4,6 +4,7 @@
 #include "dialogs/command_palette.h"
 #include "dialogs/export_data_dialog.h"
 #include "dialogs/export_dialog.h"
+#include "dialogs/guide.h"
 #include "dialogs/mutate_dialog.h"
 #include "dialogs/print_fractal.h"
 #include "dialogs/shortcuts_dialog.h"
@@ -310,6 +311,8 @@ void MainWindow::createHelpActions() {
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->show();
             });
+    command(m_helpMenu, {}, tr("&User Guide"), QKeySequence::HelpContents, tr("Read the user guide"),
+            [this] { view::showGuide(this); });
     m_helpMenu->addSeparator();
     command(m_helpMenu, QStringLiteral("info"), tr("&About Barycage"), {}, tr("Version and licence"), [this] {
         QMessageBox::about(

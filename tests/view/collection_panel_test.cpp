@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "clipboard.h"
+#include "io/thumbnail_cache.h"
 #include "panels/collection_filter.h"
 #include "panels/collection_model.h"
 #include "panels/collection_panel.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>
+#include <QDir>
 #include <QFile>
 #include <QLineEdit>
 #include <QListView>
@@ -51,6 +53,7 @@ private slots:
     void asksOnlyForWhatIsSeen();
     void ownFolders();
     void dragsAsText();
+    void favouritesAreKept();
 };
 
 void CollectionPanelTest::initTestCase() {
@@ -58,6 +61,7 @@ void CollectionPanelTest::initTestCase() {
     QCoreApplication::setOrganizationName(u"barycage-test"_s);
     QCoreApplication::setApplicationName(u"collection"_s);
     QSettings().clear();
+    QDir(io::ThumbnailCache::usualFolder()).removeRecursively();
 }
 
 void CollectionPanelTest::everyBundledEntryIsReadable() {
@@ -173,6 +177,7 @@ void CollectionPanelTest::arrowsSkipTitles() {
 }
 
 void CollectionPanelTest::asksOnlyForWhatIsSeen() {
+    QDir(io::ThumbnailCache::usualFolder()).removeRecursively();
     CollectionPanel panel;
     panel.resize(300, 400);
     panel.show();
@@ -216,6 +221,37 @@ void CollectionPanelTest::dragsAsText() {
     const view::FoundEntries found = view::entriesIn(*mimeData);
     QCOMPARE(found.entries.size(), 1);
     QCOMPARE(found.entries.front().fractal->name, u"b"_s);
+}
+
+void CollectionPanelTest::favouritesAreKept() {
+    QSettings().remove(u"collection/favourites"_s);
+    const auto grid = [](const view::CollectionPanel& panel) { return panel.findChild<QListView*>(); };
+    const auto action = [](const view::CollectionPanel& panel, const QString& text) -> QAction* {
+        for (QAction* candidate : panel.findChildren<QAction*>())
+            if (candidate->text() == text) return candidate;
+        return nullptr;
+    };
+    QString name;
+    {
+        view::CollectionPanel panel;
+        panel.show();
+        QTRY_VERIFY(grid(panel)->model()->rowCount() > 20);
+        const QModelIndex third = grid(panel)->model()->index(2, 0);
+        name = third.data().toString();
+        grid(panel)->setCurrentIndex(third);
+        QVERIFY(!action(panel, u"Fa&vourite"_s)->isChecked());
+        action(panel, u"Fa&vourite"_s)->trigger();
+        QVERIFY(third.data(CollectionModel::FavouriteRole).toBool());
+    }
+    view::CollectionPanel again;
+    again.show();
+    QTRY_VERIFY(grid(again)->model()->rowCount() > 20);
+    action(again, u"Only Fa&vourites"_s)->setChecked(true);
+    QTRY_COMPARE(grid(again)->model()->rowCount(), 2); // a title and the favourite
+    QCOMPARE(grid(again)->model()->index(1, 0).data().toString(), name);
+    grid(again)->setCurrentIndex(grid(again)->model()->index(1, 0));
+    action(again, u"Fa&vourite"_s)->trigger();
+    QVERIFY(QSettings().value(u"collection/favourites"_s).toStringList().isEmpty());
 }
 
 QTEST_MAIN(CollectionPanelTest)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "io/thumbnail_cache.h"
 #include "thumbnails.h"
 
 #include <QImage>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <set>
@@ -50,6 +52,7 @@ private slots:
     void noAttractor();
     void otherKinds();
     void sidewaysPlacement();
+    void aCachedPictureIsNotDrawnAgain();
 };
 
 void ThumbnailsTest::drawsTheAttractor() {
@@ -211,6 +214,31 @@ void ThumbnailsTest::sidewaysPlacement() {
     const int height = *rows.rbegin() - *rows.begin();
     QVERIFY2(width > 48 && width < 62, qPrintable(QString::number(width)));
     QVERIFY2(height > 6 && height < 20, qPrintable(QString::number(height)));
+}
+
+void ThumbnailsTest::aCachedPictureIsNotDrawnAgain() {
+    const QTemporaryDir folder;
+    const Pointer fractal = triangle();
+    const Pointer empty = std::make_shared<const document::Fractal>([] {
+        document::Fractal none = document::sierpinskiTriangle();
+        for (auto& map : document::system2(none)->maps)
+            map.enabled = false;
+        return none;
+    }());
+    QImage first;
+    for (const std::uint64_t drawn : {1, 0}) {
+        Thumbnails thumbnails;
+        thumbnails.setCache(std::make_unique<io::ThumbnailCache>(folder.path()));
+        thumbnails.setSize(48, 1);
+        thumbnails.thumbnail(1, fractal);
+        thumbnails.thumbnail(2, empty);
+        QTRY_COMPARE(thumbnails.thumbnail(1, fractal).state, Thumbnail::State::Ready);
+        QTRY_COMPARE(thumbnails.thumbnail(2, empty).state, Thumbnail::State::NoAttractor);
+        QCOMPARE(thumbnails.submitted(), drawn);
+        const QImage image = thumbnails.thumbnail(1, fractal).pixmap.toImage();
+        if (first.isNull()) first = image;
+        QCOMPARE(image, first);
+    }
 }
 
 QTEST_MAIN(ThumbnailsTest)

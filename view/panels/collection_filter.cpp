@@ -12,8 +12,13 @@ void CollectionFilter::setWords(const QString& words) {
     invalidateFilter();
 }
 
+void CollectionFilter::setOnlyFavourites(bool only) {
+    m_onlyFavourites = only;
+    invalidateFilter();
+}
+
 bool CollectionFilter::filterAcceptsRow(int row, const QModelIndex&) const {
-    if (m_words.isEmpty()) return true;
+    if (m_words.isEmpty() && !m_onlyFavourites) return true;
     const QModelIndex index = sourceModel()->index(row, 0);
     if (!index.data(CollectionModel::HeadingRole).toBool()) return isWanted(index);
     for (int below = row + 1; below < sourceModel()->rowCount(); ++below) {
@@ -25,6 +30,7 @@ bool CollectionFilter::filterAcceptsRow(int row, const QModelIndex&) const {
 }
 
 bool CollectionFilter::isWanted(const QModelIndex& entry) const {
+    if (m_onlyFavourites && !entry.data(CollectionModel::FavouriteRole).toBool()) return false;
     const QString text = entry.data(CollectionModel::SearchRole).toString();
     return std::all_of(m_words.begin(), m_words.end(),
                        [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });

@@ -5,7 +5,8 @@
 
 namespace view {
 
-// Entries that contain every word searched for, and the titles of themes that have such entries.
+// Entries that contain every word searched for (and are favourites, when only these are wanted), and the
+// titles of themes that have such entries.
 class CollectionFilter : public QSortFilterProxyModel {
     Q_OBJECT
 
@@ -13,6 +14,7 @@ public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
     void setWords(const QString& words);
+    void setOnlyFavourites(bool only);
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
@@ -21,6 +23,7 @@ private:
     bool isWanted(const QModelIndex& entry) const;
 
     QStringList m_words;
+    bool m_onlyFavourites = false;
 };
 
 } // namespace view

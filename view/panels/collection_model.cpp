@@ -84,6 +84,26 @@ QVariant CollectionModel::data(const QModelIndex& index, int role) const {
     return row.entry.fractal ? entryData(row, role) : headingData(row, role);
 }
 
+QString CollectionModel::favouriteKey(const Row& row) {
+    return QStringList{row.folder, row.theme, row.entry.fractal->name}.join(QLatin1Char('|'));
+}
+
+void CollectionModel::setFavourites(const QStringList& favourites) {
+    m_favourites = {favourites.begin(), favourites.end()};
+    if (!m_rows.isEmpty()) emit dataChanged(index(0), index(rowCount() - 1), {FavouriteRole});
+}
+
+bool CollectionModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != FavouriteRole || !fractalAt(index)) return false;
+    const QString key = favouriteKey(m_rows[index.row()]);
+    if (value.toBool())
+        m_favourites.insert(key);
+    else
+        m_favourites.remove(key);
+    emit dataChanged(index, index, {FavouriteRole});
+    return true;
+}
+
 QVariant CollectionModel::headingData(const Row& row, int role) const {
     switch (role) {
     case Qt::DisplayRole:
@@ -109,7 +129,9 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
     case Qt::ToolTipRole:
         return toolTip(fractal, row.theme);
     case Qt::AccessibleTextRole:
-        return tr("%1, from %2").arg(titleOf(fractal), row.theme);
+        return m_favourites.contains(favouriteKey(row))
+                   ? tr("%1, from %2, a favourite").arg(titleOf(fractal), row.theme)
+                   : tr("%1, from %2").arg(titleOf(fractal), row.theme);
     case Qt::AccessibleDescriptionRole:
         return fractal.comments.join(QLatin1Char(' ')).simplified();
     case Qt::DecorationRole:
@@ -118,6 +140,8 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
         return static_cast<int>(m_thumbnails->thumbnail(row.key, row.entry.fractal).state);
     case HeadingRole:
         return false;
+    case FavouriteRole:
+        return m_favourites.contains(favouriteKey(row));
     case SearchRole:
         return (QStringList{fractal.name, fractal.headerComment, row.theme} + fractal.comments)
             .join(QLatin1Char('\n'));

@@ -5,6 +5,7 @@
 #include "thumbnails.h"
 
 #include <QAbstractListModel>
+#include <QSet>
 
 namespace view {
 
@@ -17,7 +18,8 @@ public:
         HeadingRole = Qt::UserRole, // bool: the row is the title of a theme
         ThumbnailStateRole,         // int of Thumbnail::State
         SearchRole,                 // QString: all that a search looks at
-        FolderRole, // QString: the user's folder the theme came from, empty for the bundled ones
+        FolderRole,    // QString: the user's folder the theme came from, empty for the bundled ones
+        FavouriteRole, // bool; can be set
     };
 
     explicit CollectionModel(Thumbnails* thumbnails, QObject* parent = nullptr); // which must outlive it
@@ -25,11 +27,16 @@ public:
     void append(const CollectionTheme& theme, const QString& folder = {});
     void removeFolder(const QString& folder);
 
+    // What the user likes, by folder, theme and name.
+    void setFavourites(const QStringList& favourites);
+    QStringList favourites() const { return {m_favourites.begin(), m_favourites.end()}; }
+
     // nullptr for the title of a theme.
     std::shared_ptr<const document::Fractal> fractalAt(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     QStringList mimeTypes() const override;
     QMimeData* mimeData(const QModelIndexList& indexes) const override;
@@ -43,11 +50,13 @@ private:
         document::Entry entry; // without fractal: the title of a theme
     };
 
+    static QString favouriteKey(const Row& row);
     QVariant headingData(const Row& row, int role) const;
     QVariant entryData(const Row& row, int role) const;
 
     Thumbnails* m_thumbnails;
     QList<Row> m_rows;
+    QSet<QString> m_favourites;
     Thumbnails::Key m_lastKey = 0;
 };
 

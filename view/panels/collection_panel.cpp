@@ -2,6 +2,7 @@
 #include "panels/collection_panel.h"
 
 #include "icon.h"
+#include "io/thumbnail_cache.h"
 #include "panels/collection_delegate.h"
 #include "panels/collection_filter.h"
 #include "panels/collection_model.h"
@@ -23,6 +24,7 @@ namespace view {
 namespace {
 
 const QString foldersKey = QStringLiteral("collection/folders");
+const QString favouritesKey = QStringLiteral("collection/favourites");
 
 } // namespace
 
@@ -34,6 +36,7 @@ CollectionPanel::CollectionPanel(QWidget* parent)
       m_search(new QLineEdit(this)),
       m_grid(new QListView(this)) {
     setAccessibleName(tr("Collection"));
+    m_thumbnails->setCache(std::make_unique<io::ThumbnailCache>(io::ThumbnailCache::usualFolder()));
     m_search->setAccessibleName(tr("Search the collection"));
     m_search->setPlaceholderText(tr("Search the collection"));
     m_search->setStatusTip(tr("Show only fractals whose name, title, theme or source contains these words."));
@@ -51,6 +54,7 @@ CollectionPanel::CollectionPanel(QWidget* parent)
 
     m_readTimer.setInterval(0);
     connect(&m_readTimer, &QTimer::timeout, this, &CollectionPanel::readNext);
+    m_model->setFavourites(QSettings().value(favouritesKey).toStringList());
     queue(bundledCollection(), {});
     m_folders = QSettings().value(foldersKey).toStringList();
     for (const QString& folder : std::as_const(m_folders))
@@ -84,6 +88,18 @@ void CollectionPanel::createActions() {
                           QStringLiteral("open"), {Qt::Key_Return, Qt::Key_Enter});
     m_add = createAction(tr("&Add to This File"), tr("Add the chosen fractal to the open file."),
                          QStringLiteral("add"), {Qt::SHIFT | Qt::Key_Return, Qt::SHIFT | Qt::Key_Enter});
+    m_favourite = createAction(tr("Fa&vourite"), tr("Mark the chosen fractal as one of your favourites."),
+                               QStringLiteral("favourite"), {Qt::CTRL | Qt::Key_D});
+    m_favourite->setCheckable(true);
+    m_onlyFavourites = createAction(tr("Only Fa&vourites"), tr("Show nothing but your favourites."),
+                                    QStringLiteral("favourite"), {});
+    m_onlyFavourites->setCheckable(true);
+    connect(m_favourite, &QAction::triggered, this, [this](bool on) {
+        m_model->setData(m_filtered->mapToSource(m_grid->currentIndex()), on, CollectionModel::FavouriteRole);
+        QSettings().setValue(favouritesKey, m_model->favourites());
+        if (m_onlyFavourites->isChecked()) m_filtered->setOnlyFavourites(true); // titles may go as well
+    });
+    connect(m_onlyFavourites, &QAction::toggled, m_filtered, &CollectionFilter::setOnlyFavourites);
     m_addFolder = createAction(tr("Add &Folder…"), tr("Show the .ifs files of a folder of yours here, too."),
                                QStringLiteral("collection"), {});
     connect(m_open, &QAction::triggered, this, [this] {
@@ -112,8 +128,8 @@ QWidget* CollectionPanel::createButtons() {
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(1);
-    for (QAction* action : {m_open, m_add, m_addFolder}) {
-        if (action == m_addFolder) layout->addStretch();
+    for (QAction* action : {m_open, m_add, m_onlyFavourites, m_addFolder}) {
+        if (action == m_onlyFavourites) layout->addStretch();
         auto* button = new QToolButton(bar);
         button->setDefaultAction(action);
         button->setAutoRaise(true);
@@ -126,7 +142,7 @@ QWidget* CollectionPanel::createButtons() {
 
 void CollectionPanel::showContextMenu(const QPoint& position) {
     QMenu menu(this);
-    menu.addActions({m_open, m_add});
+    menu.addActions({m_open, m_add, m_favourite});
     menu.addSeparator();
     menu.addAction(m_addFolder);
     const QString folder = m_grid->indexAt(position).data(CollectionModel::FolderRole).toString();
@@ -178,6 +194,8 @@ void CollectionPanel::saveFolders() const {
 void CollectionPanel::updateActions() {
     m_open->setEnabled(current());
     m_add->setEnabled(current());
+    m_favourite->setEnabled(current());
+    m_favourite->setChecked(m_grid->currentIndex().data(CollectionModel::FavouriteRole).toBool());
 }
 
 const document::Fractal* CollectionPanel::current() const {

@@ -62,6 +62,8 @@ private:
     QListView* m_grid;
     QAction* m_open = nullptr;
     QAction* m_add = nullptr;
+    QAction* m_favourite = nullptr;
+    QAction* m_onlyFavourites = nullptr;
     QAction* m_addFolder = nullptr;
     QStringList m_folders;
     QList<Unread> m_unread; // files still to be read, one per turn of the event loop

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/guide.h"
+
+#include <QApplication>
+#include <QTest>
+#include <QTextBlock>
+#include <QTextBrowser>
+
+class GuideTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void showsTextAndPictures();
+};
+
+void GuideTest::showsTextAndPictures() {
+    QWidget window;
+    view::showGuide(&window);
+    auto* browser = window.findChild<QTextBrowser*>();
+    QVERIFY(browser);
+    QVERIFY(browser->toPlainText().startsWith(QStringLiteral("User guide")));
+    int pictures = 0;
+    for (QTextBlock block = browser->document()->begin(); block.isValid(); block = block.next())
+        for (auto part = block.begin(); !part.atEnd(); ++part) {
+            const QTextImageFormat format = part.fragment().charFormat().toImageFormat();
+            if (!format.isValid()) continue;
+            ++pictures;
+            const QVariant image =
+                browser->document()->resource(QTextDocument::ImageResource, QUrl(format.name()));
+            QVERIFY2(!image.isNull(), qPrintable(format.name()));
+        }
+    QCOMPARE(pictures, 4);
+}
+
+QTEST_MAIN(GuideTest)
+#include "guide_test.moc"

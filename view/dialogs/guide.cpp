@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/guide.h"
+
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace view {
+
+void showGuide(QWidget* parent) {
+    auto* dialog = new QDialog(parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(QCoreApplication::translate("view::Guide", "User Guide"));
+    auto* browser = new QTextBrowser(dialog);
+    browser->setAccessibleName(dialog->windowTitle());
+    browser->setOpenExternalLinks(true);
+    browser->document()->setDocumentMargin(16);
+    browser->setSource(QUrl(QStringLiteral("qrc:/guide/guide.md")));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    auto* layout = new QVBoxLayout(dialog);
+    layout->addWidget(browser);
+    layout->addWidget(buttons);
+    dialog->resize(dialog->fontMetrics().averageCharWidth() * 96, dialog->fontMetrics().lineSpacing() * 42);
+    dialog->show();
+}
+
+} // namespace view
