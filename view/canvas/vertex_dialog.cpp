@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/vertex_dialog.h"
 
+#include "cage_edits.h"
 #include "document/fractal.h"
 #include "io/number.h"
 
@@ -14,6 +15,7 @@ namespace view {
 
 VertexDialog::VertexDialog(document::Document* document, int index, QWidget* parent)
     : QDialog(parent),
+      m_document(document),
       m_index(index),
       m_gesture(*document, tr("Move vertex %1").arg(index + 1)),
       m_x(new QLineEdit),

@@ -23,6 +23,7 @@ public:
 private:
     void follow();
 
+    document::Document* m_document;
     int m_index;
     document::EditGesture m_gesture;
     QLineEdit* m_x;
