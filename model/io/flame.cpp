@@ -323,8 +323,7 @@ QByteArray writeFlame(const QList<std::shared_ptr<const document::Fractal>>& fra
         if (const document::System2* system = document::system2(*fractal))
             writeOne(xml, *fractal, *system, axis);
     xml.writeEndElement();
-    bytes += '\n';
-    return bytes;
+    return bytes.trimmed() + '\n';
 }
 
 } // namespace io

@@ -166,7 +166,7 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --supersample 5");
     row("render systems.ifs -o x.png --depth 3");
     row("render systems.ifs -o x.svg --points 1000");
-    row("render systems.ifs -o x.svg --svg outline");
+    row("render systems.ifs -o x.svg --svg spiral");
     row("render systems.ifs -o x.svg --depth 150");
     row("render systems.ifs -o x.png --algorithm deterministic");
     row("render systems.ifs -o x.png --rest-cage hull:2");
@@ -181,7 +181,7 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --points 0");
     row("render systems.ifs -o x.png --points -5");
     row("render systems.ifs -o x.png --points 1e6");
-    row("convert systems.ifs x.pdf");
+    row("convert systems.ifs x.docx");
 }
 
 void CliTest::wrongUsage() {
@@ -190,7 +190,7 @@ void CliTest::wrongUsage() {
     QCOMPARE(result.status, 2);
     QVERIFY2(result.err.startsWith("barycage-cli"), result.err.constData());
     QVERIFY(result.err.contains(": error: "));
-    for (const char* name : {"x.png", "x.svg", "x.gif", "x.pdf"})
+    for (const char* name : {"x.png", "x.svg", "x.gif", "x.docx"})
         QVERIFY(!QFile::exists(path(name)));
 }
 

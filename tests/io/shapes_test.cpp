@@ -55,7 +55,7 @@ private:
 
 namespace {
 
-constexpr int side = 300;
+constexpr int side = 200;
 
 document::Fractal fractalOf(const canonical::Maps2& maps) {
     document::Fractal fractal;
@@ -133,7 +133,7 @@ void ShapesTest::pictures() {
     QTest::addColumn<int>("less"); // levels fewer than a pixel needs
     const char* names[] = {"maple", "flower", "fern", "sierpinski"};
     for (int index = 0; index < 4; ++index)
-        for (const int less : {0, 4})
+        for (const int less : {3, 6})
             QTest::addRow("%s, %d levels fewer", names[index], less) << index << less;
 }
 
@@ -172,7 +172,7 @@ void ShapesTest::librsvgDrawsTheAttractor() {
     const QImage svg = svgImage(picture.bytes);
     if (svg.isNull()) QSKIP("rsvg-convert is not installed");
     io::PngExport png{fractal, document::renderRequest(fractal, camera), {}, io::CageVisibility::Hidden};
-    png.request.samples = 8'000'000;
+    png.request.samples = 4'000'000;
     png.fractal.appearance.brightness = 1000;
     png.request.appearance = png.fractal.appearance;
     const QImage points = io::drawPicture(png).image.convertToFormat(QImage::Format_RGB32);
@@ -210,8 +210,9 @@ void ShapesTest::pdfLooksLikeSvg() {
         const QImage pdf = pdfImage(io::pdfPicture({{fractal, camera, format}}).bytes);
         if (svg.isNull() || pdf.isNull()) QSKIP("rsvg-convert or pdftocairo is not installed");
         QVERIFY(std::abs(pdf.width() - side) <= 1 && std::abs(pdf.height() - side) <= 1);
-        QCOMPARE(missing(svg, pdf, 1), 0);
-        QCOMPARE(missing(pdf, svg, 1), 0);
+        const int distance = style == io::ShapeStyle::Outline ? 2 : 1; // poppler moves thin lines to pixels
+        QCOMPARE(missing(svg, pdf, distance), 0);
+        QCOMPARE(missing(pdf, svg, distance), 0);
     }
 }
 
