@@ -92,8 +92,8 @@ struct Refined {
 Refined refine(const SupportFunction<3>& support, double tolerance) {
     Refined hull;
     const double apart = 1e-13 * (support.radius() + support.centre().norm());
-    const auto ask = [&](const Vector<3>& normal) {
-        const auto h = support(normal, tolerance / 8, NodesPerFacet);
+    const auto ask = [&](const Vector<3>& normal, double accuracy) {
+        const auto h = support(normal, accuracy, NodesPerFacet);
         const bool isNew = std::ranges::none_of(
             hull.points, [&](const Vector<3>& known) { return (known - h.point).norm() <= apart; });
         if (isNew) hull.points.push_back(h.point);
@@ -102,7 +102,7 @@ Refined refine(const SupportFunction<3>& support, double tolerance) {
     for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
             for (int z = -1; z <= 1; ++z)
-                if (x != 0 || y != 0 || z != 0) ask(Vector<3>(x, y, z).normalized());
+                if (x != 0 || y != 0 || z != 0) ask(Vector<3>(x, y, z).normalized(), 0);
     std::vector<std::pair<Vector<3>, double>> asked; // normals and heights of earlier rounds
     for (;;) {
         hull.facets = facetsOf(hull.points);
@@ -114,7 +114,7 @@ Refined refine(const SupportFunction<3>& support, double tolerance) {
             normal.normalize();
             const auto again = std::ranges::find_if(
                 asked, [&](const auto& earlier) { return (earlier.first - normal).norm() < 1e-12; });
-            const double height = again != asked.end() ? again->second : ask(normal);
+            const double height = again != asked.end() ? again->second : ask(normal, tolerance / 8);
             if (again == asked.end()) asked.emplace_back(normal, height);
             widest = std::max(widest, height - normal.dot(known[std::size_t(facet[0])]));
         }

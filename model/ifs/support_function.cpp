@@ -88,22 +88,22 @@ template <int Dim> struct SupportFunction<Dim>::Container {
     const Vector<Dim>& point(std::size_t) const { return anchor; }
 
     double rounding() const { return 16 * RoundingUnit * radius; }
+    template <class Constant> std::vector<double> solved(Constant constant, double tie) const;
     bool solve();
     void shrink();
     Vector<Dim> recentre();
 };
 
-// The smallest polytope with these normals that every map takes into itself satisfies
-// H_g = max_i ⟨g,offset_i⟩ + H(A_iᵀg): linear equations once the maximising maps are known, which a few
-// rounds of choosing them find (Howard's policy iteration), however slowly the maps contract. The solution is
-// widened and then verified; false when the fan is too coarse for maps that hardly contract.
-template <int Dim> bool SupportFunction<Dim>::Container::solve() {
+// The H with H_g = max_i constant(g, i) + H(A_iᵀg): linear equations once the maximising maps are known,
+// which a few rounds of choosing them find (Howard's policy iteration), however slowly the maps contract. Not
+// verified.
+template <int Dim>
+template <class Constant>
+std::vector<double> SupportFunction<Dim>::Container::solved(Constant constant, double tie) const {
     constexpr int Rounds = 20;
-    constexpr double Widening = 1e-9;
     const auto& directions = fan.directions();
     const auto count = Eigen::Index(directions.size());
-    if (directions.size() * offsets.size() > TableWork / Rounds) return false;
-    std::vector<double> solution = heights;
+    std::vector<double> solution(directions.size());
     std::vector<std::size_t> chosen(directions.size(), offsets.size());
     for (int round = 0; round < Rounds; ++round) {
         Eigen::MatrixXd equations = Eigen::MatrixXd::Identity(count, count);
@@ -113,9 +113,8 @@ template <int Dim> bool SupportFunction<Dim>::Container::solve() {
             double most = -std::numeric_limits<double>::infinity();
             std::size_t best = 0;
             for (std::size_t i = 0; i < offsets.size(); ++i) {
-                const double height =
-                    directions[g].dot(offsets[i]) + fan.bound(transposed[i] * directions[g], solution);
-                if (height > most + (i == chosen[g] ? 0 : rounding())) {
+                const double height = constant(g, i) + fan.bound(transposed[i] * directions[g], solution);
+                if (height > most + (best == chosen[g] ? tie : 0)) {
                     most = height;
                     best = i;
                 }
@@ -125,19 +124,31 @@ template <int Dim> bool SupportFunction<Dim>::Container::solve() {
             const auto parts = fan.combination(transposed[best] * directions[g]);
             for (int k = 0; k < Dim; ++k)
                 equations(Eigen::Index(g), parts.index[std::size_t(k)]) -= parts.factor[k];
-            constants[Eigen::Index(g)] = directions[g].dot(offsets[best]);
+            constants[Eigen::Index(g)] = constant(g, best);
         }
         if (!changed) break;
-        const Eigen::VectorXd solved = equations.partialPivLu().solve(constants);
-        if (!solved.allFinite()) return false;
-        solution.assign(solved.begin(), solved.end());
+        const Eigen::VectorXd next = equations.partialPivLu().solve(constants);
+        solution.assign(next.begin(), next.end());
     }
+    return solution;
+}
+
+// The smallest polytope with these normals that every map takes into itself, a little widened and then
+// verified; false when the fan is too coarse for maps that hardly contract.
+template <int Dim> bool SupportFunction<Dim>::Container::solve() {
+    constexpr double Widening = 1e-9;
+    const auto& directions = fan.directions();
+    if (20 * directions.size() * offsets.size() > TableWork) return false;
+    const auto offset = [&](std::size_t g, std::size_t i) { return directions[g].dot(offsets[i]); };
+    std::vector<double> solution = solved(offset, rounding());
+    const std::vector<double> margin = solved([](std::size_t, std::size_t) { return 1.0; }, 1e-9);
+    const double widest = std::ranges::max(margin);
+    if (!(widest > 0 && std::isfinite(widest))) return false;
     for (std::size_t g = 0; g < directions.size(); ++g)
-        solution[g] += Widening * (ellipsoid.shape.transpose() * directions[g]).norm();
+        solution[g] += Widening * radius * margin[g] / widest;
     for (std::size_t g = 0; g < directions.size(); ++g)
         for (std::size_t i = 0; i < offsets.size(); ++i)
-            if (!(directions[g].dot(offsets[i]) + fan.bound(transposed[i] * directions[g], solution) +
-                      rounding() <=
+            if (!(offset(g, i) + fan.bound(transposed[i] * directions[g], solution) + rounding() <=
                   solution[g]))
                 return false;
     for (std::size_t g = 0; g < directions.size(); ++g)
