@@ -7,7 +7,7 @@
 #include <cmath>
 
 // Numbers from docs/mathematics.md, "Affine invariant form".
-class AifsTest : public QObject {
+class IfstileTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -50,7 +50,7 @@ QByteArray text(const document::Fractal& fractal) {
 
 } // namespace
 
-void AifsTest::sierpinskiIsTheMatrixOfMidpoints() {
+void IfstileTest::sierpinskiIsTheMatrixOfMidpoints() {
     const Simplex simplex{ifs::Vector<2>(-3, 1), ifs::Vector<2>(5, 2), ifs::Vector<2>(0, 7)};
     document::System2 system;
     for (const auto& vertex : simplex)
@@ -62,7 +62,7 @@ void AifsTest::sierpinskiIsTheMatrixOfMidpoints() {
     compare(form.maps[2], (Eigen::Matrix3d() << .5, 0, .5, 0, .5, .5, 0, 0, 1).finished());
 }
 
-void AifsTest::flower() {
+void IfstileTest::flower() {
     const auto form = io::affineInvariantForm(::flower(), unit);
     compare(form.maps[0],
             (Eigen::Matrix3d() << -1.11, .37, 1.74, -1.28, .84, 1.44, -1.88, .67, 2.21).finished());
@@ -70,7 +70,7 @@ void AifsTest::flower() {
             (Eigen::Matrix3d() << -.41, -.34, 1.75, -1.18, .14, 2.04, -.60, -.63, 2.23).finished());
 }
 
-void AifsTest::rowsSumToOneAndGiveTheMapsBack() {
+void IfstileTest::rowsSumToOneAndGiveTheMapsBack() {
     const Simplex simplex{ifs::Vector<2>(-1, -2), ifs::Vector<2>(4, 0.5), ifs::Vector<2>(1, 3)};
     const document::System2 system = ::flower();
     const auto form = io::affineInvariantForm(system, simplex);
@@ -83,7 +83,7 @@ void AifsTest::rowsSumToOneAndGiveTheMapsBack() {
     }
 }
 
-void AifsTest::sameMatricesWhereverTheSimplexIs() {
+void IfstileTest::sameMatricesWhereverTheSimplexIs() {
     const Simplex moved{ifs::Vector<2>(2, 2), ifs::Vector<2>(3, 5), ifs::Vector<2>(-1, 4)};
     const auto system = ::flower();
     const auto transported = ifs::conjugate<2>(ifs::simplexMap<2>(unit, moved), system);
@@ -94,7 +94,7 @@ void AifsTest::sameMatricesWhereverTheSimplexIs() {
         compare(there.maps[i], here.maps[i], 1e-12);
 }
 
-void AifsTest::writesWhatIFStileReads() {
+void IfstileTest::writesWhatIFStileReads() {
     document::Fractal fractal;
     fractal.name = QStringLiteral("2nd fern!");
     document::System2 system;
@@ -114,7 +114,7 @@ void AifsTest::writesWhatIFStileReads() {
         QVERIFY2(!line.startsWith('f') || !line.contains('e'), line.constData());
 }
 
-void AifsTest::namesAndSwitchedOffMaps() {
+void IfstileTest::namesAndSwitchedOffMaps() {
     document::Fractal fractal;
     fractal.name = QStringLiteral("leaf\n@evil:");
     document::System2 system = ::flower();
@@ -128,5 +128,5 @@ void AifsTest::namesAndSwitchedOffMaps() {
     QVERIFY(text(fractal).isEmpty());
 }
 
-QTEST_APPLESS_MAIN(AifsTest)
-#include "aifs_test.moc"
+QTEST_APPLESS_MAIN(IfstileTest)
+#include "ifstile_test.moc"
