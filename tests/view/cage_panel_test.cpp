@@ -4,6 +4,7 @@
 #include "panels/number_field.h"
 #include "view/maps_support.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QLabel>
 #include <QSignalSpy>
