@@ -472,12 +472,12 @@ private slots:
         // The new vertex bends the picture, and one that folds it is warned of.
         drag(vertex(2), QPointF(25, -25));
         QVERIFY(ifs::bends(*m_document->fractal().cage));
-        QCOMPARE(view::bakeCage(*m_document).has_value(), true);
+        QVERIFY(view::bakeCage(*m_document).has_value());
         const QPointF across = (vertex(0) - vertex(2)) * 1.6;
         drag(vertex(2), across);
         QVERIFY2(m_canvas->canvas().note().contains(QStringLiteral("folded")),
                  qPrintable(m_canvas->canvas().note()));
-        QCOMPARE(view::removeVertex(*m_document, 2), std::nullopt);
+        QVERIFY(!view::removeVertex(*m_document, 2));
         QCOMPARE(vertices().size(), std::size_t{3});
         QVERIFY(m_canvas->canvas().note().isEmpty());
         QVERIFY(view::removeVertex(*m_document, 2).has_value());

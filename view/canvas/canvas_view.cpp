@@ -458,7 +458,8 @@ void CanvasView::mousePressEvent(QMouseEvent* event) {
 
 void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
     const CanvasPart part = m_scene->partAt(event->position(), Reach::Mouse);
-    if (event->button() == Qt::LeftButton && m_tool == Tool::Cage && part.kind == CanvasPart::Kind::Edge)
+    if (event->button() == Qt::LeftButton && !m_spaceHeld && m_tool == Tool::Cage &&
+        part.kind == CanvasPart::Kind::Edge)
         insertVertexAt(part.index, event->position());
     mousePressEvent(event);
 }
