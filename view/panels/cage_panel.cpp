@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QShowEvent>
@@ -347,6 +348,7 @@ void CagePanel::showPoint() {
 }
 
 void CagePanel::showSimplex() {
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_settled.start(); // still held
     if (!isVisible()) return;
     const auto simplex = displayedSimplex(m_document->fractal(), SimplexChoice::Minimal);
     m_simplex->setText(simplex ? tr("%1, leg %2, corner (%3, %4)")
