@@ -14,13 +14,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPrintPreviewDialog>
+#include <QProcess>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
 
 #include <cmath>
 
-// What goes through dialogs, with a real pointer and real keys.
+// What goes through dialogs and through other programs, with a real pointer and real keys.
 class RealDialogsTest : public support::WindowOnX {
     Q_OBJECT
 
@@ -34,6 +35,7 @@ private slots:
     void transformsAsPlacement();
     void transformsAsCode();
     void printPreviewOpensAndCloses();
+    void aFileIsDroppedFromAnotherProgram();
 
 private:
     QDialog* openDialog(const char* shortcut, const char* className);
@@ -209,6 +211,36 @@ void RealDialogsTest::printPreviewOpensAndCloses() {
     QVERIFY(answered);
     QVERIFY(window().isActiveWindow());
     QVERIFY(!window().isWindowModified());
+}
+
+void RealDialogsTest::aFileIsDroppedFromAnotherProgram() {
+    QProcess other;
+    other.start(QStringLiteral(BARYCAGE_DRAG_SOURCE), {QStringLiteral(BARYCAGE_TEST_DATA "/shapes.ifs")});
+    QByteArray said;
+    const auto says = [&](const char* word) {
+        return support::waitFor([&] {
+            said += other.readAllStandardOutput();
+            return said.contains(word);
+        });
+    };
+    QVERIFY(says("ready"));
+    const QPoint target = middleOf(canvas().viewport());
+    const QPoint source(60, 890);
+    hand().moveTo(source);
+    hand().press();
+    hand().moveTo(source + QPoint(12, -4)); // the drag begins
+    QTest::qWait(300);
+    for (const double part : {0.2, 0.5, 0.8, 0.97, 1.0}) {
+        hand().moveTo(source + (target - source) * part);
+        QTest::qWait(100);
+    }
+    photograph(QStringLiteral("drop.png"));
+    hand().release();
+    QTRY_COMPARE(window().windowTitle().section(QLatin1Char('['), 0, 0), QStringLiteral("shapes.ifs"));
+    QVERIFY(says("copied"));
+    QVERIFY(!window().isWindowModified());
+    other.terminate();
+    other.waitForFinished();
 }
 
 int main(int argc, char** argv) {

@@ -313,7 +313,7 @@ void RealInputTest::arrowsNudge() {
     QTRY_VERIFY(offsetInPixels(vertices()[0], held[0], {1, -10}) < 1e-6);
     hand().key("Alt+Left");
     QTRY_VERIFY(std::abs((vertices()[0].x() - held[0].x()) * pixelsPerUnit() - 0.9) < 1e-6);
-    QCOMPARE(steps(), 3);
+    QTRY_COMPARE(steps(), 3);
     hand().hold("Down"); // long enough to repeat
     QVERIFY(support::waitFor([&] { return (vertices()[0].y() - held[0].y()) * pixelsPerUnit() < 5.5; }));
     hand().letGo("Down");

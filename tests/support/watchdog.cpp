@@ -51,6 +51,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
 void WatchedApplication::judge(const Event& event, bool dragging, double spent) {
     ++m_count[dragging];
     m_slowest[dragging] = std::max(m_slowest[dragging], spent);
+    if (dragging) ++m_forgivable;
     if (!judged || spent <= limits[dragging]) return;
     m_unforgivable = m_unforgivable || spent > 2 * limits[dragging];
     m_late << QStringLiteral("%1 to %2 took %3 ms%4")
@@ -65,7 +66,8 @@ void WatchedApplication::ignoreThisEvent() {
 }
 
 QStringList WatchedApplication::takeLate() {
-    const bool forgiven = !std::exchange(m_unforgivable, false) && m_late.size() <= 2;
+    const qint64 few = std::max<qint64>(2, std::exchange(m_forgivable, 0) / 100);
+    const bool forgiven = !std::exchange(m_unforgivable, false) && m_late.size() <= few;
     const QStringList late = std::exchange(m_late, {});
     return forgiven ? QStringList() : late;
 }

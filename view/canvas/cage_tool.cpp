@@ -71,7 +71,11 @@ Constraint constraintOf(Qt::KeyboardModifiers modifiers) {
 
 } // namespace
 
-CageTool::CageTool(CanvasScene* scene) : CanvasTool(scene), m_scene(scene) {}
+CageTool::CageTool(CanvasScene* scene) : CanvasTool(scene), m_scene(scene) {
+    m_letGo.setSingleShot(true);
+    m_letGo.setInterval(40);
+    connect(&m_letGo, &QTimer::timeout, this, &CageTool::end);
+}
 
 CageTool::~CageTool() = default;
 
@@ -200,6 +204,7 @@ void CageTool::release(const Pointer& pointer) {
 void CageTool::end() {
     if (m_state == State::Nudging && m_gesture) m_gesture->commit();
     m_gesture.reset();
+    m_letGo.stop();
     m_state = State::Idle;
     m_scene->setPressed({});
     m_scene->holdKnobAt(std::nullopt);
@@ -263,14 +268,28 @@ bool CageTool::keyPress(const QKeyEvent& event) {
     const QPointF way = direction(event.key());
     const CanvasPart part = m_scene->focused();
     if (way.isNull() || part.kind == Kind::None || !m_scene->cage()) return false;
+    keepNudging(event.timestamp());
     if (m_state == State::Idle || m_state == State::Nudging) nudge(part, way, event.modifiers());
     return true;
 }
 
 bool CageTool::keyRelease(const QKeyEvent& event) {
     if (direction(event.key()).isNull() || m_state != State::Nudging) return false;
-    if (!event.isAutoRepeat()) end();
+    if (event.isAutoRepeat()) return true;
+    m_letGoStamp = event.timestamp();
+    if (m_letGoStamp == 0)
+        end();
+    else
+        m_letGo.start();
     return true;
+}
+
+// An X server reports a key that repeats as going up and down at the same time, and Qt sees through that only
+// when both reports have arrived.
+void CageTool::keepNudging(quint64 stamp) {
+    if (!m_letGo.isActive()) return;
+    m_letGo.stop();
+    if (stamp != m_letGoStamp) end();
 }
 
 // One undo step for as long as the key is held.

@@ -6,6 +6,8 @@
 #include "canvas/canvas_tool.h"
 #include "document/edit_gesture.h"
 
+#include <QTimer>
+
 #include <memory>
 
 namespace view {
@@ -54,6 +56,7 @@ private:
     void preview(const DragResult& result);
     void end();
     void nudge(const CanvasPart& part, const QPointF& direction, Qt::KeyboardModifiers modifiers);
+    void keepNudging(quint64 stamp);
     ifs::ControlCage<2> nudged(const CanvasPart& part) const;
 
     CanvasScene* m_scene;
@@ -64,7 +67,9 @@ private:
     attractor::Camera m_camera; // at the press
     ifs::Vector<2> m_pivotAtPress = ifs::Vector<2>::Zero();
     bool m_ownPivotAtPress = false;
-    QPointF m_nudge; // pixels, degrees or percent so far
+    QPointF m_nudge;          // pixels, degrees or percent so far
+    QTimer m_letGo;           // an arrow key has gone up, unless it only repeats
+    quint64 m_letGoStamp = 0; // of that event
     std::unique_ptr<document::EditGesture> m_gesture;
 };
 

@@ -67,6 +67,7 @@ void AnalysisPanel::follow(const document::Change& change) {
 }
 
 void AnalysisPanel::compute() {
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_settled.start(restPause); // still held
     showFacts(analysisFacts(m_document->fractal()));
 }
 

@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QButtonGroup>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QShowEvent>
@@ -466,6 +467,7 @@ void CagePanel::showPoint() {
 }
 
 void CagePanel::showSimplex() {
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_settled.start(); // still held
     if (!isVisible()) return;
     const auto simplex = displayedSimplex(m_document->fractal(), SimplexChoice::Minimal);
     m_simplex->setText(simplex ? tr("%1, leg %2, corner (%3, %4)")

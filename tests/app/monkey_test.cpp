@@ -1,0 +1,576 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_scene.h"
+#include "ifs/barycentric.h"
+#include "io/fractint_reader.h"
+#include "io/fractint_writer.h"
+#include "io/own_comments.h"
+#include "support/window_on_x.h"
+
+#include <QClipboard>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPrintPreviewDialog>
+#include <QRandomGenerator>
+#include <QSet>
+#include <QSettings>
+#include <QThread>
+
+#include <cmath>
+#include <fstream>
+#include <malloc.h>
+#include <unistd.h>
+
+using support::WindowOnX;
+using support::XInput;
+using view::CanvasPart;
+
+namespace {
+
+// Sentences about what should never be; empty when all is well.
+using Complaint = QString;
+
+bool isFinite(const ifs::AffineMap<2>& map) {
+    return map.linear.allFinite() && map.translation.allFinite();
+}
+
+Complaint complaintAbout(const document::Fractal& fractal) {
+    if (const auto* system = document::system2(fractal))
+        for (const auto& map : system->maps)
+            if (!isFinite(map.map) || !std::isfinite(map.weight.value_or(0)))
+                return QStringLiteral("a map has a number that is not finite");
+    if (const auto& cage = fractal.cage) {
+        if (cage->rest.size() < 3 || cage->rest.size() != cage->current.size())
+            return QStringLiteral("the cage has %1 and %2 vertices")
+                .arg(cage->rest.size())
+                .arg(cage->current.size());
+        for (const auto* vertices : {&cage->rest, &cage->current})
+            for (const ifs::Vector<2>& vertex : *vertices)
+                if (!vertex.allFinite()) return QStringLiteral("a vertex is not finite");
+        if (cage->rest.size() == 3 &&
+            !ifs::isAffineBasis<2>(ifs::Simplex<2>{cage->rest[0], cage->rest[1], cage->rest[2]}))
+            return QStringLiteral("the rest triangle is flat");
+    }
+    const attractor::Appearance& look = fractal.appearance;
+    if (!(look.brightness > 0) || !(look.gamma > 0) || !std::isfinite(look.brightness * look.gamma))
+        return QStringLiteral("brightness %1, gamma %2").arg(look.brightness).arg(look.gamma);
+    return {};
+}
+
+Complaint complaintAbout(const document::Fractal& fractal, const document::Fractal& reread) {
+    document::Fractal kept = io::asStored(fractal);
+    document::Fractal read = io::asStored(reread);
+    if (auto* maps = document::system2(kept))
+        if (auto* other = document::system2(read); other && other->maps.size() == maps->maps.size())
+            for (std::size_t i = 0; i < maps->maps.size();
+                 ++i) // a weight that was never given is written out
+                if (!maps->maps[i].weight) other->maps[i].weight.reset();
+    if (kept == read) return {};
+    QStringList parts;
+    if (kept.system != read.system) parts << QStringLiteral("system");
+    if (kept.cage != read.cage) parts << QStringLiteral("cage");
+    if (!(kept.appearance == read.appearance)) parts << QStringLiteral("appearance");
+    if (kept.name != read.name) parts << QStringLiteral("name");
+    if (kept.comments != read.comments || kept.headerComment != read.headerComment)
+        parts << QStringLiteral("comments");
+    return QStringLiteral("%1: other %2 when read again").arg(kept.name, parts.join(u' '));
+}
+
+// The file is what is read when it has been written.
+Complaint complaintAbout(const document::FractalFile& file, const QString& bareName) {
+    const QByteArray bytes = io::writeFractint(file);
+    const document::FractalFile reread = io::readFractint(bytes, bareName);
+    if (reread.entries.size() != file.entries.size())
+        return QStringLiteral("%1 entries were written, %2 read")
+            .arg(file.entries.size())
+            .arg(reread.entries.size());
+    for (qsizetype i = 0; i < file.entries.size(); ++i) {
+        const Complaint complaint = complaintAbout(*file.entries[i].fractal, *reread.entries[i].fractal);
+        if (!complaint.isEmpty())
+            return complaint + QStringLiteral("\n") + QString::fromUtf8(bytes.left(4000));
+    }
+    return {};
+}
+
+double residentMegabytes() {
+    malloc_trim(0);
+    std::ifstream statm("/proc/self/statm");
+    long pages = 0;
+    statm >> pages >> pages;
+    return double(pages) * double(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+} // namespace
+
+// A monkey at the desk: seeded random pointing, typing and choosing, on a real X server. After each of its
+// actions the documents must be in order. BARYCAGE_MONKEY_SECONDS: for how long, 30 without;
+// BARYCAGE_MONKEY_SEED: another course; BARYCAGE_MONKEY_LOG: what it does, as it does it.
+class MonkeyTest : public WindowOnX {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void nothingBreaks();
+
+private:
+    using Operation = std::function<void()>;
+
+    void step();
+    void plan();
+    void planDrag();
+    void planKeys();
+    void planClick();
+    void planWheel();
+    void planMenu();
+    void planClipboard();
+    void planFile();
+    void planDialog(QDialog* dialog);
+    void then(Operation operation) { m_todo.append(std::move(operation)); }
+    // What may wait for the user: the timer of the steps does not fire again before it returns.
+    void thenInAnEventOfItsOwn(const Operation& operation) {
+        then([operation] { QTimer::singleShot(0, qApp, operation); });
+    }
+    void note(const QString& action);
+    void complain(const Complaint& complaint);
+
+    void check();
+    void checkHistory(MainWindow& window);
+    void startAfresh();
+    void follow(MainWindow* window);
+    MainWindow* current() const;
+    QList<MainWindow*> windows() const;
+
+    int any(int count) { return int(m_random.bounded(count)); }
+    template <typename List> auto oneOf(const List& list) { return list[any(int(list.size()))]; }
+    QPoint pointIn(const QWidget* widget);
+    QPoint pointOnCanvas();
+
+    QRandomGenerator m_random;
+    std::unique_ptr<XInput> m_fingers;
+    QList<Operation> m_todo;
+    QStringList m_actions; // the last ones
+    QStringList m_complaints;
+    QSet<MainWindow*> m_live; // with a gesture under way
+    QList<double> m_megabytes;
+    int m_count = 0;
+    int m_sinceStart = 0;
+    int m_ownLevel = 0; // of event loops, in that of the test
+};
+
+namespace {
+
+QtMessageHandler otherHandler = nullptr;
+QStringList warnings;
+
+void takeWarning(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+    if (type == QtWarningMsg || type == QtCriticalMsg) warnings << text;
+    otherHandler(type, context, text);
+}
+
+} // namespace
+
+void MonkeyTest::initTestCase() {
+    if (const QString obstacle = XInput::obstacle(); !obstacle.isEmpty()) QSKIP(qPrintable(obstacle));
+    QSettings().clear();
+    QDir::setCurrent(folder()); // whatever it writes stays there
+    for (const QFileInfo& file :
+         QDir(QStringLiteral(BARYCAGE_TEST_DATA)).entryInfoList({QStringLiteral("*.ifs")}))
+        QFile::copy(file.filePath(), QDir(folder()).filePath(file.fileName()));
+    copyOfCollection(QStringLiteral("paper"));
+    copyOfCollection(QStringLiteral("ferns"));
+    m_fingers = std::make_unique<XInput>(std::chrono::milliseconds(0));
+}
+
+void MonkeyTest::nothingBreaks() {
+    const int seconds = qEnvironmentVariable("BARYCAGE_MONKEY_SECONDS", QStringLiteral("30")).toInt();
+    const auto seed = qEnvironmentVariable("BARYCAGE_MONKEY_SEED", QStringLiteral("1")).toUInt();
+    m_random.seed(seed);
+    otherHandler = qInstallMessageHandler(takeWarning);
+    QEventLoop loop;
+    m_ownLevel = QThread::currentThread()->loopLevel() + 1;
+    QElapsedTimer clock;
+    clock.start();
+    QTimer steps;
+    connect(&steps, &QTimer::timeout, this, [&] {
+        watchdog().ignoreThisEvent();
+        // The loops of dialogs that are open end first: they are inside this one.
+        if (!m_complaints.isEmpty() || clock.elapsed() > 1000LL * seconds) {
+            for (QWidget* widget : QApplication::topLevelWidgets())
+                if (auto* dialog = qobject_cast<QDialog*>(widget)) dialog->reject();
+            if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+            loop.quit();
+        } else {
+            step();
+        }
+    });
+    startAfresh();
+    steps.start(6);
+    loop.exec();
+    steps.stop();
+    m_fingers.reset();
+    qInstallMessageHandler(otherHandler);
+    for (MainWindow* window : windows())
+        delete window;
+    qInfo("seed %u: %d actions", seed, m_count);
+
+    m_complaints += watchdog().takeLate();
+    QVERIFY2(m_complaints.isEmpty(), qPrintable(m_complaints.join(u'\n') + QStringLiteral("\nafter\n  ") +
+                                                m_actions.join(QStringLiteral("\n  "))));
+#if !defined(__SANITIZE_ADDRESS__)
+    // Caches fill up in the first half.
+    const auto half = m_megabytes.cbegin() + m_megabytes.size() / 2;
+    if (m_megabytes.size() >= 6) {
+        const double grown =
+            *std::min_element(half, m_megabytes.cend()) - *std::max_element(m_megabytes.cbegin() + 1, half);
+        QVERIFY2(grown < 8, qPrintable(QStringLiteral("%1 MB more in the second half").arg(grown)));
+    }
+#endif
+}
+
+QList<MainWindow*> MonkeyTest::windows() const {
+    QList<MainWindow*> found;
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (auto* window = qobject_cast<MainWindow*>(widget)) found << window;
+    return found;
+}
+
+MainWindow* MonkeyTest::current() const {
+    const QList<MainWindow*> all = windows();
+    for (MainWindow* window : all)
+        if (window->isActiveWindow()) return window;
+    return all.value(0);
+}
+
+void MonkeyTest::note(const QString& action) {
+    ++m_count;
+    m_actions << action;
+    if (m_actions.size() > 30) m_actions.removeFirst();
+    if (qEnvironmentVariableIsSet("BARYCAGE_MONKEY_LOG")) qInfo("%s", qPrintable(action));
+}
+
+void MonkeyTest::complain(const Complaint& complaint) {
+    if (!complaint.isEmpty()) m_complaints << complaint;
+}
+
+// All windows closed, nothing unsaved: what is still in memory is what stays there.
+void MonkeyTest::startAfresh() {
+    for (MainWindow* window : windows()) {
+        window->document().undoStack()->setClean();
+        delete window;
+    }
+    m_live.clear();
+    m_sinceStart = 0;
+    QGuiApplication::clipboard()->clear();
+    m_megabytes << residentMegabytes();
+    auto* window = new MainWindow;
+    window->setGeometry(20, 40, 1300, 800);
+    window->openFirstPicture();
+    window->show();
+    follow(window);
+}
+
+void MonkeyTest::follow(MainWindow* window) {
+    connect(&window->document(), &document::Document::changed, this, [this, window](const auto& change) {
+        if (change.live)
+            m_live.insert(window);
+        else
+            m_live.remove(window);
+    });
+    connect(window, &QObject::destroyed, this, [this, window] { m_live.remove(window); });
+}
+
+void MonkeyTest::step() {
+    if (m_todo.isEmpty()) {
+        check();
+        if (m_complaints.isEmpty()) plan();
+    } else {
+        m_todo.takeFirst()();
+    }
+}
+
+void MonkeyTest::check() {
+    for (const QString& warning : std::exchange(warnings, {}))
+        complain(QStringLiteral("warning: ") + warning);
+    for (MainWindow* window : windows()) {
+        const document::Document& document = window->document();
+        for (const document::Entry& entry : document.file().entries)
+            complain(complaintAbout(*entry.fractal));
+        complain(complaintAbout(document.file(), QFileInfo(window->windowFilePath()).completeBaseName()));
+        const attractor::Camera& camera = window->findChild<view::CanvasView*>()->camera();
+        if (!camera.centre.allFinite() || !(camera.pixelsPerUnit > 0) || !std::isfinite(camera.pixelsPerUnit))
+            complain(QStringLiteral("the camera is nowhere"));
+        if (!m_live.contains(window) && window->isWindowModified() != document.isModified())
+            complain(QStringLiteral("the mark of unsaved changes is wrong"));
+        if (!m_live.contains(window) && !QApplication::activeModalWidget() &&
+            !QApplication::activePopupWidget() && QGuiApplication::mouseButtons() == Qt::NoButton)
+            checkHistory(*window);
+    }
+}
+
+// One step, and now and then the whole history, back and forth.
+void MonkeyTest::checkHistory(MainWindow& window) {
+    QUndoStack& history = *window.document().undoStack();
+    const document::FractalFile before = window.document().file();
+    const int place = history.index();
+    if (place == 0) return;
+    history.setIndex(any(40) == 0 ? 0 : place - 1);
+    history.setIndex(place);
+    if (!(window.document().file() == before))
+        complain(QStringLiteral("undo and redo do not lead back: %1").arg(history.undoText()));
+}
+
+QPoint MonkeyTest::pointIn(const QWidget* widget) {
+    return widget->mapToGlobal(QPoint(any(std::max(1, widget->width())), any(std::max(1, widget->height()))));
+}
+
+QPoint MonkeyTest::pointOnCanvas() {
+    const auto* canvas = current()->findChild<view::CanvasView*>();
+    const std::vector<CanvasPart> handles = canvas->canvas().handles();
+    if (handles.empty() || any(3) == 0) return pointIn(canvas->viewport());
+    CanvasPart part = handles[std::size_t(any(int(handles.size())))];
+    if (any(5) == 0) part.kind = CanvasPart::Kind::Edge;
+    if (part.kind == CanvasPart::Kind::Edge && part.index >= int(canvas->canvas().cagePolygon().size()))
+        part.index = 0;
+    const QPoint at = canvas->viewport()->mapToGlobal(canvas->canvas().positionOf(part).toPoint());
+    const QRect shown(canvas->viewport()->mapToGlobal(QPoint(0, 0)), canvas->viewport()->size());
+    return shown.contains(at) ? at : pointIn(canvas->viewport());
+}
+
+void MonkeyTest::plan() {
+    // Not while the program waits in a loop of its own.
+    const bool mayStartAfresh = QThread::currentThread()->loopLevel() == m_ownLevel;
+    if (mayStartAfresh && (++m_sinceStart > 250 || windows().size() > 2 || !current())) return startAfresh();
+    if (!current()) return then([this] { m_fingers->key("Escape"); });
+    for (MainWindow* window : windows())
+        if (!window->property("followed").toBool()) {
+            window->setProperty("followed", true);
+            follow(window);
+        }
+    if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) return planDialog(dialog);
+    if (QApplication::activePopupWidget() && any(2) == 0) {
+        note(QStringLiteral("leave the menu"));
+        return then([this] { m_fingers->key("Escape"); });
+    }
+    const int what = any(100);
+    if (what < 35)
+        planDrag();
+    else if (what < 60)
+        planKeys();
+    else if (what < 80)
+        planClick();
+    else if (what < 86)
+        planWheel();
+    else if (what < 95)
+        planMenu();
+    else if (what < 98)
+        planClipboard();
+    else
+        planFile();
+}
+
+void MonkeyTest::planDrag() {
+    const QPoint from = pointOnCanvas();
+    const char* modifier = oneOf(QList<const char*>{"", "", "", "Control", "Alt", "Shift"});
+    const XInput::Button button = any(6) == 0 ? XInput::Middle : XInput::Left;
+    note(QStringLiteral("drag from %1 %2 with button %3 %4")
+             .arg(from.x())
+             .arg(from.y())
+             .arg(button)
+             .arg(QLatin1String(modifier)));
+    if (*modifier) then([=, this] { m_fingers->hold(modifier); });
+    then([=, this] { m_fingers->moveTo(from); });
+    then([=, this] { m_fingers->press(button); });
+    for (int moves = 1 + any(6); moves > 0; --moves) {
+        const QPoint to = any(2) ? from + QPoint(any(200) - 100, any(200) - 100) : pointOnCanvas();
+        then([=, this] { m_fingers->moveTo(to); });
+    }
+    if (any(6) == 0) {
+        const char* key = oneOf(QList<const char*>{"Escape", "Control+z", "Control+n", "Control+s", "f",
+                                                   "Tab", "Left", "d", "h", "y"});
+        note(QStringLiteral("in mid-drag ") + QLatin1String(key));
+        then([=, this] { m_fingers->key(key); });
+        then([=, this] { m_fingers->moveTo(from + QPoint(7, 9)); });
+    }
+    then([=, this] { m_fingers->release(button); });
+    if (*modifier) then([=, this] { m_fingers->letGo(modifier); });
+}
+
+void MonkeyTest::planKeys() {
+    static const QList<const char*> keys{"Tab",
+                                         "Tab",
+                                         "Tab",
+                                         "Shift+Tab",
+                                         "Left",
+                                         "Right",
+                                         "Up",
+                                         "Down",
+                                         "Shift+Up",
+                                         "Alt+Left",
+                                         "Return",
+                                         "Return",
+                                         "Escape",
+                                         "Escape",
+                                         "1",
+                                         "2",
+                                         "0",
+                                         "period",
+                                         "minus",
+                                         "9",
+                                         "e",
+                                         "BackSpace",
+                                         "Delete",
+                                         "Insert",
+                                         "Home",
+                                         "End",
+                                         "Next",
+                                         "Prior",
+                                         "space",
+                                         "F2",
+                                         "F6",
+                                         "F11",
+                                         "c",
+                                         "d",
+                                         "f",
+                                         "g",
+                                         "a",
+                                         "y",
+                                         "h",
+                                         "plus",
+                                         "Alt+Up",
+                                         "Alt+Down",
+                                         "Control+z",
+                                         "Control+z",
+                                         "Control+y",
+                                         "Control+a",
+                                         "Control+c",
+                                         "Control+v",
+                                         "Control+Shift+v",
+                                         "Control+b",
+                                         "Control+x",
+                                         "Control+Insert",
+                                         "Control+k",
+                                         "Control+slash"};
+    QStringList pressed;
+    for (int count = 1 + any(4); count > 0; --count) {
+        const char* key = oneOf(keys);
+        pressed << QLatin1String(key);
+        then([=, this] { m_fingers->key(key); });
+    }
+    note(QStringLiteral("keys ") + pressed.join(u' '));
+}
+
+void MonkeyTest::planClick() {
+    QWidget* top = QApplication::activePopupWidget();
+    if (!top) top = QApplication::activeWindow();
+    if (!top) top = current();
+    QList<QWidget*> targets;
+    for (auto* child : top->findChildren<QWidget*>())
+        if (child->isVisible() && child->window() == top && child->focusPolicy() != Qt::NoFocus &&
+            !child->visibleRegion().isEmpty())
+            targets << child;
+    targets << top;
+    const QWidget* target = oneOf(targets);
+    const QPoint at = pointIn(target);
+    const int kind = any(8);
+    note(QStringLiteral("%1 %2 %3 at %4 %5")
+             .arg(kind == 0   ? QStringLiteral("right-click")
+                  : kind == 1 ? QStringLiteral("double-click")
+                              : QStringLiteral("click"),
+                  QLatin1String(target->metaObject()->className()), target->accessibleName())
+             .arg(at.x())
+             .arg(at.y()));
+    if (kind == 1)
+        then([=, this] { m_fingers->doubleClickAt(at); });
+    else
+        then([=, this] { m_fingers->clickAt(at, kind == 0 ? XInput::Right : XInput::Left); });
+}
+
+void MonkeyTest::planWheel() {
+    const QPoint at = any(3) ? pointOnCanvas() : pointIn(current());
+    const int notches = any(13) - 6;
+    note(QStringLiteral("wheel %1").arg(notches));
+    then([=, this] {
+        m_fingers->moveTo(at);
+        m_fingers->wheel(notches);
+    });
+}
+
+// By its shortcut or its name: what cannot be chosen is not.
+void MonkeyTest::planMenu() {
+    QList<QAction*> actions;
+    QList<QMenu*> menus = current()->menuBar()->findChildren<QMenu*>();
+    for (QMenu* menu : menus)
+        for (QAction* action : menu->actions())
+            if (!action->isSeparator() && !action->menu() && action->isEnabled()) actions << action;
+    if (actions.isEmpty()) return;
+    const QPointer<QAction> action = oneOf(actions);
+    note(QStringLiteral("choose ") + action->text());
+    thenInAnEventOfItsOwn([=] {
+        if (action && action->isEnabled() && !QApplication::activeModalWidget()) action->trigger();
+    });
+}
+
+void MonkeyTest::planClipboard() {
+    static const QStringList texts{
+        QStringLiteral("0.5 0 0 0.5 0 0 0.5\n0.5 0 0 0.5 1 0 0.5\n"),
+        QStringLiteral("0.3\t0.1\t-0.2\t0.6\t1\t0"),
+        QStringLiteral("pasted {\n .5 0 0 .5 0 0 .33\n .5 0 0 .5 .5 0 .33\n .5 0 0 .5 .25 .43 .34\n}\n"),
+        QStringLiteral("1e308 1e308 -1e308 5 nan inf 2"),
+        QStringLiteral("no numbers at all"),
+        QStringLiteral("1"),
+    };
+    const QString text = oneOf(texts);
+    note(QStringLiteral("clipboard: ") + text.left(20));
+    then([=] { QGuiApplication::clipboard()->setText(text); });
+}
+
+void MonkeyTest::planFile() {
+    const QStringList files = QDir(folder()).entryList(QDir::Files);
+    const QString path = QDir(folder()).filePath(oneOf(files));
+    note(QStringLiteral("open ") + path);
+    const QPointer<MainWindow> window = current();
+    thenInAnEventOfItsOwn([=] {
+        if (window && !QApplication::activeModalWidget()) window->openPath(path);
+    });
+}
+
+// Files are named inside its own folder, and nothing is printed.
+void MonkeyTest::planDialog(QDialog* dialog) {
+    const QString kind = QLatin1String(dialog->metaObject()->className());
+    if (qobject_cast<QPrintPreviewDialog*>(dialog) || any(4) == 0) {
+        note(QStringLiteral("leave ") + kind);
+        return then([this] { m_fingers->key("Escape"); });
+    }
+    if (auto* files = qobject_cast<QFileDialog*>(dialog)) {
+        const QStringList names = QDir(folder()).entryList(QDir::Files);
+        const QString name = any(2) ? oneOf(names) : QStringLiteral("new%1").arg(any(5));
+        note(QStringLiteral("%1: %2").arg(kind, name));
+        const QPointer<QFileDialog> open = files;
+        then([=, this] {
+            if (!open) return;
+            open->setDirectory(folder());
+            if (auto* field = open->findChild<QLineEdit*>()) field->setText(name);
+            m_fingers->key("Return");
+        });
+        return then([=, this] {
+            if (open && open->isVisible()) m_fingers->key("Escape");
+        });
+    }
+    if (any(2))
+        planClick();
+    else
+        planKeys();
+}
+
+int main(int argc, char** argv) {
+    MonkeyTest test;
+    return support::run(test, argc, argv);
+}
+
+#include "monkey_test.moc"
