@@ -91,6 +91,7 @@ Format formatOf(const Arguments& arguments, const QFileInfo& output) {
         if (!arguments.points) throw UsageError{tr("A .ply file holds points: say how many with --points.")};
         return io::PointFormat::Ply;
     }
+    if (name.compare(u"pdf", Qt::CaseInsensitive) == 0) return PdfFormat{};
     if (const auto format = io::textFormat(name)) return *format;
     throw UsageError{
         tr("Files are written as fractint (.ifs), flame, aifs, csv, tsv, ply and pdf, and not as “%1”.")

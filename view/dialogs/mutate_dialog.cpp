@@ -40,11 +40,10 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     m_grid->setViewMode(QListView::IconMode);
     m_grid->setMovement(QListView::Static);
     m_grid->setResizeMode(QListView::Adjust);
-    m_grid->setUniformItemSizes(true);
     m_grid->setIconSize({side, side});
     m_grid->setGridSize({side + 12, side + 12});
-    m_grid->setMinimumSize(columns * (side + 12) + 2 * m_grid->frameWidth() + 2,
-                           count / columns * (side + 12) + 2 * m_grid->frameWidth() + 2);
+    m_grid->setMinimumSize(columns * (side + 12) + 2 * m_grid->frameWidth() + 8,
+                           count / columns * (side + 12) + 2 * m_grid->frameWidth() + 8);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(source == Source::Current ? tr("&Use This One") : tr("&Add to the File"),
                                QDialogButtonBox::AcceptRole);
@@ -97,8 +96,10 @@ void MutateDialog::makeAll() {
     m_thumbnails->clear();
     m_fractals.clear();
     m_grid->clear();
-    for (int i = 0; i < count; ++i)
-        m_grid->addItem(new QListWidgetItem);
+    for (int i = 0; i < count; ++i) {
+        auto* item = new QListWidgetItem(m_grid);
+        item->setSizeHint(m_grid->gridSize()); // before its picture is there
+    }
     m_timer.start(0);
     updateButtons();
 }
