@@ -29,10 +29,6 @@ double unitInterval(std::uint64_t random) {
     return static_cast<double>(random >> 11) * 0x1p-53;
 }
 
-int wordsFor(std::uint64_t samples) {
-    return static_cast<int>(std::clamp<std::uint64_t>(samples / 16384, 128, 4096));
-}
-
 // The affine map that serves for the cage: its own with three vertices, with more the one that misses the
 // current vertices least.
 ifs::AffineMap<2> affinePart(const std::optional<ifs::ControlCage<2>>& cage) {
@@ -60,6 +56,10 @@ ifs::AffineMap<2> affinePart(const std::optional<ifs::ControlCage<2>>& cage) {
 }
 
 } // namespace
+
+int wordsFor(std::uint64_t samples) {
+    return static_cast<int>(std::clamp<std::uint64_t>(samples / SampleSet::size, 128, 4096));
+}
 
 void Picture::start(RenderRequest newRequest) {
     const bool sameSystem = system.maps.size() > 0 && newRequest.system == request.system;
