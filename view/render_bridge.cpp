@@ -66,6 +66,11 @@ void RenderBridge::show(const Shown& shown) {
     request(otherwise ? Haste::Now : Haste::InTurn);
 }
 
+void RenderBridge::fixLiveSamples(std::uint64_t samples) {
+    m_liveSamples = samples;
+    m_adapting = false;
+}
+
 bool RenderBridge::isCurrent() const {
     return m_frame && m_frame->revision == m_requested && !m_waiting;
 }
@@ -140,7 +145,7 @@ void RenderBridge::takeFrame() {
 }
 
 void RenderBridge::adaptBudget(const attractor::Frame& frame) {
-    if (frame.milliseconds <= 0 || frame.samples == 0) return;
+    if (!m_adapting || frame.milliseconds <= 0 || frame.samples == 0) return;
     const double affordable = double(frame.samples) * fluid / frame.milliseconds;
     // Half way each time: one slow frame on a busy machine must not make the grain jump.
     m_liveSamples =

@@ -41,6 +41,7 @@ public:
     // Samples in the first pass of a frame during a gesture: what this machine does in one sixtieth of a
     // second.
     std::uint64_t liveSamples() const { return m_liveSamples; }
+    void fixLiveSamples(std::uint64_t samples); // whatever that takes; for measuring
 
 signals:
     void frameChanged();
@@ -80,6 +81,7 @@ private:
     std::uint64_t m_requested = 0;    // revision of the newest request
     std::uint64_t m_measuredFrom = 1; // requests since this revision share their exposure
     Exposing m_exposing = Exposing::Measured;
+    bool m_adapting = true; // m_liveSamples follows the machine
     bool m_live = false;
     bool m_waiting = false; // a request takes its turn
     QTimer m_underWay;      // runs until the first frame of the newest request, or until patience ends

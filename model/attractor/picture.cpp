@@ -30,11 +30,13 @@ double unitInterval(std::uint64_t random) {
     return static_cast<double>(random >> 11) * 0x1p-53;
 }
 
-int wordsFor(std::uint64_t samples) {
-    return static_cast<int>(std::clamp<std::uint64_t>(samples / 16384, 128, 4096));
 }
 
 } // namespace
+
+int wordsFor(std::uint64_t samples) {
+    return static_cast<int>(std::clamp<std::uint64_t>(samples / SampleSet::size, 128, 4096));
+}
 
 void Picture::start(RenderRequest newRequest) {
     const bool sameSystem = system.maps.size() > 0 && newRequest.system == request.system;

@@ -19,6 +19,9 @@
 
 namespace attractor {
 
+// Words of the cut for a pass of so many samples: none takes more of a sample set than there is.
+int wordsFor(std::uint64_t samples);
+
 // The picture in the making behind Rendering and BandedRendering: what has fallen into the cells of some of
 // its rows.
 struct Picture {

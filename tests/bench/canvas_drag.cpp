@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "bench/canvas_drag.h"
+
+#include "canvas/canvas_part.h"
+#include "canvas/canvas_scene.h"
+#include "canvas/canvas_view.h"
+#include "document/document.h"
+#include "document/fractal.h"
+#include "render_bridge.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+
+#include <chrono>
+#include <cmath>
+
+namespace {
+
+// Notes when the viewport has been painted with the picture of the newest request.
+class Watch : public QObject {
+public:
+    Watch(const view::RenderBridge* bridge, QObject* viewport) : m_bridge(bridge) {
+        viewport->installEventFilter(this);
+    }
+    void await() {
+        while (!(m_bridge->isCurrent() && m_painted == m_bridge->frame()->revision))
+            QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+    }
+
+protected:
+    // The picture is painted, and handed to the screen, before processEvents() returns.
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::Paint && m_bridge->frame()) m_painted = m_bridge->frame()->revision;
+        return false;
+    }
+
+private:
+    const view::RenderBridge* m_bridge;
+    std::uint64_t m_painted = 0;
+};
+
+void send(view::CanvasView& canvas, QEvent::Type type, const QPointF& at) {
+    const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, canvas.viewport()->mapToGlobal(at), button, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(canvas.viewport(), &event);
+}
+
+} // namespace
+
+std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t samples,
+                                 int events) {
+    document::Document document;
+    document::Fractal fractal = document.fractal();
+    *document::system2(fractal) = system;
+    fractal.cage.reset();
+    document.setFile(document::fileOf(fractal));
+    view::RenderBridge bridge(&document);
+    bridge.fixLiveSamples(samples);
+    view::CanvasView canvas(&document, &bridge);
+    canvas.setFixedSize(1920, 1080);
+    Watch watch(&bridge, canvas.viewport());
+    canvas.show();
+    watch.await();
+    const QPointF start = canvas.canvas().positionOf({view::CanvasPart::Kind::Vertex, 1});
+    send(canvas, QEvent::MouseButtonPress, start);
+    std::vector<double> times;
+    for (int event = 1; event <= events; ++event) {
+        const QPointF at = start + QPointF(40 * std::sin(0.1 * event), 25 * std::sin(0.17 * event));
+        const auto begin = std::chrono::steady_clock::now();
+        send(canvas, QEvent::MouseMove, at);
+        watch.await();
+        times.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    }
+    return times;
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/iterated_function_system.h"
+
+#include <cstdint>
+#include <vector>
+
+// A vertex of the cage dragged in the real canvas of 1920 × 1080 pixels: milliseconds from handing the mouse
+// event to the window until the pixels of its picture are painted, event by event. Needs a QApplication.
+std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t samples,
+                                 int events);
