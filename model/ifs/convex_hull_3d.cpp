@@ -50,10 +50,17 @@ bool areFlat(const Points& points) {
     return !(extents[2] > Flat * extents[0]);
 }
 
-// The triangles of the hull, counter-clockwise seen from outside; none when the points do not span space.
-std::vector<Facet> facetsOf(const Points& points) {
+// A triangle of the hull, counter-clockwise seen from outside, in the plane ⟨normal,x⟩ = height of the whole
+// face, which slivers do not define.
+struct Face {
+    Facet corners{};
+    Vector<3> normal;
+    double height = 0;
+};
+
+// None when the points do not span space.
+std::vector<Face> facesOf(const Points& points) {
     if (areFlat(points)) return {};
-    const Vector<3> inside = meanOf(points);
     std::vector<coordT> coordinates;
     for (const auto& point : points)
         coordinates.insert(coordinates.end(), point.begin(), point.end());
@@ -63,31 +70,33 @@ std::vector<Facet> facetsOf(const Points& points) {
     char command[] = "qhull Qt Pp";
     const int failure =
         qh_new_qhull(qh, 3, int(points.size()), coordinates.data(), False, command, nullptr, nullptr);
-    std::vector<Facet> facets;
+    std::vector<Face> faces;
     if (failure == 0) {
         facetT* facet = nullptr;
         FORALLfacets {
-            Facet corners{};
+            Face face;
             std::size_t k = 0;
             vertexT* vertex = nullptr;
             vertexT** vertexp = nullptr;
-            FOREACHvertex_(facet->vertices) if (k < 3) corners[k++] = qh_pointid(qh, vertex->point);
-            if (outward(points, corners).dot(inside - points[std::size_t(corners[0])]) > 0)
-                std::swap(corners[1], corners[2]);
-            facets.push_back(corners);
+            FOREACHvertex_(facet->vertices) if (k < 3) face.corners[k++] = qh_pointid(qh, vertex->point);
+            face.normal = Vector<3>(facet->normal[0], facet->normal[1], facet->normal[2]);
+            face.height = -facet->offset;
+            if (outward(points, face.corners).dot(face.normal) < 0)
+                std::swap(face.corners[1], face.corners[2]);
+            faces.push_back(face);
         }
     }
     qh_freeqhull(qh, qh_ALL);
     int remaining = 0, blocks = 0;
     qh_memfreeshort(qh, &remaining, &blocks);
-    return facets;
+    return faces;
 }
 
 // Extreme points, refined over the facets until none has one farther out than the tolerance, or none that
 // lies apart from the points already there.
 struct Refined {
     Points points;
-    std::vector<Facet> facets;
+    std::vector<Face> faces;
 };
 Refined refine(const SupportFunction<3>& support, double tolerance) {
     Refined hull;
@@ -105,22 +114,17 @@ Refined refine(const SupportFunction<3>& support, double tolerance) {
                 if (x != 0 || y != 0 || z != 0) ask(Vector<3>(x, y, z).normalized(), 0);
     std::vector<std::pair<Vector<3>, double>> asked; // normals and heights of earlier rounds
     for (;;) {
-        hull.facets = facetsOf(hull.points);
+        hull.faces = facesOf(hull.points);
         double widest = 0;
-        const Points known = hull.points;
-        for (const Facet& facet : hull.facets) {
-            Vector<3> normal = outward(known, facet);
-            if (!(normal.norm() > apart * apart)) continue;
-            normal.normalize();
+        const std::size_t known = hull.points.size();
+        for (const Face& face : hull.faces) {
             const auto again = std::ranges::find_if(
-                asked, [&](const auto& earlier) { return (earlier.first - normal).norm() < 1e-12; });
-            const double height = again != asked.end() ? again->second : ask(normal, tolerance / 8);
-            if (again == asked.end()) asked.emplace_back(normal, height);
-            widest = std::max(widest, height - normal.dot(known[std::size_t(facet[0])]));
+                asked, [&](const auto& earlier) { return (earlier.first - face.normal).norm() < 1e-12; });
+            const double height = again != asked.end() ? again->second : ask(face.normal, tolerance / 8);
+            if (again == asked.end()) asked.emplace_back(face.normal, height);
+            widest = std::max(widest, height - face.height);
         }
-        if (hull.points.size() == known.size() || widest <= tolerance || hull.points.size() >= MostPoints ||
-            hull.facets.empty())
-            return hull;
+        if (hull.points.size() == known || widest <= tolerance || known >= MostPoints) return hull;
     }
 }
 
@@ -141,32 +145,36 @@ double distanceToTriangle(const Vector<3>& x, const Vector<3>& a, const Vector<3
     return std::min({toSegment(a, b), toSegment(b, c), toSegment(c, a)});
 }
 
-// How far the images of the vertices leave the polytope.
-double escape(const ConvexHull3& hull, const std::vector<AffineMap<3>>& maps) {
+// How far the images of the vertices leave the hull, apart from rounding.
+double escape(const ConvexHull3& hull, const std::vector<Face>& faces, const std::vector<AffineMap<3>>& maps,
+              double rounding) {
     double result = 0;
     for (const auto& map : maps)
         for (const auto& vertex : hull.vertices) {
             const Vector<3> image = map(vertex);
-            bool outside = hull.volume == 0;
+            const auto isBeyond = [&](const Face& face) {
+                return face.normal.dot(image) > face.height + rounding;
+            };
+            if (!faces.empty() && std::ranges::none_of(faces, isBeyond)) continue;
             double distance = std::numeric_limits<double>::infinity();
             for (const Facet& facet : hull.facets) {
                 const auto corner = [&](std::size_t k) { return hull.vertices[std::size_t(facet[k])]; };
-                outside = outside || outward(hull.vertices, facet).dot(image - corner(0)) > 0;
                 distance = std::min(distance, distanceToTriangle(image, corner(0), corner(1), corner(2)));
             }
             if (hull.facets.empty()) // a point or a segment
                 distance = distanceToTriangle(image, hull.vertices.front(), hull.vertices.back(),
                                               hull.vertices.back());
-            if (outside) result = std::max(result, distance);
+            result = std::max(result, distance);
         }
-    return result;
+    return result + rounding;
 }
 
 // Only the points that are corners, numbered anew.
-ConvexHull3 compact(const Points& points, const std::vector<Facet>& facets) {
+ConvexHull3 compact(const Points& points, const std::vector<Face>& faces) {
     ConvexHull3 hull;
     std::vector<int> place(points.size(), -1);
-    for (Facet facet : facets) {
+    for (const Face& face : faces) {
+        Facet facet = face.corners;
         for (int& corner : facet) {
             int& known = place[std::size_t(corner)];
             if (known < 0) {
@@ -205,9 +213,10 @@ ConvexHull3 convexHull(const SupportFunction<3>& support, double tolerance) {
     const double widening = support.normEquivalence() / (1 - support.contractivity());
     const Refined refined = refine(support, std::max(tolerance / widening, 1e-11 * size));
     ConvexHull3 hull =
-        refined.facets.empty() ? flatHull(refined.points, flatness) : compact(refined.points, refined.facets);
+        refined.faces.empty() ? flatHull(refined.points, flatness) : compact(refined.points, refined.faces);
     // W(P + rB) ⊂ P + rB for r = e/(1 − γ), in the norm in which the maps contract.
-    hull.error = widening * escape(hull, support.maps()) + support.roundingError(64);
+    hull.error =
+        widening * escape(hull, refined.faces, support.maps(), 1e-14 * size) + support.roundingError(64);
     return hull;
 }
 
