@@ -30,8 +30,6 @@ double unitInterval(std::uint64_t random) {
     return static_cast<double>(random >> 11) * 0x1p-53;
 }
 
-}
-
 } // namespace
 
 int wordsFor(std::uint64_t samples) {
