@@ -1,6 +1,5 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<!-- SPDX-License-Identifier: MIT -->
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
     <name>MainWindow</name>
@@ -23,6 +22,16 @@
         <translation>
             <numerusform>, %n read with a remark</numerusform>
             <numerusform>, %n read with a remark</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::CagePanel</name>
+    <message numerus="yes">
+        <source>%n Corners</source>
+        <translation>
+            <numerusform>%n Corner</numerusform>
+            <numerusform>%n Corners</numerusform>
         </translation>
     </message>
 </context>

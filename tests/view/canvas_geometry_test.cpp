@@ -143,8 +143,8 @@ private slots:
     void scalesAboutThePivot() {
         const SnapTargets targets{{}, camera(100), {}};
         const CageDrag start = drag(CageDrag::Mode::Scale, {0, 1, 2}, {1.5, 1.7});
-        const auto across = dragged(start, {1, 0}, Constraint::Free, targets).cage;
-        const auto both = dragged(start, {1, 1}, Constraint::Constrained, targets).cage;
+        const auto across = dragged(start, {1, 0}, Constraint::Constrained, targets).cage;
+        const auto both = dragged(start, {1, 1}, Constraint::Free, targets).cage;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vector<2> arm = start.cage.current[i] - start.pivot;
             QVERIFY(isNear(across.current[i], start.pivot + Vector<2>(2 * arm.x(), arm.y()), 1e-12));

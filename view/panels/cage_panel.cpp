@@ -94,6 +94,12 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     showCage();
 }
 
+// A field that loses the focus while it is destroyed has nobody left to tell.
+CagePanel::~CagePanel() {
+    for (NumberField* field : findChildren<NumberField*>())
+        field->disconnect(this);
+}
+
 QWidget* CagePanel::makeMode() {
     auto* box = new QWidget(this);
     auto* layout = new QVBoxLayout(box);

@@ -29,6 +29,7 @@ class CagePanel : public QWidget {
 
 public:
     explicit CagePanel(document::Document* document, QWidget* parent = nullptr);
+    ~CagePanel() override;
 
     enum class Vertices { Current, Rest };
     NumberField* field(Vertices vertices, std::size_t vertex, int axis) const;
