@@ -42,6 +42,8 @@ public:
     // search along an edge may stop anywhere beside it.
     void settleCorners(const Polygon& polygon) {
         const std::size_t n = polygon.size();
+        for (std::size_t k = 0; n == 2 && k < n; ++k) // the ends of a segment
+            settle((polygon[k] - polygon[1 - k]).normalized());
         constexpr std::size_t Round = 256; // corners of a curve, which only the tolerance makes
         for (std::size_t k = 0; n > 2 && n < Round && k < n; ++k) {
             const Vector<2> before = (polygon[k] - polygon[(k + n - 1) % n]).normalized(),
@@ -50,12 +52,13 @@ public:
             if (cross(before, after) < LeastTurn && before.dot(after) > 0) continue;
             const Vector<2> along = before + after;
             if (along.norm() < 1e-6) continue;
-            const Vector<2> outward = Vector<2>(along.y(), -along.x()).normalized();
-            add(outward, m_support(outward, 0, NodesPerLine, &m_outline));
+            settle(Vector<2>(along.y(), -along.x()).normalized());
         }
     }
 
 private:
+    void settle(const Vector<2>& outward) { add(outward, m_support(outward, 0, NodesPerLine, &m_outline)); }
+
     void add(const Vector<2>& normal, const SupportValue<2>& h) {
         const Vector<2>& centre = m_support.centre();
         m_outline.add(normal, h.value + h.error - normal.dot(centre), h.point - centre,
