@@ -27,6 +27,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QResizeEvent>
+#include <QScreen>
 #include <QSettings>
 
 namespace {
@@ -346,7 +347,8 @@ void MainWindow::restoreLayout() {
     resizeDocks(
         {findChild<QDockWidget*>(QStringLiteral("entries")), findChild<QDockWidget*>(QStringLiteral("maps"))},
         {260, 430}, Qt::Horizontal);
-    if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray())) resize(1440, 900);
+    if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray()))
+        resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
 }
 

@@ -34,6 +34,7 @@ AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
     layout->setContentsMargins(12, 12, 12, 12);
     auto* form = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows); // a narrow window belongs to the picture
     form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(10);
