@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace view {
@@ -42,7 +43,8 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     m_grid->setResizeMode(QListView::Adjust);
     m_grid->setIconSize({side, side});
     m_grid->setGridSize({side + 12, side + 12});
-    m_grid->setMinimumSize(columns * (side + 12) + 2 * m_grid->frameWidth() + 8,
+    const int scrollBar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_grid);
+    m_grid->setMinimumSize(columns * (side + 12) + 2 * m_grid->frameWidth() + scrollBar + 8,
                            count / columns * (side + 12) + 2 * m_grid->frameWidth() + 8);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(source == Source::Current ? tr("&Use This One") : tr("&Add to the File"),
