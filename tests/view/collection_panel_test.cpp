@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMimeData>
@@ -252,6 +253,15 @@ void CollectionPanelTest::favouritesAreKept() {
     grid(again)->setCurrentIndex(grid(again)->model()->index(1, 0));
     action(again, u"Fa&vourite"_s)->trigger();
     QVERIFY(QSettings().value(u"collection/favourites"_s).toStringList().isEmpty());
+    // An empty grid says why.
+    const auto* why = grid(again)->viewport()->findChild<QLabel*>();
+    QTRY_VERIFY(why->isVisible());
+    const QString none = why->text();
+    again.findChild<QLineEdit*>()->setText(u"no such fractal"_s);
+    QVERIFY(why->isVisible() && why->text() != none);
+    action(again, u"Only Fa&vourites"_s)->setChecked(false);
+    again.findChild<QLineEdit*>()->clear();
+    QTRY_VERIFY(!why->isVisible());
 }
 
 QTEST_MAIN(CollectionPanelTest)

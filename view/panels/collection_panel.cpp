@@ -13,6 +13,7 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
@@ -34,7 +35,8 @@ CollectionPanel::CollectionPanel(QWidget* parent)
       m_model(new CollectionModel(m_thumbnails, this)),
       m_filtered(new CollectionFilter(this)),
       m_search(new QLineEdit(this)),
-      m_grid(new QListView(this)) {
+      m_grid(new QListView(this)),
+      m_whyEmpty(new QLabel(m_grid->viewport())) {
     setAccessibleName(tr("Collection"));
     m_thumbnails->setCache(std::make_unique<io::ThumbnailCache>(io::ThumbnailCache::usualFolder()));
     m_search->setAccessibleName(tr("Search the collection"));
@@ -76,11 +78,25 @@ void CollectionPanel::createGrid() {
     m_grid->setDragEnabled(true);
     m_grid->setDragDropMode(QAbstractItemView::DragOnly);
     m_grid->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_whyEmpty->setAlignment(Qt::AlignCenter);
+    m_whyEmpty->setWordWrap(true);
+    m_whyEmpty->setEnabled(false); // as a placeholder is drawn
+    m_whyEmpty->hide();
+    auto* cover = new QVBoxLayout(m_grid->viewport());
+    cover->addWidget(m_whyEmpty);
     connect(m_search, &QLineEdit::textChanged, m_filtered, &CollectionFilter::setWords);
+    connect(m_search, &QLineEdit::textChanged, this, &CollectionPanel::sayWhyEmpty);
     connect(m_grid, &QListView::doubleClicked, this, [this] { m_open->trigger(); });
     connect(m_grid->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &CollectionPanel::updateActions);
     connect(m_grid, &QWidget::customContextMenuRequested, this, &CollectionPanel::showContextMenu);
+}
+
+void CollectionPanel::sayWhyEmpty() {
+    m_whyEmpty->setVisible(m_filtered->rowCount() == 0);
+    m_whyEmpty->setText(m_search->text().isEmpty()
+                            ? tr("No favourites yet. Choose a fractal and press Ctrl+D.")
+                            : tr("Nothing here has these words."));
 }
 
 void CollectionPanel::createActions() {
@@ -98,8 +114,10 @@ void CollectionPanel::createActions() {
         m_model->setData(m_filtered->mapToSource(m_grid->currentIndex()), on, CollectionModel::FavouriteRole);
         QSettings().setValue(favouritesKey, m_model->favourites());
         if (m_onlyFavourites->isChecked()) m_filtered->setOnlyFavourites(true); // titles may go as well
+        sayWhyEmpty();
     });
     connect(m_onlyFavourites, &QAction::toggled, m_filtered, &CollectionFilter::setOnlyFavourites);
+    connect(m_onlyFavourites, &QAction::toggled, this, &CollectionPanel::sayWhyEmpty);
     m_addFolder = createAction(tr("Add &Folder…"), tr("Show the .ifs files of a folder of yours here, too."),
                                QStringLiteral("collection"), {});
     connect(m_open, &QAction::triggered, this, [this] {

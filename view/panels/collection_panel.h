@@ -8,6 +8,7 @@
 #include <QWidget>
 
 class QAction;
+class QLabel;
 class QLineEdit;
 class QListView;
 
@@ -53,6 +54,7 @@ private:
     void chooseFolder();
     void saveFolders() const;
     void updateActions();
+    void sayWhyEmpty();
     const document::Fractal* current() const;
 
     Thumbnails* m_thumbnails;
@@ -60,6 +62,7 @@ private:
     CollectionFilter* m_filtered;
     QLineEdit* m_search;
     QListView* m_grid;
+    QLabel* m_whyEmpty;
     QAction* m_open = nullptr;
     QAction* m_add = nullptr;
     QAction* m_favourite = nullptr;
