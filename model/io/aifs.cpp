@@ -76,12 +76,8 @@ QByteArray block(const document::Fractal& fractal, const document::System2& syst
 
 AffineInvariantForm affineInvariantForm(const document::System2& system, const ifs::Simplex<2>& simplex) {
     AffineInvariantForm form{simplex, {}};
-    for (const auto& weighted : system.maps) {
-        RowStochastic s;
-        for (int j = 0; j < 3; ++j)
-            s.row(j) = ifs::barycentric<2>(simplex, weighted.map(simplex[std::size_t(j)])).transpose();
-        form.maps.push_back(s);
-    }
+    for (const auto& weighted : system.maps)
+        form.maps.push_back(ifs::rowStochastic<2>(simplex, weighted.map));
     return form;
 }
 

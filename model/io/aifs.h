@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/fractal.h"
+#include "ifs/aifs.h"
 
 #include <QByteArray>
 #include <QList>
@@ -16,7 +17,7 @@ namespace io {
 // Row j of S holds the barycentric coordinates of w(V_j): r ↦ r·S is w in the coordinates of the simplex, so
 // the rows sum to 1 and the matrices are the same wherever the simplex is dragged. docs/mathematics.md,
 // "Affine invariant form".
-using RowStochastic = Eigen::Matrix3d;
+using RowStochastic = ifs::RowStochastic<2>;
 struct AffineInvariantForm {
     ifs::Simplex<2> simplex; // an affine basis
     std::vector<RowStochastic> maps;
