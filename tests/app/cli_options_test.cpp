@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "support/paths.h"
+
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
@@ -73,7 +75,7 @@ QSet<QString> CliOptionsTest::optionsOf(const QString& subcommand) {
 }
 
 QString CliOptionsTest::read(const char* path) {
-    QFile file(QStringLiteral(BARYCAGE_SOURCE_DIR "/resources/") + QLatin1String(path));
+    QFile file(support::sourcePath(QStringLiteral("resources/")) + QLatin1String(path));
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 

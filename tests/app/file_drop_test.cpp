@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
+#include "support/paths.h"
 
 #include <QAbstractScrollArea>
 #include <QApplication>
@@ -63,7 +64,7 @@ void FileDropTest::aDroppedFileIsOpened() {
         for (const QWidget* above = area; above != window; above = above->parentWidget())
             if (panel == QLatin1String(above->metaObject()->className())) targets << area;
     QVERIFY(!targets.isEmpty());
-    drop(targets.first()->viewport(), QStringLiteral(BARYCAGE_TEST_DATA "/shapes.ifs"));
+    drop(targets.first()->viewport(), support::testData(QStringLiteral("shapes.ifs")));
     QVERIFY2(window->windowTitle().startsWith(QStringLiteral("shapes.ifs")),
              qPrintable(window->windowTitle()));
     window->close();

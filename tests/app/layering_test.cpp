@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "support/paths.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -25,9 +27,8 @@ namespace {
 
 QStringList sourceFiles(const QString& folder) {
     QStringList files;
-    QDirIterator it(QStringLiteral(BARYCAGE_SOURCE_DIR "/") + folder,
-                    {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
-                    QDirIterator::Subdirectories);
+    QDirIterator it(support::sourcePath(folder), {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
+                    QDir::Files, QDirIterator::Subdirectories);
     while (it.hasNext())
         files << it.next();
     return files;
@@ -98,7 +99,7 @@ void LayeringTest::coreCompilesWithoutQt() {
         if (!path.contains(QLatin1String("/model/ifs/")) &&
             !path.contains(QLatin1String("/model/attractor/")))
             continue;
-        if (!path.startsWith(QLatin1String(BARYCAGE_SOURCE_DIR "/model/"))) continue;
+        if (!path.startsWith(support::sourcePath(QStringLiteral("model/")))) continue;
         ++seen;
         QVERIFY2(!entry[QLatin1String("command")].toString().contains(QLatin1String("QtCore")),
                  qPrintable(path));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
+#include "support/paths.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -42,7 +43,7 @@ void MainWindowTest::cleanup() {
 }
 
 void MainWindowTest::brokenPathsShareOneWindow() {
-    const QString good = QStringLiteral(BARYCAGE_TEST_DATA "/shapes.ifs");
+    const QString good = support::testData(QStringLiteral("shapes.ifs"));
     MainWindow::openEach({QStringLiteral("/nowhere/a.ifs"), QStringLiteral("/nowhere/b.ifs"),
                           QStringLiteral("/nowhere/c.ifs")});
     QCOMPARE(windows().size(), 1);

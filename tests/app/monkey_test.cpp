@@ -4,6 +4,7 @@
 #include "io/fractint_reader.h"
 #include "io/fractint_writer.h"
 #include "io/own_comments.h"
+#include "support/paths.h"
 #include "support/window_on_x.h"
 
 #include <QClipboard>
@@ -181,8 +182,7 @@ void MonkeyTest::initTestCase() {
     if (const QString obstacle = XInput::obstacle(); !obstacle.isEmpty()) QSKIP(qPrintable(obstacle));
     QSettings().clear();
     QDir::setCurrent(folder()); // whatever it writes stays there
-    for (const QFileInfo& file :
-         QDir(QStringLiteral(BARYCAGE_TEST_DATA)).entryInfoList({QStringLiteral("*.ifs")}))
+    for (const QFileInfo& file : QDir(support::testData()).entryInfoList({QStringLiteral("*.ifs")}))
         QFile::copy(file.filePath(), QDir(folder()).filePath(file.fileName()));
     copyOfCollection(QStringLiteral("paper"));
     copyOfCollection(QStringLiteral("ferns"));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "support/paths.h"
+
 #include <QCoreApplication>
 #include <QDirIterator>
 #include <QFile>
@@ -22,12 +24,12 @@ class PluralTextsTest : public QObject {
 private slots:
     void everyCountingTextIsInTheCatalogue() {
         const QString catalogue =
-            contents(QStringLiteral(BARYCAGE_SOURCE_DIR "/resources/translations/barycage_en.ts"));
+            contents(support::sourcePath(QStringLiteral("resources/translations/barycage_en.ts")));
         const QRegularExpression counting(QStringLiteral("\"([^\"\\n]*%n[^\"\\n]*)\""));
         int found = 0;
-        for (const char* folder : {"/app", "/model", "/view"}) {
-            QDirIterator it(QStringLiteral(BARYCAGE_SOURCE_DIR) + QLatin1String(folder),
-                            {QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
+        for (const char* folder : {"app", "model", "view"}) {
+            QDirIterator it(support::sourcePath(QLatin1String(folder)), {QStringLiteral("*.cpp")},
+                            QDir::Files, QDirIterator::Subdirectories);
             while (it.hasNext()) {
                 const QString path = it.next();
                 QRegularExpressionMatchIterator texts = counting.globalMatch(contents(path));

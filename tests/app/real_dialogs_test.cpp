@@ -3,6 +3,7 @@
 #include "ifs/decomposition.h"
 #include "io/collection_reader.h"
 #include "io/save_file.h"
+#include "support/paths.h"
 #include "support/window_on_x.h"
 
 #include <QComboBox>
@@ -215,7 +216,7 @@ void RealDialogsTest::printPreviewOpensAndCloses() {
 
 void RealDialogsTest::aFileIsDroppedFromAnotherProgram() {
     QProcess other;
-    other.start(QStringLiteral(BARYCAGE_DRAG_SOURCE), {QStringLiteral(BARYCAGE_TEST_DATA "/shapes.ifs")});
+    other.start(QStringLiteral(BARYCAGE_DRAG_SOURCE), {support::testData(QStringLiteral("shapes.ifs"))});
     QByteArray said;
     const auto says = [&](const char* word) {
         return support::waitFor([&] {

@@ -4,6 +4,7 @@
 #include "document/fractal.h"
 #include "ifs/attractor_existence.h"
 #include "io/fractint_writer.h"
+#include "support/paths.h"
 
 #include <QDir>
 #include <QHash>
@@ -54,7 +55,7 @@ void CollectionTest::indexNamesEveryFile() {
     indexed.sort();
     bundled.sort();
     QCOMPARE(bundled, indexed);
-    const QDir source(QStringLiteral(BARYCAGE_SOURCE_DIR "/ifs_library"));
+    const QDir source(support::sourcePath(QStringLiteral("ifs_library")));
     QCOMPARE(source.entryList({QStringLiteral("*.ifs")}, QDir::Files, QDir::Name), indexed);
 }
 

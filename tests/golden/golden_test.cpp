@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "collection.h"
+#include "support/paths.h"
 
 #include <QGuiApplication>
 #include <QPainter>
@@ -39,7 +40,7 @@ constexpr int columns = 6;
 constexpr double threshold = 25;
 
 QString sheetPath(const golden::Theme& theme) {
-    return QStringLiteral(BARYCAGE_SOURCE_DIR "/tests/golden/collection/%1.png")
+    return support::sourcePath(QStringLiteral("tests/golden/collection/%1.png"))
         .arg(theme.fileName.chopped(4));
 }
 

@@ -3,6 +3,7 @@
 #include "io/fractint_writer.h"
 #include "io/own_comments.h"
 #include "support/fractint_bytes.h"
+#include "support/paths.h"
 
 #include <QDir>
 #include <QRandomGenerator>
@@ -45,7 +46,7 @@ ifs::WeightedMap<2> newMap(Fractal& fractal, double a, std::optional<double> wei
 }
 
 QByteArray contents(const QString& name) {
-    QFile file(QStringLiteral(BARYCAGE_TEST_DATA "/") + name);
+    QFile file(support::testData(name));
     if (!file.open(QIODevice::ReadOnly)) qFatal("%s is missing", qPrintable(name));
     return file.readAll();
 }
@@ -332,7 +333,7 @@ void FractintWriterTest::strictFormLimits() {
 }
 
 void FractintWriterTest::dataFilesKeepTheirBytes() {
-    const QStringList names = QDir(QStringLiteral(BARYCAGE_TEST_DATA)).entryList({QStringLiteral("*.ifs")});
+    const QStringList names = QDir(support::testData()).entryList({QStringLiteral("*.ifs")});
     QVERIFY(names.size() >= 3);
     for (const QString& name : names)
         QCOMPARE(io::writeFractint(io::readFractint(contents(name))), contents(name));
