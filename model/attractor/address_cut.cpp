@@ -188,6 +188,7 @@ public:
         while (threshold > 0 && threshold > visible / m_settings.words)
             threshold /= 2;
         m_exact = m_settings.samples > 0 ? fewest / m_settings.samples * visible : 0;
+        m_atBorder = m_settings.samples > 0 ? atBorder / m_settings.samples * visible : 1;
         m_followsBend = View::bends;
         AddressCut result = words(leaves(threshold, Threshold::Absolute, stop));
         return stop.stop_requested() ? AddressCut{} : result;
@@ -199,6 +200,7 @@ private:
     static constexpr std::size_t mostWaiting = 1U << 20; // words of the next level before refining it
     static constexpr std::size_t mostVisits = 3'000'000;
     static constexpr double smallest = 0.25; // cells; below, splitting shows nothing new
+    static constexpr double atBorder = 512;  // samples a word may have of which some fall outside
     static constexpr double fewest = 32;     // samples for which a first-order map is worth its while
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
@@ -236,6 +238,12 @@ private:
                s.y - s.halfY <= m_height;
     }
 
+    bool isInside(const Node<Real>& node) const {
+        const Shown& s = node.shown;
+        return s.x - s.halfX >= 0 && s.x + s.halfX <= m_width && s.y - s.halfY >= 0 &&
+               s.y + s.halfY <= m_height;
+    }
+
     bool isTooBent(const Node<Real>& node) const {
         return m_followsBend && !(node.shown.curvedMiss <= m_mostMiss);
     }
@@ -244,7 +252,8 @@ private:
         if (node.depth >= m_settings.maxDepth) return true;
         const double size = node.shown.size;
         if (node.depth < m_settings.minDepth || !(size <= m_largest)) return false;
-        return (node.probability <= threshold || size <= smallest) &&
+        return ((node.probability <= threshold && (node.probability <= m_atBorder || isInside(node))) ||
+                size <= smallest) &&
                (!isTooBent(node) || node.probability <= m_exact);
     }
 
@@ -366,7 +375,8 @@ private:
     double m_height;
     double m_largest;
     double m_mostMiss;
-    double m_exact = 0; // probability below which samples are mapped one by one
+    double m_atBorder = 1; // probability above which a word that is partly in view is divided
+    double m_exact = 0;    // probability below which samples are mapped one by one
     bool m_followsBend = false;
     std::size_t m_kept; // fewer where every word has thousands of children
     View m_view;
