@@ -199,9 +199,10 @@ private:
 
     static constexpr std::size_t mostWaiting = 1U << 20; // words of the next level before refining it
     static constexpr std::size_t mostVisits = 3'000'000;
-    static constexpr double smallest = 0.25; // cells; below, splitting shows nothing new
-    static constexpr double atBorder = 512;  // samples a word may have of which some fall outside
-    static constexpr double fewest = 32;     // samples for which a first-order map is worth its while
+    static constexpr std::size_t visitsPerLook = 4096; // between two looks at the stop token
+    static constexpr double smallest = 0.25;           // cells; below, splitting shows nothing new
+    static constexpr double atBorder = 512;            // samples a word may have of which some fall outside
+    static constexpr double fewest = 32; // samples for which a first-order map is worth its while
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
                                double probability) {
@@ -274,9 +275,9 @@ private:
                     total += node.probability;
                 threshold = total / limit;
             }
-            visits += open.size();
             next.clear();
             for (const Node<Real>& node : open) {
+                if (++visits % visitsPerLook == 0 && stop.stop_requested()) return {};
                 if (isLeaf(node, threshold)) {
                     done.push_back(node);
                     settled += node.probability;

@@ -89,6 +89,14 @@ private slots:
             QCOMPARE(rows[cell], everything[cell + 96U * 320U]);
     }
 
+    void aStoppedCutIsEmpty() {
+        std::stop_source stop;
+        stop.request_stop();
+        const Camera camera = systems::camera(systems::maple(), 320, 320);
+        QVERIFY(addressCut(drawable(systems::maple()), projection(camera, {}, 1), {}, stop.get_token())
+                    .words.empty());
+    }
+
     // What a word that is partly in view has outside is drawn for nothing.
     void wordsAtTheBorderAreSmall() {
         const auto maple = systems::maple();
