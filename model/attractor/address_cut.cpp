@@ -169,7 +169,7 @@ public:
           m_height(projection.grid.height),
           m_largest(2.0 * std::max(m_width, m_height)),
           m_mostMiss(mostBendError * projection.cellsPerPixel),
-          m_kept(std::clamp<std::size_t>((std::size_t{1} << 23) / system.maps.size(), 256, View::most)),
+          m_kept(std::clamp<std::size_t>((std::size_t{1} << 20) / system.maps.size(), 64, View::most)),
           m_view(system, projection),
           m_root(m_view.root()) {
         m_root.shown = m_view.shown(m_root);
@@ -197,12 +197,12 @@ public:
 private:
     enum class Threshold { Absolute, Relative };
 
-    static constexpr std::size_t mostWaiting = 1U << 20; // words of the next level before refining it
-    static constexpr std::size_t mostVisits = 3'000'000;
-    static constexpr std::size_t visitsPerLook = 4096; // between two looks at the stop token
-    static constexpr double smallest = 0.25;           // cells; below, splitting shows nothing new
-    static constexpr double atBorder = 512;            // samples a word may have of which some fall outside
-    static constexpr double fewest = 32; // samples for which a first-order map is worth its while
+    static constexpr std::size_t mostWaiting = 1U << 20;  // words of the next level before refining it
+    static constexpr std::size_t mostChildren = 1U << 25; // looked at in all
+    static constexpr std::size_t childrenPerLook = 8192;  // between two looks at the stop token
+    static constexpr double smallest = 0.25;              // cells; below, splitting shows nothing new
+    static constexpr double atBorder = 512; // samples a word may have of which some fall outside
+    static constexpr double fewest = 32;    // samples for which a first-order map is worth its while
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
                                double probability) {
@@ -264,10 +264,11 @@ private:
         std::vector<Node<Real>> done;
         std::vector<Node<Real>> open;
         if (visible(m_root)) open.push_back(m_root);
-        std::size_t visits = 0;
+        std::size_t children = 0;
+        std::size_t nextLook = 0;
         double settled = 0;
         std::vector<Node<Real>> next;
-        while (!open.empty() && visits < mostVisits && !stop.stop_requested()) {
+        while (!open.empty() && children < mostChildren) {
             double threshold = limit;
             if (kind == Threshold::Relative) {
                 double total = settled;
@@ -277,12 +278,16 @@ private:
             }
             next.clear();
             for (const Node<Real>& node : open) {
-                if (++visits % visitsPerLook == 0 && stop.stop_requested()) return {};
+                if (children >= nextLook) {
+                    if (stop.stop_requested()) return {};
+                    nextLook = children + childrenPerLook;
+                }
                 if (isLeaf(node, threshold)) {
                     done.push_back(node);
                     settled += node.probability;
                     continue;
                 }
+                children += m_branches.size();
                 for (std::size_t i = 0; i < m_branches.size(); ++i) {
                     const Node<Real> candidate = child(node, i);
                     if (visible(candidate)) next.push_back(candidate);
