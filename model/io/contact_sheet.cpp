@@ -15,7 +15,7 @@ namespace io {
 namespace {
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io::ContactSheet)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 struct Inks {

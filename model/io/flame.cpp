@@ -19,7 +19,7 @@ namespace {
 using document::Problem;
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io::flame)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 constexpr qsizetype maxXforms = 100'000;

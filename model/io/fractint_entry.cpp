@@ -25,7 +25,7 @@ constexpr qsizetype longestName = 18;
 constexpr std::size_t maxNumbers = maxMaps * 13;
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 struct RawToken {

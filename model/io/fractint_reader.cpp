@@ -30,7 +30,7 @@ constexpr qsizetype mostEntriesElsewhere = 2000;
 constexpr qsizetype comparedName = 18;
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 QByteArray firstLineEnd(QByteArrayView bytes) {

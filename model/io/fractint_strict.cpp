@@ -23,7 +23,7 @@ constexpr std::size_t mostMapsBefore18 = 31;
 constexpr qsizetype mostEntries = 2000;
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 // Letters lose their accents; what has no plain form becomes a question mark, or `replacement` in a name.

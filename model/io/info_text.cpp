@@ -9,7 +9,7 @@ namespace io {
 namespace {
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io::InfoReport)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 QString digits(double number) {

@@ -24,7 +24,7 @@ constexpr qsizetype mostProblems = 10;
 constexpr const char* stopPrefix = "barycage: stop ";
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 void report(PaletteFile& file, Problem::Severity severity, int line, const QString& message) {

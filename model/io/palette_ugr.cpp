@@ -22,7 +22,7 @@ constexpr std::size_t mostPalettes = 4000;
 constexpr qsizetype mostProblems = 10;
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 // Words of the text: { and } on their own, key=value (the value possibly in quotes), everything else by

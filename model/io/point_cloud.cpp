@@ -15,7 +15,7 @@ namespace io {
 namespace {
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io::PointCloud)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 class Writer {

@@ -24,7 +24,7 @@ namespace {
 constexpr qint64 largestFile = 256LL * 1024 * 1024;
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 QString shown(const QString& path) {

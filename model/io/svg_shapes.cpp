@@ -17,7 +17,7 @@ namespace io {
 namespace {
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io::SvgWriter)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 // Unions of polygons in whole numbers, in which they are exact. Every level has a grid of its own, in the

@@ -20,7 +20,7 @@ constexpr qsizetype maxRows = 250'000;
 constexpr qsizetype maxProblems = 10;
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 struct Cell {
@@ -113,7 +113,9 @@ public:
         : m_lines(linesOf(text)),
           m_dialect(dialectOf(m_lines)),
           m_chosen(columns.has_value()),
-          m_columns(columns.value_or(fractintColumns())) {}
+          m_columns(columns.value_or(fractintColumns())) {
+        m_table.isOrdered = m_chosen;
+    }
 
     bool beginsWithMatrices() && { return beginsWithACount(rows(5)); }
 
@@ -194,6 +196,7 @@ private:
     void readMatrices() {
         const Cell count = rows(1).first().first();
         m_columns = fractintColumns();
+        m_table.isOrdered = true;
         for (QList<Row> map = rows(4); !map.isEmpty() && m_table.problems.isEmpty(); map = rows(4)) {
             if (map.size() != 4 || map[0].size() != 1 || map[1].size() != 3 || map[2].size() != 3 ||
                 map[3].size() != 3)
@@ -222,10 +225,12 @@ private:
             names.removeFirst(); // what stands over the labels
             columns = tableColumns(names);
         }
-        if (columns)
+        if (columns) {
             m_columns = *columns;
-        else
+            m_table.isOrdered = true;
+        } else {
             m_unknownHeader = cells;
+        }
     }
 
     void readRow(Row cells) {

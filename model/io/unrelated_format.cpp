@@ -16,7 +16,7 @@ namespace {
 constexpr qsizetype sampleSize = 4096;
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(io)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 bool isBinary(QByteArrayView bytes) {

@@ -70,6 +70,8 @@ AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
     explanation->setWordWrap(true);
     m_text->setReadOnly(true);
     m_text->setAccessibleName(windowTitle());
+    m_text->setWhatsThis(tr("Every map as a matrix that takes barycentric coordinates over the control "
+                            "triangle to barycentric coordinates: each row has the sum 1."));
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);

@@ -22,7 +22,7 @@ constexpr int columns = 7;
 constexpr double largestShare = 0.62; // of the page for the picture
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(view::PrintFractal)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 using Row = std::array<QString, columns>;
