@@ -45,7 +45,8 @@ QList<Message> messagesOf(const QString& path) {
         if (xml.name() == u"name")
             context = xml.readElementText();
         else if (xml.name() == u"message")
-            messages.append({context, {}, {}, {}, xml.attributes().value(u"numerus") == u"yes", true});
+            messages.append(
+                {context, {}, {}, {}, xml.attributes().value(QLatin1String("numerus")) == u"yes", true});
         else if (xml.name() == u"source")
             messages.last().source = xml.readElementText();
         else if (xml.name() == u"comment")
@@ -53,7 +54,7 @@ QList<Message> messagesOf(const QString& path) {
         else if (xml.name() == u"numerusform")
             messages.last().translations << xml.readElementText();
         else if (xml.name() == u"translation") {
-            messages.last().finished = !xml.attributes().hasAttribute(u"type");
+            messages.last().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
             if (!messages.last().counts) messages.last().translations << xml.readElementText();
         }
     }

@@ -73,7 +73,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(QString(), m_reopen);
     form->addRow(buttons);
 
-    show(Preferences::stored());
+    fill(Preferences::stored());
     for (QComboBox* box : {m_language, m_theme, m_quality})
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
     connect(m_reopen, &QCheckBox::toggled, this, &PreferencesDialog::take);
@@ -81,12 +81,12 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     QPushButton* defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
     defaults->setWhatsThis(tr("Puts every choice of this dialog back to what it is at first."));
     connect(defaults, &QPushButton::clicked, this, [this] {
-        show({});
+        fill({});
         take();
     });
 }
 
-void PreferencesDialog::show(const Preferences& preferences) {
+void PreferencesDialog::fill(const Preferences& preferences) {
     choose(m_language, preferences.language);
     choose(m_theme, int(preferences.theme));
     choose(m_quality, quint64(preferences.quality));

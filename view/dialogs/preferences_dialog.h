@@ -23,7 +23,7 @@ signals:
     void changed(const view::Preferences& preferences); // they are stored already
 
 private:
-    void show(const Preferences& preferences);
+    void fill(const Preferences& preferences);
     void take();
 
     QString m_spoken; // the choice of language when the dialog was opened

@@ -476,10 +476,10 @@ void MapsPanel::copyMaps() const {
     for (const int row : selectedRows())
         rows.push_back(m_model->maps()[static_cast<std::size_t>(row)]);
     if (rows.empty()) return;
-    auto* data = new QMimeData;
-    data->setText(io::writeTable(rows));
-    data->setData(rowsType, {});
-    QGuiApplication::clipboard()->setMimeData(data);
+    auto* copied = new QMimeData;
+    copied->setText(io::writeTable(rows));
+    copied->setData(rowsType, {});
+    QGuiApplication::clipboard()->setMimeData(copied);
 }
 
 void MapsPanel::pasteMaps() {
@@ -492,9 +492,9 @@ void MapsPanel::appendPasted() {
 
 void MapsPanel::paste(const Rows& rows) {
     if (!document::system2(m_document->fractal())) return;
-    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
-    const QString text = data ? data->text() : QString();
-    const bool own = data && data->hasFormat(rowsType);
+    const QMimeData* copied = QGuiApplication::clipboard()->mimeData();
+    const QString text = copied ? copied->text() : QString();
+    const bool own = copied && copied->hasFormat(rowsType);
     const io::Table table = own ? io::readTable(text, io::fractintColumns()) : io::readTable(text);
     if (table.isTable && !table.isOrdered) {
         auto* dialog = new PasteTableDialog(m_document, rows, text, this);
