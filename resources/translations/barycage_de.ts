@@ -1984,6 +1984,10 @@
         <source>Every map as a matrix that takes barycentric coordinates over the control triangle to barycentric coordinates: each row has the sum 1.</source>
         <translation>Jede Abbildung als Matrix, die baryzentrische Koordinaten über dem Kontrolldreieck in baryzentrische Koordinaten überführt: Jede Zeile hat die Summe 1.</translation>
     </message>
+    <message>
+        <source>Copies the matrices to the clipboard as text.</source>
+        <translation>Kopiert die Matrizen als Text in die Zwischenablage.</translation>
+    </message>
 </context>
 <context>
     <name>view::AnalysisPanel</name>
@@ -3615,6 +3619,14 @@
         <source>With this, the cage is made part of the maps. Without it, the maps are written as they stand in the table.</source>
         <translation>Hiermit wird der Käfig Teil der Abbildungen. Ohne dies werden die Abbildungen geschrieben, wie sie in der Tabelle stehen.</translation>
     </message>
+    <message>
+        <source>Asks for the name of the file and writes it.</source>
+        <translation>Fragt nach dem Namen der Datei und schreibt sie.</translation>
+    </message>
+    <message>
+        <source>Copies the whole text to the clipboard instead of writing a file.</source>
+        <translation>Kopiert den ganzen Text in die Zwischenablage, statt eine Datei zu schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
@@ -3857,6 +3869,10 @@
     <message>
         <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
         <translation>Wie viele Ebenen von Kopien das Bild hat. Die Datei wächst damit kaum, die Zeit zum Zeichnen schon.</translation>
+    </message>
+    <message>
+        <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
+        <translation>Fragt nach dem Namen der Datei und schreibt sie. Das Fenster lässt sich inzwischen benutzen.</translation>
     </message>
 </context>
 <context>
@@ -4701,6 +4717,10 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>To the left the variations are much like what they start from, to the right they are wild.</source>
         <translation>Links sind die Abwandlungen dem Ausgangspunkt sehr ähnlich, rechts sind sie wild.</translation>
+    </message>
+    <message>
+        <source>Takes the chosen one, as one step that can be undone.</source>
+        <translation>Nimmt das gewählte, in einem Schritt, der sich zurücknehmen lässt.</translation>
     </message>
 </context>
 <context>

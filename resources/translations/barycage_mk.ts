@@ -1987,6 +1987,10 @@
         <source>Every map as a matrix that takes barycentric coordinates over the control triangle to barycentric coordinates: each row has the sum 1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Copies the matrices to the clipboard as text.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>view::AnalysisPanel</name>
@@ -3625,6 +3629,14 @@
         <source>With this, the cage is made part of the maps. Without it, the maps are written as they stand in the table.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Asks for the name of the file and writes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copies the whole text to the clipboard instead of writing a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
@@ -3866,6 +3878,10 @@
     </message>
     <message>
         <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4708,6 +4724,10 @@ The entry is kept as it is.</source>
     </message>
     <message>
         <source>To the left the variations are much like what they start from, to the right they are wild.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the chosen one, as one step that can be undone.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

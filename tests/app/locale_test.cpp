@@ -106,7 +106,8 @@ void LocaleTest::filesAreTheSame() {
         const QList<Written> here = everythingOf(m_files[i]);
         QCOMPARE(here.size(), m_plain[i].size());
         for (qsizetype k = 0; k < here.size(); ++k)
-            QVERIFY2(here[k].bytes == m_plain[i][k].bytes, qPrintable(m_files[i] + u": " + here[k].what));
+            QVERIFY2(here[k].bytes == m_plain[i][k].bytes,
+                     qPrintable(m_files[i] + QStringLiteral(": ") + here[k].what));
     }
 }
 

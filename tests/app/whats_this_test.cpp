@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QMenu>
 #include <QRegularExpression>
 #include <QSet>
 #include <QSettings>
@@ -19,7 +20,10 @@ namespace {
 // A language in which every translated text has brackets around it.
 class Brackets : public QTranslator {
 public:
-    QString translate(const char*, const char* text, const char*, int) const override {
+    QString translate(const char* context, const char* text, const char*, int) const override {
+        static const QRegularExpression keys(QStringLiteral("^((Ctrl|Shift|Alt)\\+)*(\\S|F\\d+)$"));
+        if (*context == 'Q' || keys.match(QString::fromUtf8(text)).hasMatch())
+            return {}; // Qt's own, shortcuts
         return QStringLiteral("⟦%1⟧").arg(QString::fromUtf8(text));
     }
     bool isEmpty() const override { return false; }

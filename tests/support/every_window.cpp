@@ -5,6 +5,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractScrollArea>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -16,6 +17,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollBar>
+#include <QTabBar>
 #include <QTest>
 #include <QUndoStack>
 
@@ -90,7 +92,9 @@ QList<QWidget*> EveryWindow::controls(const QWidget* window) {
     for (QWidget* widget : window->findChildren<QWidget*>()) {
         const bool inner = widget->objectName().startsWith(u"qt_") || qobject_cast<QScrollBar*>(widget) ||
                            qobject_cast<QHeaderView*>(widget) || qobject_cast<QMenu*>(widget) ||
-                           qobject_cast<QMenuBar*>(widget) ||
+                           qobject_cast<QMenuBar*>(widget) || qobject_cast<QTabBar*>(widget) ||
+                           qobject_cast<QTabBar*>(widget->parentWidget()) ||
+                           qobject_cast<QAbstractScrollArea*>(widget->parentWidget()) ||
                            qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) ||
                            qobject_cast<QComboBox*>(widget->parentWidget()) ||
                            widget->window()->inherits("QComboBoxPrivateContainer") ||

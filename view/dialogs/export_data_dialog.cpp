@@ -60,7 +60,9 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     m_progress->hide();
     auto* buttons = new QDialogButtonBox(this);
     m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_export->setWhatsThis(tr("Asks for the name of the file and writes it."));
     m_copy = buttons->addButton(tr("Copy &Text"), QDialogButtonBox::ActionRole);
+    m_copy->setWhatsThis(tr("Copies the whole text to the clipboard instead of writing a file."));
     m_close = buttons->addButton(QDialogButtonBox::Close);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(m_form);

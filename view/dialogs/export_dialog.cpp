@@ -47,6 +47,8 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     layout->addWidget(createProgress());
     auto* buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_start->setWhatsThis(
+        tr("Asks for the name of the file and writes it. The window can be used meanwhile."));
     m_close = buttons->addButton(QDialogButtonBox::Close);
     layout->addStretch();
     layout->addWidget(buttons);

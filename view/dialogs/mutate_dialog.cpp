@@ -51,6 +51,7 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(source == Source::Current ? tr("&Use This One") : tr("&Add to the File"),
                                QDialogButtonBox::AcceptRole);
+    m_use->setWhatsThis(tr("Takes the chosen one, as one step that can be undone."));
     m_vary = buttons->addButton(tr("&Vary This One"), QDialogButtonBox::ActionRole);
     m_vary->setToolTip(tr("Make the chosen one what the variations start from"));
     auto* layout = new QVBoxLayout(this);
