@@ -22,8 +22,7 @@ class Brackets : public QTranslator {
 public:
     QString translate(const char* context, const char* text, const char*, int) const override {
         static const QRegularExpression keys(QStringLiteral("^((Ctrl|Shift|Alt)\\+)*(\\S|F\\d+)$"));
-        if (*context == 'Q' || keys.match(QString::fromUtf8(text)).hasMatch())
-            return {}; // Qt's own, shortcuts
+        if (qstrcmp(context, "QShortcut") == 0 || keys.match(QString::fromUtf8(text)).hasMatch()) return {};
         return QStringLiteral("⟦%1⟧").arg(QString::fromUtf8(text));
     }
     bool isEmpty() const override { return false; }
