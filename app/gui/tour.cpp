@@ -20,8 +20,9 @@
 namespace {
 
 constexpr int cardWidth = 340;
-constexpr int margin = 16; // of the card from what it points at
-constexpr int gap = 3;     // between the frame and its target
+constexpr int margin = 16;   // of the card from what it points at
+constexpr int noteRoom = 56; // at the bottom of the canvas, where it says something
+constexpr int gap = 3;       // between the frame and its target
 
 // The canvas, a panel or a bar of the window, by its object name.
 struct Step {
@@ -218,9 +219,9 @@ void Tour::place() {
         m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(m_window->rect()));
         m_mark->raise();
         if (pointed.left() >= room.right()) corner.setX(room.right() - margin - width());
-        if (pointed.top() >= room.bottom()) corner.setY(room.bottom() - margin - this->height());
+        if (pointed.top() >= room.bottom()) corner.setY(room.bottom() - noteRoom - this->height());
     } else {
-        corner.setY(room.bottom() - margin - this->height());
+        corner.setY(room.bottom() - noteRoom - this->height());
     }
     move(std::max(0, corner.x()), std::max(0, corner.y()));
     raise();

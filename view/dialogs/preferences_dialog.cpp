@@ -79,6 +79,8 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     connect(m_reopen, &QCheckBox::toggled, this, &PreferencesDialog::take);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     QPushButton* defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
+    defaults->setAutoDefault(false);
+    buttons->button(QDialogButtonBox::Close)->setDefault(true);
     defaults->setWhatsThis(tr("Puts every choice of this dialog back to what it is at first."));
     connect(defaults, &QPushButton::clicked, this, [this] {
         fill({});
