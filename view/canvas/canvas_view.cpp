@@ -105,6 +105,10 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
     viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
     viewport()->setCursor(Qt::CrossCursor);
     setAccessibleName(tr("Canvas"));
+    this->setWhatsThis(
+        tr("The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt "
+           "scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the "
+           "plane. Tab goes from handle to handle, arrow keys move them, F6 leaves."));
     setAccessibleDescription(
         tr("The attractor and its control cage. Tab goes from handle to handle, the arrow keys "
            "move the one in focus, F6 leaves the canvas."));
