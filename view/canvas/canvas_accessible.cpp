@@ -85,7 +85,6 @@ public:
     QAccessibleInterface* child(int index) const override {
         if (index < 0 || index >= childCount()) return nullptr;
         while (int(m_children.size()) <= index)
-            // The registry owns it. NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
             m_children.push_back(QAccessible::registerAccessibleInterface(
                 new AccessibleHandle(m_canvas, int(m_children.size()))));
         return QAccessible::accessibleInterface(m_children[std::size_t(index)]);
