@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
+#include "recovery.h"
 #include "support/paths.h"
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDir>
 #include <QDockWidget>
 #include <QMessageBox>
 #include <QStandardPaths>
@@ -18,6 +20,7 @@ private slots:
     void initTestCase();
     void cleanup();
     void brokenPathsShareOneWindow();
+    void saysWhenWorkCannotBeKept();
     void aNarrowWindowIsHalfPicture_data();
     void aNarrowWindowIsHalfPicture();
 
@@ -54,6 +57,25 @@ void MainWindowTest::brokenPathsShareOneWindow() {
     QCOMPARE(windows().size(), 2);
     for (MainWindow* window : windows())
         QVERIFY(window->windowTitle().startsWith(QStringLiteral("shapes.ifs")));
+}
+
+// A file stands where the folder for recovery should be; what was recovered is not taken away before it is
+// kept.
+void MainWindowTest::saysWhenWorkCannotBeKept() {
+    const QTemporaryDir old;
+    const QString journal = old.filePath(QStringLiteral("old.journal"));
+    QFile(journal).open(QIODevice::WriteOnly);
+    QDir(Recovery::folder()).removeRecursively();
+    QDir().mkpath(QFileInfo(Recovery::folder()).path());
+    QFile inTheWay(Recovery::folder());
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    auto* window = new MainWindow;
+    window->openRecovered({journal, {{}, QStringLiteral("old"), 0, {}, "a { .5 0 0 .5 0 0 1 }\n"}});
+    const auto boxes = window->findChildren<QMessageBox*>();
+    QCOMPARE(boxes.size(), 1);
+    QVERIFY(boxes.first()->informativeText().contains(QStringLiteral("cannot be kept")));
+    QVERIFY(QFile::exists(journal));
+    inTheWay.remove();
 }
 
 void MainWindowTest::aNarrowWindowIsHalfPicture_data() {
