@@ -35,13 +35,10 @@ FoundEntries entryInTable(const QByteArray& text) {
             return problem.severity == document::Problem::Severity::Error;
         }))
         return found;
-    document::System2 system;
-    for (const auto& row : table.rows)
-        ifs::append(system, row.map, row.weight);
     document::Fractal fractal;
     fractal.name =
         QCoreApplication::translate("view::Clipboard", "pasted", "name of an entry made from a table");
-    fractal.system = std::move(system);
+    fractal.system = io::systemOf(table);
     found.entries.append(fresh(std::move(fractal)));
     return found;
 }

@@ -21,7 +21,15 @@ QString tr(const char* text) {
 io::Loaded readStandardInput() {
     QFile file;
     if (!file.open(stdin, QIODevice::ReadOnly)) return {{}, file.errorString()};
-    return {file.readAll(), {}};
+    constexpr qint64 pieceSize = 1 << 16;
+    constexpr qsizetype mostBytes = 256 * 1024 * 1024;
+    io::Loaded loaded;
+    for (QByteArray piece = file.read(pieceSize); !piece.isEmpty(); piece = file.read(pieceSize)) {
+        loaded.bytes += piece;
+        if (loaded.bytes.size() > mostBytes)
+            return {{}, tr("More than 256 MB came in, which is the limit for a file.")};
+    }
+    return loaded;
 }
 
 const document::Entry* find(const Input& input, const QString& name) {

@@ -183,6 +183,8 @@ void MainWindow::connectDocument() {
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
     connect(&m_file, &OpenFile::pathChanged, this, &MainWindow::updateTitle);
     connect(m_canvas, &view::CanvasView::message, this, &MainWindow::say);
+    connect(&m_recovery, &Recovery::cannotKeep, this,
+            [this](const QString& sentence) { fail(tr("No recovery"), sentence); });
     connect(m_canvas, &view::CanvasView::pointerMoved, m_status, &StatusLine::showPointer);
     connect(m_canvas, &view::CanvasView::pointerLeft, m_status, &StatusLine::clearPointer);
     connect(m_bridge, &view::RenderBridge::frameChanged, m_status, [this] {
@@ -234,8 +236,7 @@ void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
 void MainWindow::openRecovered(const document::Abandoned& abandoned) {
     m_file.recover(abandoned.snapshot);
     m_canvas->fit();
-    m_recovery.keepNow();
-    document::forget(abandoned);
+    if (m_recovery.keepNow()) document::forget(abandoned);
     say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
 }
 

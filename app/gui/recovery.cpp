@@ -3,12 +3,14 @@
 
 #include "io/fractint_writer.h"
 
+#include <QDir>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
 
 #include <chrono>
+#include <utility>
 
 using namespace std::chrono_literals;
 
@@ -26,14 +28,20 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
     });
 }
 
-void Recovery::keepNow() {
+bool Recovery::keepNow() {
     if (!m_document->isModified()) {
         m_journal.discard();
-        return;
+        return true;
     }
-    m_journal.write({m_file->path(), m_file->name(),
-                     int(document::indexOf(m_document->file(), m_document->currentId())),
-                     QDateTime::currentDateTimeUtc(), io::writeFractint(m_document->file())});
+    const bool kept = m_journal.write(
+        {m_file->path(), m_file->name(), int(document::indexOf(m_document->file(), m_document->currentId())),
+         QDateTime::currentDateTimeUtc(), io::writeFractint(m_document->file())});
+    if (std::exchange(m_kept, kept) && !kept)
+        emit cannotKeep(
+            tr("Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the "
+               "disk is full. Save often.")
+                .arg(QDir::toNativeSeparators(folder())));
+    return kept;
 }
 
 void Recovery::discard() {

@@ -15,7 +15,7 @@ class Recovery : public QObject {
 public:
     Recovery(document::Document* document, const OpenFile* file, QObject* parent);
 
-    void keepNow(); // without waiting for the next change
+    bool keepNow(); // without waiting for the next change; false: nothing new could be written
     void discard(); // the window closes and its work is saved or not wanted
 
     static QString folder();
@@ -23,9 +23,13 @@ public:
     // What is not wanted is forgotten.
     static QList<document::Abandoned> ask();
 
+signals:
+    void cannotKeep(const QString& sentence); // once, until it is possible again
+
 private:
     document::Document* m_document;
     const OpenFile* m_file;
     document::Journal m_journal;
     QTimer m_timer;
+    bool m_kept = true; // the last time
 };

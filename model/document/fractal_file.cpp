@@ -1,41 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal_file.h"
 
+#include "document/unique_names.h"
+
 #include <algorithm>
 
 namespace document {
-
-namespace {
-
-constexpr qsizetype longestName = 18; // bytes that Fractint 19, 20 and Iterated Dynamics compare
-
-bool isTaken(const FractalFile& file, const QString& name, EntryId except) {
-    return std::any_of(file.entries.begin(), file.entries.end(), [&](const Entry& entry) {
-        return entry.id != except && entry.fractal->name.compare(name, Qt::CaseInsensitive) == 0;
-    });
-}
-
-QString cutTo(QString name, qsizetype bytes) {
-    while (name.toUtf8().size() > bytes)
-        name.chop(name.back().isLowSurrogate() ? 2 : 1);
-    return name;
-}
-
-QString legalName(const QString& name) {
-    QString legal;
-    for (const QChar c : name.trimmed()) {
-        if (c.isSpace() || c == QLatin1Char(':'))
-            legal += QLatin1Char('_'); // "ifs:", "par:" … would hide the entry
-        else if (c.isPrint() || c.isSurrogate())
-            legal += QStringLiteral("(){};").contains(c) ? QString() : QString(c);
-    }
-    legal = cutTo(legal, longestName);
-    if (legal.isEmpty()) return QStringLiteral("fractal");
-    const bool isCommentWord = legal.compare(QLatin1String("comment"), Qt::CaseInsensitive) == 0;
-    return isCommentWord ? legal + QLatin1Char('_') : legal;
-}
-
-} // namespace
 
 bool operator==(const Entry& a, const Entry& b) {
     return a.id == b.id && a.source == b.source && a.problems == b.problems &&
@@ -61,17 +31,10 @@ qsizetype indexOf(const FractalFile& file, EntryId id) {
 }
 
 QString uniqueName(const FractalFile& file, const QString& name, EntryId except) {
-    return uniqueName(name, [&](const QString& candidate) { return isTaken(file, candidate, except); });
-}
-
-QString uniqueName(const QString& name, const std::function<bool(const QString&)>& isTaken) {
-    const QString legal = legalName(name);
-    QString candidate = legal;
-    for (int number = 2; isTaken(candidate); ++number) {
-        const QString suffix = QStringLiteral("_%1").arg(number);
-        candidate = cutTo(legal, longestName - suffix.size()) + suffix;
-    }
-    return candidate;
+    UniqueNames names;
+    for (const Entry& entry : file.entries)
+        if (entry.id != except) names.take(entry.fractal->name);
+    return names.give(name);
 }
 
 FractalFile fileOf(Fractal fractal) {

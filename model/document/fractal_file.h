@@ -8,7 +8,6 @@
 #include <QList>
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 
 namespace document {
@@ -52,8 +51,6 @@ qsizetype indexOf(const FractalFile& file, EntryId id); // −1 when absent
 // `name` made legal and unique in the file, ignoring case: at most 18 bytes, no blanks, parentheses, braces,
 // ; or :. The entry `except` (the one being renamed) does not count as a holder of the name.
 QString uniqueName(const FractalFile& file, const QString& name, EntryId except = EntryId::None);
-// The same among any names.
-QString uniqueName(const QString& name, const std::function<bool(const QString&)>& isTaken);
 
 FractalFile fileOf(Fractal fractal); // a new file of one entry
 

@@ -11,7 +11,6 @@
 #include <QUuid>
 
 #include <algorithm>
-#include <optional>
 
 namespace document {
 
@@ -31,7 +30,15 @@ std::unique_ptr<QLockFile> lock(const QString& journal) {
     return made->tryLock(0) ? std::move(made) : nullptr;
 }
 
-QByteArray encode(const Snapshot& snapshot) {
+std::optional<Snapshot> readJournal(const QString& path) {
+    QFile file(path);
+    if (file.size() > maxJournal || !file.open(QIODevice::ReadOnly)) return std::nullopt;
+    return snapshotIn(file.readAll());
+}
+
+} // namespace
+
+QByteArray recoveryFile(const Snapshot& snapshot) {
     const QJsonObject header{
         {QStringLiteral("path"), snapshot.path},
         {QStringLiteral("title"), snapshot.title},
@@ -43,7 +50,7 @@ QByteArray encode(const Snapshot& snapshot) {
     return magic + QJsonDocument(header).toJson(QJsonDocument::Compact) + '\n' + snapshot.bytes;
 }
 
-std::optional<Snapshot> decode(const QByteArray& data) {
+std::optional<Snapshot> snapshotIn(const QByteArray& data) {
     if (!data.startsWith(magic)) return std::nullopt;
     const qsizetype start = qsizetype(sizeof magic) - 1;
     const qsizetype end = data.indexOf('\n', start);
@@ -60,14 +67,6 @@ std::optional<Snapshot> decode(const QByteArray& data) {
     return snapshot;
 }
 
-std::optional<Snapshot> readJournal(const QString& path) {
-    QFile file(path);
-    if (file.size() > maxJournal || !file.open(QIODevice::ReadOnly)) return std::nullopt;
-    return decode(file.readAll());
-}
-
-} // namespace
-
 Journal::Journal(const QString& folder) {
     QDir().mkpath(folder);
     QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
@@ -83,7 +82,7 @@ bool Journal::write(const Snapshot& snapshot) {
     QSaveFile file(m_path);
     if (!file.open(QIODevice::WriteOnly)) return false;
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
-    const QByteArray data = encode(snapshot);
+    const QByteArray data = recoveryFile(snapshot);
     return file.write(data) == data.size() && file.commit();
 }
 

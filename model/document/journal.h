@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 
 class QLockFile;
 
@@ -22,6 +23,10 @@ struct Snapshot {
 
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
+
+// What a recovery file holds, and back; nullopt for bytes that are none, or damaged.
+QByteArray recoveryFile(const Snapshot& snapshot);
+std::optional<Snapshot> snapshotIn(const QByteArray& recoveryFile);
 
 // The recovery file of one window: rewritten as a whole and atomically, readable by the owner alone, locked
 // while its process lives, so that after a crash the next start can tell it from those of running windows.

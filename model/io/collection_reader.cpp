@@ -7,27 +7,36 @@
 #include "io/table_reader.h"
 #include "io/unrelated_format.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace io {
 
 namespace {
 
+document::Problem errorOf(const QString& sentence) {
+    return {document::Problem::Severity::Error, {}, 0, 0, sentence};
+}
+
 document::FractalFile fileOf(const EmbeddedSystem& embedded) {
     if (!embedded.failure) return readFractint(embedded.text);
     document::FractalFile file;
-    document::Problem problem;
-    problem.severity = document::Problem::Severity::Error;
-    problem.message = *embedded.failure;
-    file.problems << problem;
+    file.problems << errorOf(*embedded.failure);
     return file;
 }
 
 // A table that is not one to Fractint (rows of 7 numbers without commas are).
 std::optional<document::FractalFile> fileOfTable(const QByteArray& bytes, const QString& path,
                                                  const std::optional<TableColumns>& columns) {
-    constexpr qsizetype largestTable = 64 * 1024 * 1024;
-    if (bytes.size() > largestTable || unrelatedFormat(bytes)) return std::nullopt;
+    if (unrelatedFormat(bytes)) return std::nullopt;
+    if (bytes.size() > largestTable) {
+        document::FractalFile file;
+        file.problems << errorOf(QCoreApplication::translate(
+            "io",
+            "No iterated function system was found, and for a table of numbers the file is too large: the "
+            "limit is 64 MB."));
+        return file;
+    }
     Table table = readTable(QString::fromUtf8(bytes), columns);
     const bool hasErrors = !table.problems.isEmpty();
     if (!table.isTable) return std::nullopt;
@@ -36,10 +45,7 @@ std::optional<document::FractalFile> fileOfTable(const QByteArray& bytes, const 
         document::Fractal fractal;
         const QString name = QFileInfo(path).completeBaseName();
         fractal.name = document::uniqueName({}, name.isEmpty() ? QStringLiteral("table") : name);
-        document::System2 system;
-        for (const auto& row : table.rows)
-            ifs::append(system, row.map, row.weight);
-        fractal.system = std::move(system);
+        fractal.system = systemOf(table);
         file = document::fileOf(std::move(fractal));
     }
     file.problems = std::move(table.problems);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/flame.h"
 
+#include "document/unique_names.h"
+#include "io/coefficient.h"
 #include "io/number.h"
 #include "io/written_weights.h"
+#include "io/xml_text.h"
 
 #include <QCoreApplication>
 #include <QXmlStreamReader>
@@ -22,7 +25,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
-constexpr qsizetype maxXforms = 100'000;
+constexpr qsizetype maxXforms = 100'000; // per flame
+constexpr qsizetype maxFlames = 200'000; // per file
+constexpr qsizetype mostRefusals = 100;  // told one by one
 
 QList<double> numbers(QStringView text, bool* ok) {
     QList<double> values;
@@ -142,6 +147,10 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
         }
         xform.map = *post * xform.map;
     }
+    if (!isCoefficient(xform.map)) {
+        xform.refusal = Text::tr("a number is larger than a coefficient can be (3.4e38 in size)");
+        return xform;
+    }
     bool ok = false;
     const QList<double> chaos = numbers(attributes.value(QLatin1String("chaos")), &ok);
     if (!ok || std::any_of(chaos.begin(), chaos.end(), [](double v) { return v != 1; }))
@@ -151,7 +160,7 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
         xform.refusal = Text::tr("it takes part without being drawn (opacity 0)");
     if (attributes.hasAttribute(QLatin1String("weight"))) {
         const auto weight = parseNumber(attributes.value(QLatin1String("weight")));
-        if (!weight)
+        if (!weight || !isCoefficient(*weight))
             xform.refusal = Text::tr("its weight is not a number");
         else
             xform.weight = *weight;
@@ -161,7 +170,7 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
 
 class Reader {
 public:
-    Reader(const QByteArray& bytes, FlameAxis axis) : m_xml(bytes), m_axis(axis) {
+    Reader(const QString& text, FlameAxis axis) : m_xml(text), m_axis(axis) {
         // Nothing a flame needs is declared in a document type: an entity is refused, not expanded.
         m_xml.setEntityExpansionLimit(0);
     }
@@ -173,7 +182,13 @@ public:
                 m_xml.raiseError(Text::tr("a document type is not accepted in a flame file"));
                 break;
             }
-            if (m_xml.isStartElement() && m_xml.name() == u"flame") readFlame();
+            if (!m_xml.isStartElement() || m_xml.name() != u"flame") continue;
+            if (m_file.entries.size() + m_refused >= maxFlames) {
+                report(Problem::Severity::Error, {},
+                       Text::tr("The file has more than %1 flames; the rest is left out.").arg(maxFlames));
+                break;
+            }
+            readFlame();
         }
         if (m_xml.hasError()) {
             QString reason = m_xml.errorString();
@@ -181,6 +196,9 @@ public:
             report(Problem::Severity::Error, {}, Text::tr("The XML ends here: %1.").arg(reason));
         } else if (m_file.entries.isEmpty() && m_file.problems.isEmpty())
             report(Problem::Severity::Error, {}, Text::tr("There is no flame in this file."));
+        if (m_refused > mostRefusals)
+            report(Problem::Severity::Error, {},
+                   Text::tr("%1 flames in all are no systems of affine maps.").arg(m_refused));
         return std::move(m_file);
     }
 
@@ -188,6 +206,10 @@ private:
     void report(Problem::Severity severity, const QString& entry, const QString& message) {
         m_file.problems << Problem{severity, entry, int(m_xml.lineNumber()), int(m_xml.columnNumber()) + 1,
                                    message};
+    }
+
+    void refuse(const QString& name, const QString& sentence) {
+        if (++m_refused <= mostRefusals) report(Problem::Severity::Error, name, sentence);
     }
 
     void readFlame() {
@@ -208,7 +230,7 @@ private:
             else if (m_xml.name() == u"layer")
                 refusal = Text::tr("it has layers");
             if (!refusal.isEmpty())
-                report(Problem::Severity::Error, name,
+                refuse(name,
                        Text::tr("The flame “%1” is not a system of affine maps: %2.").arg(name, refusal));
         }
         if (!m_xml.hasError() && refusal.isEmpty()) addEntry(name, std::move(system));
@@ -220,21 +242,23 @@ private:
         const Xform xform = readXform(m_xml.attributes());
         if (!xform.refusal.isEmpty())
             return Text::tr("transform %1: %2").arg(system.maps.size() + 1).arg(xform.refusal);
-        ifs::append(system, m_axis == FlameAxis::Flipped ? flipped(xform.map) : xform.map, xform.weight);
+        system.maps.push_back({.id = static_cast<ifs::MapId>(system.maps.size() + 1),
+                               .map = m_axis == FlameAxis::Flipped ? flipped(xform.map) : xform.map,
+                               .weight = xform.weight});
         return {};
     }
 
     void addEntry(const QString& name, document::System2 system) {
         if (system.maps.empty()) {
-            report(Problem::Severity::Error, name, Text::tr("The flame “%1” has no transforms.").arg(name));
+            refuse(name, Text::tr("The flame “%1” has no transforms.").arg(name));
             return;
         }
         document::Fractal fractal;
-        fractal.name = document::uniqueName(m_file, name.isEmpty() ? QStringLiteral("flame") : name);
+        fractal.name = m_names.give(name.isEmpty() ? QStringLiteral("flame") : name);
         if (fractal.name != name) fractal.headerComment = name;
         fractal.system = std::move(system);
         document::Entry entry;
-        entry.id = document::freshId(m_file);
+        entry.id = static_cast<document::EntryId>(m_file.entries.size() + 1);
         entry.fractal = std::make_shared<const document::Fractal>(std::move(fractal));
         m_file.entries << entry;
     }
@@ -242,6 +266,8 @@ private:
     QXmlStreamReader m_xml;
     FlameAxis m_axis;
     document::FractalFile m_file;
+    document::UniqueNames m_names;
+    qsizetype m_refused = 0;
 };
 
 QString coefficientText(const ifs::AffineMap<2>& map) {
@@ -304,7 +330,11 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
 } // namespace
 
 document::FractalFile readFlame(const QByteArray& bytes, FlameAxis axis) {
-    return Reader(bytes, axis).read();
+    const XmlText xml = xmlText(bytes);
+    if (!xml.failure) return Reader(xml.text, axis).read();
+    document::FractalFile file;
+    file.problems << Problem{Problem::Severity::Error, {}, 0, 0, *xml.failure};
+    return file;
 }
 
 bool looksLikeFlame(const QByteArray& bytes) {

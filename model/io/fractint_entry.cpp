@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint_entry.h"
 
+#include "io/coefficient.h"
 #include "io/own_comments.h"
 
 #include <QCoreApplication>
@@ -9,7 +10,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -61,8 +61,7 @@ Number parse(std::string text) {
     if (text.find_first_of("xX") != std::string::npos)
         return {}; // hexadecimal for some readers, 0 for others
     if (end != last || !isNumberEnd(last[-1])) return {Number::Kind::Trailing, value};
-    if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max()))
-        return {Number::Kind::Huge, value};
+    if (!isCoefficient(value)) return {Number::Kind::Huge, value};
     return {Number::Kind::Good, value};
 }
 
@@ -123,6 +122,7 @@ private:
     void readName();
     void readHeader();
     void readBody();
+    void readSystem();
     void readLine(qsizetype begin, qsizetype end, qsizetype next, int line);
     void readComment(qsizetype begin, qsizetype next, Span comment);
     bool isGlued(qsizetype i, qsizetype begin) const;
@@ -166,21 +166,17 @@ private:
 };
 
 ParsedEntry EntryParser::parse() && {
-    for (qsizetype i = 0; i <= m_text.size(); i = lineEnd(m_text, i, m_lineEnd) + 1)
+    for (qsizetype i = 0; i <= m_text.size() && m_lineBegins.size() <= maxLines;
+         i = lineEnd(m_text, i, m_lineEnd) + 1)
         m_lineBegins.push_back(i);
     readName();
     readHeader();
-    readBody();
-    if (m_entry.layout.block.kind == BlockKind::Unclosed) {
-        fail(m_entry.layout.block.open,
-             Text::tr("The entry that opens here is not closed by “}” before the next "
-                      "entry or the end of the file."));
-    } else if (const auto chosen = chooseReading()) {
-        readNumbers(*chosen);
-        warnAboutReading(*chosen);
-        buildSystem();
-        applyOwnComments();
-        warnAboutWeights();
+    if (m_lineBegins.size() > maxLines) {
+        fail(0, Text::tr("The entry has more than %1 lines, which is the limit; it is kept as text.")
+                    .arg(maxLines));
+    } else {
+        readBody();
+        readSystem();
     }
     if (m_suppressed > 0)
         m_entry.problems.append(
@@ -192,6 +188,20 @@ ParsedEntry EntryParser::parse() && {
     for (Problem& problem : m_entry.problems)
         problem.entry = m_entry.fractal.name;
     return std::move(m_entry);
+}
+
+void EntryParser::readSystem() {
+    if (m_entry.layout.block.kind == BlockKind::Unclosed) {
+        fail(m_entry.layout.block.open,
+             Text::tr("The entry that opens here is not closed by “}” before the next "
+                      "entry or the end of the file."));
+    } else if (const auto chosen = chooseReading()) {
+        readNumbers(*chosen);
+        warnAboutReading(*chosen);
+        buildSystem();
+        applyOwnComments();
+        warnAboutWeights();
+    }
 }
 
 void EntryParser::readName() {
@@ -313,7 +323,7 @@ std::vector<RawToken> EntryParser::splitAtCommas(const std::vector<RawToken>& to
     std::vector<RawToken> parts;
     for (const RawToken& token : tokens) {
         qsizetype begin = token.span.begin;
-        for (qsizetype i = begin; i <= token.span.end; ++i) {
+        for (qsizetype i = begin; i <= token.span.end && parts.size() <= maxNumbers; ++i) {
             if (i < token.span.end && m_text[i] != ',' && m_text[i] != '\'') continue;
             if (i > begin) parts.push_back({{begin, i}, token.line});
             begin = i + 1;
@@ -367,12 +377,15 @@ EntryParser::Reading EntryParser::withHeader(const std::vector<RawToken>& body, 
 }
 
 std::optional<EntryParser::Reading> EntryParser::chooseReading() {
-    if (m_bodyTokens.size() > maxNumbers) {
-        fail(m_bodyTokens.back().span.begin,
+    const auto tooMany = [&](const std::vector<RawToken>& tokens) {
+        if (tokens.size() <= maxNumbers) return false;
+        fail(tokens.back().span.begin,
              Text::tr("The entry has more than %1 maps, which is the limit.").arg(maxMaps));
-        return std::nullopt;
-    }
+        return true;
+    };
+    if (tooMany(m_bodyTokens)) return std::nullopt;
     Reading separated = withHeader(m_bodyTokens, false);
+    if (tooMany(separated.tokens)) return std::nullopt;
     const bool separatedFits = separated.isValid && separated.shape.rowLength != 0;
     if (!m_hasCommas) {
         if (separatedFits) return separated;

@@ -52,7 +52,8 @@ ParsedEntry parseEntry(QByteArrayView text, const Block& block, char lineEndByte
 // UTF-8 where it is valid, else Latin-1.
 QString decoded(QByteArrayView bytes);
 
-constexpr std::size_t maxMaps = 250'000; // per entry
-constexpr qsizetype maxProblems = 10;    // told per entry
+constexpr std::size_t maxMaps = 250'000;    // per entry
+constexpr std::size_t maxLines = 1'000'000; // per entry
+constexpr qsizetype maxProblems = 10;       // told per entry
 
 } // namespace io::fractint

@@ -244,7 +244,7 @@ void FileReader::addEntry(const Block& block) {
     fractint::ParsedEntry parsed = fractint::parseEntry(source->text, inside, m_lineEnd);
     source->fractal = std::move(parsed.fractal);
     if (block.open < 0 && !m_bareName.isEmpty()) {
-        source->fractal.name = document::uniqueName(m_bareName, [](const QString&) { return false; });
+        source->fractal.name = document::uniqueName({}, m_bareName);
         for (Problem& problem : parsed.problems)
             problem.entry = source->fractal.name;
     }

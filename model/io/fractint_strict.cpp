@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "document/unique_names.h"
 #include "io/fractint_rows.h"
 #include "io/fractint_writer.h"
 
 #include <QCoreApplication>
-#include <QSet>
 
 #include <algorithm>
 #include <cmath>
@@ -43,9 +43,9 @@ public:
     StrictText write(const FractalFile& file, const QList<document::EntryId>& only) && {
         for (const Entry& entry : file.entries)
             if (only.isEmpty() || only.contains(entry.id)) append(*entry.fractal);
-        if (m_names.size() > mostEntries)
+        if (m_written > mostEntries)
             warn({}, Text::tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
-                         .arg(m_names.size()));
+                         .arg(m_written));
         return std::move(m_text);
     }
 
@@ -55,6 +55,7 @@ private:
         if (rows.empty())
             return warn(fractal.name, Text::tr("The entry has no map that takes part and is left out."));
         const QByteArray name = strictName(fractal.name);
+        ++m_written;
         if (!m_text.bytes.isEmpty()) m_text.bytes += '\n';
         for (const QString& comment : fractal.comments) // before the entry: Fractint 16–18 accept none inside
             m_text.bytes += "; " + ascii(fractint::storedComment(comment), '?').left(longestLine - 2) + '\n';
@@ -77,14 +78,12 @@ private:
 
     QByteArray strictName(const QString& name) {
         QString legal = QString::fromLatin1(ascii(fractint::storedName(name), '_'));
-        legal = document::uniqueName(
-            legal, [this](const QString& candidate) { return m_names.contains(candidate.toLower()); });
+        legal = m_names.give(legal);
         if (legal != name)
             warn(name, Text::tr("The entry is written under the name “%1”: other programs take 18 plain "
                                 "characters, and each "
                                 "name once.")
                            .arg(legal));
-        m_names.insert(legal.toLower());
         return legal.toLatin1();
     }
 
@@ -130,7 +129,8 @@ private:
         m_text.problems.append({Problem::Severity::Warning, entry, 0, 0, message});
     }
 
-    QSet<QString> m_names; // given so far, in lower case
+    document::UniqueNames m_names;
+    qsizetype m_written = 0; // entries
     StrictText m_text;
 };
 

@@ -23,15 +23,11 @@ bool endsInComment(const QByteArray& bytes) {
     return bytes.indexOf(';', line) >= 0;
 }
 
-qsizetype lineEndsIn(const QByteArray& bytes) {
-    const qsizetype count = bytes.count('\n');
-    return count > 0 ? count : bytes.count('\r');
-}
-
 // Whether `b` stood right after `a` in the file they were read from.
-bool wereNeighbours(const Entry& a, const Entry& b) {
+bool wereNeighbours(const Entry& a, const Entry& b, char lineEndByte) {
     return a.source && b.source &&
-           b.source->line == a.source->line + lineEndsIn(a.source->text) + lineEndsIn(b.source->before);
+           b.source->line ==
+               a.source->line + a.source->text.count(lineEndByte) + b.source->before.count(lineEndByte);
 }
 
 bool endsInBlankLine(const QByteArray& bytes, const QByteArray& lineEnd) {
@@ -57,7 +53,8 @@ public:
 private:
     void separate(const Entry* previous, const Entry& entry) {
         const bool wasFirst = previous == nullptr && entry.source;
-        const bool stays = previous != nullptr ? wereNeighbours(*previous, entry) : wasFirst;
+        const bool stays =
+            previous != nullptr ? wereNeighbours(*previous, entry, m_file.lineEnd.back()) : wasFirst;
         if (isLineOpen(m_bytes) && m_bytes != "\xef\xbb\xbf" && (!stays || endsInComment(m_bytes)))
             m_bytes += m_file.lineEnd;
         if (!entry.source && previous != nullptr && !endsInBlankLine(m_bytes, m_file.lineEnd))

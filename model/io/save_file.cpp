@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QRandomGenerator>
 #include <QSaveFile>
 
 #include <algorithm>
@@ -112,23 +113,30 @@ bool writeAll(int file, const QByteArray& bytes) {
 // Permissions, and owner and group as far as we may, of the file that is about to be replaced.
 void keepAttributes(int file, const QByteArray& path) {
     struct stat old {};
-    if (::stat(path.constData(), &old) == 0) {
-        if (::fchown(file, old.st_uid, old.st_gid) != 0 &&
-            ::fchown(file, static_cast<uid_t>(-1), old.st_gid) != 0)
-            old.st_mode &= static_cast<mode_t>(~(S_ISUID | S_ISGID));
-        ::fchmod(file, old.st_mode & 07777);
-        return;
+    if (::stat(path.constData(), &old) != 0) return;
+    if (::fchown(file, old.st_uid, old.st_gid) != 0 &&
+        ::fchown(file, static_cast<uid_t>(-1), old.st_gid) != 0)
+        old.st_mode &= static_cast<mode_t>(~(S_ISUID | S_ISGID));
+    ::fchmod(file, old.st_mode & 07777);
+}
+
+// A new file beside `path` for what is to replace it. What others may not read is theirs at no moment.
+int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* name) {
+    constexpr int attempts = 100;
+    const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // the umask is taken from it
+    for (int i = 0; i < attempts; ++i) {
+        *name = folder + "/.barycage-" + QByteArray::number(QRandomGenerator::system()->generate64(), 36);
+        const int file = ::open(name->constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (file >= 0 || errno != EEXIST) return file;
     }
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::fchmod(file, 0666 & ~mask);
+    return -1;
 }
 
 Failure replace(const QString& path, const QByteArray& bytes) {
     const QByteArray name = QFile::encodeName(path);
     const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
-    QByteArray temporary = folder + "/.barycage-XXXXXX";
-    const Descriptor file(::mkstemp(temporary.data()));
+    QByteArray temporary;
+    const Descriptor file(createBeside(folder, name, &temporary));
     if (!file.isOpen()) return reason(errno, path);
     keepAttributes(file.number(), name);
     if (!writeAll(file.number(), bytes) || ::fsync(file.number()) != 0 ||

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/svg_system.h"
 
+#include "io/xml_text.h"
+
 #include <QCoreApplication>
 #include <QXmlStreamReader>
 
@@ -41,7 +43,9 @@ bool looksLikeSvg(const QByteArray& bytes) {
 }
 
 EmbeddedSystem readSvgSystem(const QByteArray& bytes) {
-    QXmlStreamReader xml(bytes);
+    const XmlText svg = xmlText(bytes);
+    if (svg.failure) return {{}, svg.failure};
+    QXmlStreamReader xml(svg.text);
     while (!xml.atEnd()) {
         xml.readNext();
         if (xml.isDTD())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/table_reader.h"
 
+#include "io/coefficient.h"
 #include "io/number.h"
 #include "io/written_weights.h"
 
@@ -17,6 +18,8 @@ namespace {
 using document::Problem;
 
 constexpr qsizetype maxRows = 250'000;
+constexpr qsizetype longestRow =
+    maxRows + 1; // cells: a label, and of a table that has a column for every map
 constexpr qsizetype maxProblems = 10;
 
 struct Text {
@@ -52,7 +55,7 @@ bool isSeparator(QChar c, const Dialect& dialect) {
 }
 
 // Blanks inside a cell separate numbers as well: "0.5 0; 0 0.5" is two cells with two numbers each.
-Row cellsOf(const QString& text, int line, const Dialect& dialect) {
+Row cellsOf(QStringView text, int line, const Dialect& dialect) {
     Row cells;
     Cell cell;
     cell.line = line;
@@ -61,6 +64,7 @@ Row cellsOf(const QString& text, int line, const Dialect& dialect) {
         if (c == QLatin1Char(';') && dialect.separator != Separator::Semicolon) break; // a comment
         if (isSeparator(c, dialect) || c.isSpace()) {
             if (!cell.text.isEmpty()) cells << cell;
+            if (cells.size() > longestRow) return cells;
             cell.text.clear();
         } else {
             if (cell.text.isEmpty()) cell.column = column;
@@ -91,27 +95,27 @@ std::optional<double> value(QString text, const Dialect& dialect) {
 
 // Semicolons or tabs between all numbers of a row leave the comma free to be the decimal one. Fewer
 // semicolons begin a comment, as in Fractint's files.
-Dialect dialectOf(const QStringList& lines) {
+Dialect dialectOf(QStringView text) {
     constexpr qsizetype fewestSeparators = 5;
-    const auto separates = [&](QChar c) {
-        return std::any_of(lines.begin(), lines.end(),
-                           [c](const QString& line) { return line.trimmed().count(c) >= fewestSeparators; });
-    };
-    const bool comma = std::any_of(lines.begin(), lines.end(), [](const QString& line) {
-        return line.section(QLatin1Char(';'), 0, 0).contains(QLatin1Char(','));
-    });
-    const bool anyComma = std::any_of(lines.begin(), lines.end(),
-                                      [](const QString& line) { return line.contains(QLatin1Char(',')); });
-    if (separates(QLatin1Char(';'))) return {Separator::Semicolon, anyComma};
-    if (separates(QLatin1Char('\t'))) return {Separator::Tab, comma};
+    bool semicolons = false;
+    bool tabs = false;
+    bool comma = false; // outside of comments
+    for (const QStringView line : text.tokenize(u'\n')) {
+        semicolons = semicolons || line.count(u';') >= fewestSeparators;
+        tabs = tabs || line.trimmed().count(u'\t') >= fewestSeparators;
+        const qsizetype comment = line.indexOf(u';');
+        comma = comma || line.first(comment < 0 ? line.size() : comment).contains(u',');
+    }
+    if (semicolons) return {Separator::Semicolon, text.contains(u',')};
+    if (tabs) return {Separator::Tab, comma};
     return {comma ? Separator::Comma : Separator::Blank, false};
 }
 
 class TableParser {
 public:
     TableParser(const QString& text, const std::optional<TableColumns>& columns)
-        : m_lines(linesOf(text)),
-          m_dialect(dialectOf(m_lines)),
+        : m_text(withLineFeeds(text)),
+          m_dialect(dialectOf(m_text)),
           m_chosen(columns.has_value()),
           m_columns(columns.value_or(fractintColumns())) {
         m_table.isOrdered = m_chosen;
@@ -120,16 +124,15 @@ public:
     bool beginsWithMatrices() && { return beginsWithACount(rows(5)); }
 
     Table read() && {
-        m_next = 0;
         const QList<Row> beginning = rows(mostTransposed + 1);
         if (beginsWithACount(beginning)) {
-            m_next = 0;
+            startOver();
             readMatrices();
         } else if (const auto turned = transposed(beginning)) {
             for (const Row& row : *turned)
                 readRow(row);
         } else {
-            m_next = 0;
+            startOver();
             for (QList<Row> row = rows(1); !row.isEmpty() && m_table.problems.size() < maxProblems;
                  row = rows(1))
                 readRow(row.first());
@@ -144,18 +147,23 @@ public:
 private:
     static constexpr qsizetype mostTransposed = 12; // rows of a table that has a column for every map
 
-    static QStringList linesOf(QString text) {
-        text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"))
+    static QString withLineFeeds(QString text) {
+        return text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"))
             .replace(QLatin1Char('\r'), QLatin1Char('\n'));
-        return text.split(QLatin1Char('\n'));
     }
+
+    void startOver() { m_next = m_line = 0; }
 
     // The next rows that are not empty, at most so many.
     QList<Row> rows(qsizetype most) {
         QList<Row> found;
-        for (; m_next < m_lines.size() && found.size() < most; ++m_next)
-            if (Row cells = cellsOf(m_lines[m_next], int(m_next) + 1, m_dialect); !cells.isEmpty())
-                found << std::move(cells);
+        while (m_next < m_text.size() && found.size() < most) {
+            const qsizetype feed = m_text.indexOf(u'\n', m_next);
+            const qsizetype end = feed < 0 ? m_text.size() : feed;
+            Row cells = cellsOf(QStringView(m_text).sliced(m_next, end - m_next), ++m_line, m_dialect);
+            if (!cells.isEmpty()) found << std::move(cells);
+            m_next = end + 1;
+        }
         return found;
     }
 
@@ -259,6 +267,10 @@ private:
             if (!number) return fail(cell, Text::tr("“%1” is not a decimal number.").arg(cell.text.left(40)));
             numbers.push_back(*number);
         }
+        if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return isCoefficient(number); }))
+            return fail(
+                cells.first(),
+                Text::tr("A number of this row is larger than a coefficient can be (3.4e38 in size)."));
         if (static_cast<qsizetype>(m_table.rows.size()) >= maxRows)
             return fail(cells.first(),
                         Text::tr("The table has more than %1 rows, which is the limit.").arg(maxRows));
@@ -280,11 +292,12 @@ private:
         m_table.problems.append({Problem::Severity::Error, {}, line, line == 0 ? 0 : where.column, message});
     }
 
-    QStringList m_lines;
+    QString m_text; // lines end in LF
     Dialect m_dialect;
     bool m_chosen;
     TableColumns m_columns;
-    qsizetype m_next = 0; // of the lines
+    qsizetype m_next = 0; // where the next line begins
+    int m_line = 0;       // lines before it
     bool m_hasHeader = false;
     Row m_unknownHeader;
     Table m_table;
@@ -293,7 +306,25 @@ private:
 } // namespace
 
 Table readTable(const QString& text, const std::optional<TableColumns>& columns) {
+    if (text.size() > largestTable) {
+        Table table;
+        table.problems.append(
+            {Problem::Severity::Error,
+             {},
+             0,
+             0,
+             Text::tr("The text has more than 64 MB, which is the limit for a table of numbers.")});
+        return table;
+    }
     return TableParser(text, columns).read();
+}
+
+ifs::IteratedFunctionSystem<2> systemOf(const Table& table) {
+    ifs::IteratedFunctionSystem<2> system{table.rows};
+    std::uint32_t number = 0;
+    for (auto& map : system.maps)
+        map.id = static_cast<ifs::MapId>(++number);
+    return system;
 }
 
 bool beginsWithMatrices(const QString& beginning) {

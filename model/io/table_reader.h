@@ -23,6 +23,11 @@ struct Table {
 };
 Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt);
 
+// The rows as a system, numbered from 1.
+ifs::IteratedFunctionSystem<2> systemOf(const Table& table);
+
+constexpr qsizetype largestTable = 64 * 1024 * 1024; // characters
+
 // Whether a text begins like a count and matrices, whose numbers could be taken for rows of 7.
 bool beginsWithMatrices(const QString& beginning);
 

@@ -31,6 +31,7 @@ QString ThumbnailCache::usualFolder() {
 ThumbnailCache::ThumbnailCache(const QString& folder, qint64 mostBytes)
     : m_folder(folder), m_mostBytes(mostBytes) {
     QDir().mkpath(folder);
+    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     for (const QFileInfo& file : picturesIn(folder))
         m_bytes += file.size();
     makeRoom();

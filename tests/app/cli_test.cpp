@@ -33,6 +33,7 @@ private slots:
     void unknownFactsAreNull();
     void brokenEntries();
     void standardInput();
+    void standardInputHasALimit();
     void sameBytesForAnyThreads();
     void pictureReopens_data();
     void pictureReopens();
@@ -413,6 +414,18 @@ void CliTest::standardInput() {
     const QJsonDocument json = QJsonDocument::fromJson(result.out);
     QCOMPARE(json[QLatin1String("file")].toString(), QStringLiteral("-"));
     QCOMPARE(json[QLatin1String("entries")].toArray().size(), 3);
+}
+
+void CliTest::standardInputHasALimit() {
+    QFile large(path("large"));
+    QVERIFY(large.open(QIODevice::WriteOnly) && large.resize(257LL * 1024 * 1024)); // sparse
+    QProcess process;
+    process.setStandardInputFile(large.fileName());
+    process.start(QStringLiteral(BARYCAGE_CLI), {QStringLiteral("info"), QStringLiteral("-")});
+    QVERIFY(process.waitForFinished(120'000));
+    QVERIFY(process.exitCode() != 0);
+    QVERIFY(process.readAllStandardError().contains("256 MB"));
+    large.remove();
 }
 
 void CliTest::sameBytesForAnyThreads() {

@@ -2,12 +2,14 @@
 #include "dialogs/preferences_dialog.h"
 #include "main_window.h"
 #include "preferences.h"
+#include "recovery.h"
 #include "session.h"
 #include "support/paths.h"
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QMessageBox>
 #include <QSettings>
@@ -23,6 +25,7 @@ private slots:
     void initTestCase();
     void cleanup();
     void brokenPathsShareOneWindow();
+    void saysWhenWorkCannotBeKept();
     void aNarrowWindowIsHalfPicture_data();
     void aNarrowWindowIsHalfPicture();
     void preferencesReachEveryWindow();
@@ -62,6 +65,25 @@ void MainWindowTest::brokenPathsShareOneWindow() {
     QCOMPARE(windows().size(), 2);
     for (MainWindow* window : windows())
         QVERIFY(window->windowTitle().startsWith(QStringLiteral("shapes.ifs")));
+}
+
+// A file stands where the folder for recovery should be; what was recovered is not taken away before it is
+// kept.
+void MainWindowTest::saysWhenWorkCannotBeKept() {
+    const QTemporaryDir old;
+    const QString journal = old.filePath(QStringLiteral("old.journal"));
+    QFile(journal).open(QIODevice::WriteOnly);
+    QDir(Recovery::folder()).removeRecursively();
+    QDir().mkpath(QFileInfo(Recovery::folder()).path());
+    QFile inTheWay(Recovery::folder());
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    auto* window = new MainWindow;
+    window->openRecovered({journal, {{}, QStringLiteral("old"), 0, {}, "a { .5 0 0 .5 0 0 1 }\n"}});
+    const auto boxes = window->findChildren<QMessageBox*>();
+    QCOMPARE(boxes.size(), 1);
+    QVERIFY(boxes.first()->informativeText().contains(QStringLiteral("cannot be kept")));
+    QVERIFY(QFile::exists(journal));
+    inTheWay.remove();
 }
 
 void MainWindowTest::aNarrowWindowIsHalfPicture_data() {

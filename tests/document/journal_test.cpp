@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/journal.h"
+#include "support/unprivileged.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -20,6 +22,8 @@ private slots:
     void discardedWorkIsNotOffered();
     void damagedJournalsAreIgnored();
     void onlyTheOwnerMayRead();
+    void aFolderThatMayNotBeWrittenIsSaid();
+    void hostileRecoveryFilesAreIgnored();
 };
 
 namespace {
@@ -109,6 +113,34 @@ void JournalTest::onlyTheOwnerMayRead() {
     const auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
     QVERIFY(!(QFile::permissions(folder) & others));
     QVERIFY(!(QFile::permissions(QDir(folder).filePath(journalsIn(folder).value(0))) & others));
+}
+
+void JournalTest::aFolderThatMayNotBeWrittenIsSaid() {
+    const QTemporaryDir folder;
+    Journal journal(folder.path());
+    const support::Unprivileged nobody(folder.path());
+    QVERIFY(nobody.isInForce());
+    QVERIFY(journal.write(snapshot("kept")));
+    QVERIFY(QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::ExeOwner));
+    const bool written = journal.write(snapshot("lost"));
+    QVERIFY(QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+    QVERIFY(!written);
+    QFile file(folder.filePath(journalsIn(folder.path()).value(0)));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const auto kept = document::snapshotIn(file.readAll());
+    QVERIFY(kept && kept->bytes == "kept");
+}
+
+void JournalTest::hostileRecoveryFilesAreIgnored() {
+    const QByteArray digest = QCryptographicHash::hash({}, QCryptographicHash::Sha256).toHex();
+    const QByteArray head = "barycage-journal 1\n";
+    QVERIFY(document::snapshotIn(head + R"({"sha256":")" + digest + "\"}\n")); // nothing else is needed
+    QVERIFY(!document::snapshotIn(head + R"({"sha256":")" + digest + "\"}\nx"));
+    QVERIFY(!document::snapshotIn(head + QByteArray("[").repeated(100'000) + "\n"));
+    QVERIFY(!document::snapshotIn(head + R"({"sha256":1})" + "\n"));
+    const auto odd =
+        document::snapshotIn(head + R"({"current":1e300,"when":[],"title":{},"sha256":")" + digest + "\"}\n");
+    QVERIFY(odd && odd->current == 0 && odd->title.isEmpty() && !odd->when.isValid());
 }
 
 int main(int argc, char** argv) {

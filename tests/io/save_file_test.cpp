@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/save_file.h"
+#include "support/unprivileged.h"
 
 #include <QDir>
 #include <QFile>
@@ -12,6 +13,7 @@
 #ifdef Q_OS_UNIX
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -103,7 +105,8 @@ private slots:
 
 #ifdef Q_OS_UNIX
     void readOnlyFileAndFolder() {
-        if (::geteuid() == 0) QSKIP("root may write everywhere");
+        const support::Unprivileged nobody(m_folder->path());
+        QVERIFY(nobody.isInForce());
         put(m_path, "old");
         QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner));
         io::Failure failure = io::saveFile(m_path, "new");
@@ -115,6 +118,30 @@ private slots:
             QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
         QVERIFY(failure && failure->contains(QStringLiteral("may not write")));
         QCOMPARE(contents(m_path), QByteArray("old"));
+    }
+
+    void unreadableFile() {
+        const support::Unprivileged nobody(m_folder->path());
+        QVERIFY(nobody.isInForce());
+        put(m_path, "secret");
+        QVERIFY(QFile::setPermissions(m_path, QFile::WriteOwner));
+        const io::Loaded loaded = io::loadFile(m_path);
+        QVERIFY(loaded.bytes.isEmpty());
+        QVERIFY(loaded.failure && loaded.failure->contains(QStringLiteral("cannot be read")));
+    }
+
+    // Neither the new file nor the one it is written to first.
+    void nobodyElseReadsWhatIsPrivate() {
+        const mode_t before = ::umask(0077);
+        const io::Failure failure = io::saveFile(m_path, "new");
+        ::umask(before);
+        QCOMPARE(failure, io::Failure());
+        const auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+        QVERIFY(!(QFile::permissions(m_path) & others));
+        QCOMPARE(io::saveFile(m_folder->filePath(QStringLiteral("b.ifs")), "new"), io::Failure());
+        const bool isShared = (before & 0004) == 0;
+        QCOMPARE(bool(QFile::permissions(m_folder->filePath(QStringLiteral("b.ifs"))) & QFile::ReadOther),
+                 isShared);
     }
 
     // A limit on the size of files stands in for a full disk: the write fails halfway.

@@ -66,6 +66,7 @@ private slots:
     void insertedBehind();
     void insertedAtEnd();
     void insertedNamesAreUnique();
+    void aHundredThousandAreInserted();
     void unreadableKeepsItsSource();
     void removedKeepsTheHeadOfTheFile();
     void removedLastKeepsTheHeadOfTheFile();
@@ -94,6 +95,15 @@ void EntriesEditsTest::insertedAtEnd() {
     const auto result = view::inserted(fileOfEntries(2), {readEntry(9)}, EntryId::None);
     QCOMPARE(names(result.file), (QStringList{u"e1"_s, u"e2"_s, u"e9"_s}));
     QCOMPARE(view::inserted(FractalFile(), {readEntry(9)}, id(4)).file.entries.size(), 1);
+}
+
+void EntriesEditsTest::aHundredThousandAreInserted() {
+    constexpr int count = 100'000;
+    const QList<Entry> many(count, readEntry(1));
+    auto result = view::inserted(fileOfEntries(3), many, id(1));
+    QCOMPARE(result.file.entries.size(), count + 3);
+    QCOMPARE(result.file.entries[count].fractal->name, u"e1_%1"_s.arg(count + 1));
+    QCOMPARE(view::removed(std::move(result.file), result.ids).entries.size(), 3);
 }
 
 void EntriesEditsTest::insertedNamesAreUnique() {

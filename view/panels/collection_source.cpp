@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -68,9 +67,12 @@ QString bundledFolder() {
 }
 
 QJsonArray themesIn(const QString& folder) {
-    QFile index(folder + QStringLiteral("/index.json"));
-    if (!index.open(QIODevice::ReadOnly)) return {};
-    return QJsonDocument::fromJson(index.readAll()).object().value(QLatin1String("themes")).toArray();
+    const QString index = folder + QStringLiteral("/index.json");
+    if (!QFileInfo(index).isFile()) return {};
+    return QJsonDocument::fromJson(io::loadFile(index).bytes)
+        .object()
+        .value(QLatin1String("themes"))
+        .toArray();
 }
 
 } // namespace

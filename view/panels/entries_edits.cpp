@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/entries_edits.h"
 
+#include "document/unique_names.h"
+
 #include <QCoreApplication>
+#include <QSet>
 
 #include <algorithm>
 #include <utility>
@@ -49,6 +52,10 @@ void keepTextAtTop(FractalFile& file, const FractalFile& original) {
     if (place >= 0) setTextAbove(file.entries[place], own);
 }
 
+QSet<EntryId> setOf(const QList<EntryId>& ids) {
+    return {ids.begin(), ids.end()};
+}
+
 bool isTaken(const FractalFile& file, EntryId id, const QString& name) {
     return std::any_of(file.entries.begin(), file.entries.end(), [&](const Entry& entry) {
         return entry.id != id && entry.fractal->name.compare(name, Qt::CaseInsensitive) == 0;
@@ -61,30 +68,39 @@ Inserted inserted(FractalFile file, const QList<Entry>& entries, EntryId after) 
     Inserted result;
     qsizetype place = document::indexOf(file, after) + 1;
     if (place == 0) place = file.entries.size();
+    document::UniqueNames names;
+    for (const Entry& entry : std::as_const(file.entries))
+        names.take(entry.fractal->name);
+    auto id = static_cast<std::uint32_t>(document::freshId(file));
+    const QList<Entry> behind = file.entries.mid(place);
+    file.entries.resize(place);
     for (Entry entry : entries) {
-        entry.id = document::freshId(file);
-        if (document::dimension(*entry.fractal) != 0) {
+        entry.id = static_cast<EntryId>(id++);
+        if (document::dimension(*entry.fractal) == 0) {
+            names.take(entry.fractal->name);
+        } else {
             document::Fractal fractal = *entry.fractal;
-            fractal.name = document::uniqueName(file, fractal.name);
+            fractal.name = names.give(fractal.name);
             entry.fractal = std::make_shared<const document::Fractal>(std::move(fractal));
         }
         result.ids.append(entry.id);
-        file.entries.insert(place++, std::move(entry));
+        file.entries.append(std::move(entry));
     }
+    file.entries.append(behind);
     result.file = std::move(file);
     return result;
 }
 
 FractalFile removed(FractalFile file, const QList<EntryId>& ids) {
     const FractalFile original = file;
-    file.entries.removeIf([&ids](const Entry& entry) { return ids.contains(entry.id); });
+    file.entries.removeIf([gone = setOf(ids)](const Entry& entry) { return gone.contains(entry.id); });
     keepTextAtTop(file, original);
     return file;
 }
 
 FractalFile moved(FractalFile file, const QList<EntryId>& ids, EntryId before) {
     const FractalFile original = file;
-    const auto isMoving = [&ids](const Entry& entry) { return ids.contains(entry.id); };
+    const auto isMoving = [moving = setOf(ids)](const Entry& entry) { return moving.contains(entry.id); };
     qsizetype place = document::indexOf(file, before);
     if (place < 0) place = file.entries.size();
     const auto target = file.entries.begin() + place;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QHash>
+#include <QSet>
+#include <QString>
+
+namespace document {
+
+// Names for one entry after the other, each made legal and given once, ignoring case, in a time that does not
+// grow with their number: at most 18 bytes, no blanks, parentheses, braces, ; or :.
+class UniqueNames {
+public:
+    void take(const QString& name); // as it is
+    QString give(const QString& name);
+
+private:
+    QSet<QString> m_taken;         // case-folded
+    QHash<QString, int> m_numbers; // the one to try next behind a legal, case-folded name
+};
+
+} // namespace document

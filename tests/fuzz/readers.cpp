@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/readers.h"
+
+#include "document/journal.h"
+#include "io/collection_reader.h"
+#include "io/fractint_reader.h"
+#include "io/fractint_writer.h"
+#include "io/own_comments.h"
+#include "io/palette_reader.h"
+#include "io/palette_stops.h"
+#include "io/png_system.h"
+#include "io/svg_system.h"
+#include "io/table_reader.h"
+#include "io/unrelated_format.h"
+
+#include <QtEndian>
+
+#include <zlib.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+namespace fuzz {
+
+namespace {
+
+using document::Problem;
+
+void promise(bool kept, const char* what) {
+    if (kept) return;
+    std::fprintf(stderr, "broken promise: %s\n", what);
+    std::abort();
+}
+
+template <int Dim> void checkNumbers(const ifs::IteratedFunctionSystem<Dim>& system) {
+    for (const auto& map : system.maps)
+        promise(map.map.linear.allFinite() && map.map.translation.allFinite() &&
+                    std::isfinite(map.weight.value_or(0)),
+                "every number is finite");
+}
+
+void check(const document::Problems& problems) {
+    for (const Problem& problem : problems)
+        promise(!problem.message.isEmpty() && problem.line >= 0 && problem.column >= 0,
+                "a problem has a sentence and a place");
+}
+
+void check(const document::Fractal& fractal) {
+    if (const auto* plane = document::system2(fractal)) checkNumbers(*plane);
+    if (const auto* space = std::get_if<document::System3>(&fractal.system)) checkNumbers(*space);
+    promise(io::isGradient(fractal.appearance.palette.stops), "a palette is a gradient");
+    promise(fractal.appearance.brightness > 0 && fractal.appearance.gamma > 0, "a picture can be drawn");
+    if (fractal.cage) promise(ifs::isValid(*fractal.cage), "a cage can be used");
+}
+
+void check(const document::FractalFile& file) {
+    check(file.problems);
+    for (const document::Entry& entry : file.entries) {
+        promise(entry.fractal != nullptr, "an entry has a fractal");
+        check(*entry.fractal);
+        check(entry.problems);
+    }
+}
+
+// What an entry says when it has been written afresh. Weights that were never given are written out.
+void checkRewritten(const document::Fractal& fractal) {
+    const auto* maps = document::system2(fractal);
+    if (maps == nullptr || maps->maps.empty()) return;
+    const document::FractalFile back = io::readFractint(io::writeEntry(fractal));
+    promise(back.entries.size() == 1, "an entry that is written is one entry");
+    document::Fractal before = io::asStored(fractal);
+    document::Fractal after = io::asStored(*back.entries.first().fractal);
+    const auto* rows = document::system2(after);
+    promise(rows != nullptr && rows->maps.size() == maps->maps.size(),
+            "an entry that is written keeps its maps");
+    for (std::size_t i = 0; i < maps->maps.size(); ++i)
+        promise(rows->maps[i].map == maps->maps[i].map && rows->maps[i].enabled == maps->maps[i].enabled,
+                "an entry that is written keeps its numbers");
+    promise(before.cage == after.cage && before.appearance == after.appearance,
+            "an entry that is written keeps its cage and appearance");
+}
+
+// The same file with its first system changed holds the change and all else.
+void checkEdited(document::FractalFile file) {
+    for (document::Entry& entry : file.entries) {
+        if (document::dimension(*entry.fractal) != 2) continue;
+        document::Fractal changed = *entry.fractal;
+        auto& maps = document::system2(changed)->maps;
+        maps.front().map.linear(0, 1) = -0.0625;
+        if (maps.size() > 1) maps.pop_back();
+        changed.cage.reset();
+        entry.fractal = std::make_shared<const document::Fractal>(std::move(changed));
+        break;
+    }
+    const QByteArray text = io::writeFractint(file);
+    // A few odd bytes are no reason to take a text for something else, until the text gets shorter.
+    if (io::unrelatedFormat(text)) return;
+    const document::FractalFile back = io::readFractint(text, QStringLiteral("bare"));
+    promise(back.entries.size() == file.entries.size(), "an edit of one entry changes no other");
+    for (qsizetype i = 0; i < file.entries.size(); ++i) {
+        const auto* wanted = document::system2(*file.entries[i].fractal);
+        const auto* found = document::system2(*back.entries[i].fractal);
+        promise((wanted == nullptr) == (found == nullptr), "an edit leaves systems systems");
+        if (wanted == nullptr) continue;
+        promise(wanted->maps.size() == found->maps.size(), "an edit is written");
+        for (std::size_t k = 0; k < wanted->maps.size(); ++k)
+            promise(wanted->maps[k].map == found->maps[k].map, "an edit is written exactly");
+    }
+}
+
+void readFractint(const QByteArray& bytes) {
+    const document::FractalFile file = io::readFractint(bytes, QStringLiteral("bare"));
+    check(file);
+    promise(!file.entries.isEmpty() || !file.problems.isEmpty(), "nothing to show is a problem");
+    promise(io::writeFractint(file) == bytes, "a file nobody touched is written byte for byte");
+    if (!file.entries.isEmpty()) checkRewritten(*file.entries.first().fractal);
+    checkEdited(file);
+}
+
+// What the program opens, whatever it is.
+void readCollection(const QByteArray& bytes) {
+    const io::Collection collection = io::readCollection(bytes, QStringLiteral("some.csv"));
+    check(collection.file);
+    promise(!collection.file.entries.isEmpty() || !collection.file.problems.isEmpty(),
+            "nothing to show is a problem");
+}
+
+void readFlame(const QByteArray& bytes) {
+    const document::FractalFile file = io::readFlame(bytes);
+    check(file);
+    QList<std::shared_ptr<const document::Fractal>> fractals;
+    for (const document::Entry& entry : file.entries)
+        fractals << entry.fractal;
+    const document::FractalFile back = io::readFlame(io::writeFlame(fractals));
+    promise(back.entries.size() == file.entries.size(), "flames that are written read back");
+    for (qsizetype i = 0; i < file.entries.size(); ++i) {
+        const auto &a = document::system2(*file.entries[i].fractal)->maps,
+                   &b = document::system2(*back.entries[i].fractal)->maps;
+        promise(a.size() == b.size(), "a flame that is written keeps its maps");
+        for (std::size_t k = 0; k < a.size(); ++k)
+            promise(a[k].map == b[k].map, "a flame that is written keeps its numbers");
+    }
+}
+
+void readTable(const QByteArray& bytes) {
+    const QString text = QString::fromUtf8(bytes);
+    for (const auto& columns : {std::optional<io::TableColumns>(),
+                                io::tableColumns(QStringLiteral("r s theta phi e f cumulative"))}) {
+        const io::Table table = io::readTable(text, columns);
+        check(table.problems);
+        checkNumbers(ifs::IteratedFunctionSystem<2>{table.rows});
+        promise(!table.rows.empty() || !table.problems.isEmpty(), "no rows is a problem");
+        if (columns || !table.problems.isEmpty()) continue;
+        const io::Table back = io::readTable(io::writeTable(table.rows));
+        promise(back.rows.size() == table.rows.size(), "a table that is copied can be pasted");
+        for (std::size_t i = 0; i < table.rows.size(); ++i)
+            promise(back.rows[i].map == table.rows[i].map, "a table that is copied keeps its numbers");
+    }
+}
+
+void readPalettes(const QByteArray& bytes) {
+    const io::PaletteFile file = io::readPalettes(bytes, QStringLiteral("palette"));
+    check(file.problems);
+    promise(!file.palettes.empty() || !file.problems.isEmpty(), "no palette is a problem");
+    for (const attractor::Palette& palette : file.palettes) {
+        promise(io::isGradient(palette.stops), "a palette is a gradient");
+        const io::PaletteFile back = io::readPalettes(io::writeGimpPalette(palette), {});
+        promise(back.palettes.size() == 1 && back.palettes.front().stops == palette.stops,
+                "a palette that is written reads back");
+    }
+}
+
+// With checksums that fit, or what is inside would hardly ever be looked at.
+QByteArray withChecksums(QByteArray png) {
+    constexpr qsizetype head = 8; // the signature, and the length and type of a chunk
+    for (qsizetype at = head; at + 12 <= png.size();) {
+        const auto length = qFromBigEndian<quint32>(png.constData() + at);
+        if (qint64(length) > png.size() - at - 12) break;
+        const auto sum =
+            quint32(crc32(0, reinterpret_cast<const Bytef*>(png.constData() + at + 4), uInt(length + 4)));
+        qToBigEndian(sum, png.data() + at + 8 + length);
+        at += 12 + qsizetype(length);
+    }
+    return png;
+}
+
+void readPng(const QByteArray& bytes) {
+    for (const QByteArray& png : {bytes, withChecksums(bytes)}) {
+        const io::EmbeddedSystem system = io::readPngSystem(png);
+        promise(!system.failure || system.text.isEmpty(), "a failure gives no text");
+        promise(system.failure || png.startsWith("\x89PNG"), "only pictures carry systems");
+    }
+}
+
+void readSvg(const QByteArray& bytes) {
+    const io::EmbeddedSystem system = io::readSvgSystem(bytes);
+    promise(!system.failure || system.text.isEmpty(), "a failure gives no text");
+    promise(system.text.size() <= bytes.size() * 3, "no entity is expanded");
+}
+
+void readJournal(const QByteArray& bytes) {
+    if (const auto snapshot = document::snapshotIn(bytes))
+        promise(document::snapshotIn(document::recoveryFile(*snapshot)) == snapshot,
+                "a recovery file is what it says");
+    // The digest in front keeps changed bytes out; these are what a window might have kept.
+    const document::Snapshot kept{QString::fromLatin1(bytes.left(20)), QString::fromUtf8(bytes.left(40)), 1,
+                                  QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC), bytes};
+    const auto back = document::snapshotIn(document::recoveryFile(kept));
+    promise(back && back->bytes == bytes && back->path == kept.path, "what is kept can be recovered");
+}
+
+// Our own comment lines, one a line, on a system of three maps.
+void readOwnComments(const QByteArray& bytes) {
+    io::OwnComments comments;
+    for (const QByteArray& line : bytes.split('\n'))
+        comments.read(line.contains("barycage:") ? line.sliced(line.indexOf("barycage:"))
+                                                 : "barycage: " + line);
+    document::Fractal fractal = document::sierpinskiTriangle();
+    for (const QString& sentence : comments.applyTo(fractal))
+        promise(!sentence.isEmpty(), "what does not fit is said");
+    check(fractal);
+    for (const QByteArray& line : io::ownComments(fractal))
+        promise(line.size() < 70 || line.contains("palette"), "a line of ours is short");
+    checkRewritten(fractal);
+}
+
+} // namespace
+
+std::span<const Reader> readers() {
+    static const std::vector<Reader> all{
+        {"fractint", readFractint, {"ifs", "par"}},
+        {"collection",
+         readCollection,
+         {"ifs", "par", "flame", "flam3", "xml", "csv", "tsv", "txt", "svg", "png"}},
+        {"flame", readFlame, {"flame", "flam3", "xml"}},
+        {"table", readTable, {"csv", "tsv", "txt"}},
+        {"palettes", readPalettes, {"gpl", "ugr", "map"}},
+        {"png", readPng, {"png"}},
+        {"svg", readSvg, {"svg"}},
+        {"journal", readJournal, {"journal"}},
+        {"own_comments", readOwnComments, {"comments"}},
+    };
+    return all;
+}
+
+} // namespace fuzz

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "io/collection_reader.h"
+#include "io/fractint_reader.h"
+#include "io/fractint_writer.h"
+#include "io/palette_reader.h"
+#include "io/png_system.h"
+#include "io/svg_system.h"
+
+#include <QTest>
+#include <QtEndian>
+
+#include <random>
+
+#include <sys/resource.h>
+#include <zlib.h>
+
+using document::FractalFile;
+
+// Files that cost as much as a file can. Memory is limited to 2 GB for the whole of this program, and
+// whatever grows with the square of the size never ends here.
+class HostileFilesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void hugeFiles_data();
+    void hugeFiles();
+    void manyMapsInEveryFormat_data();
+    void manyMapsInEveryFormat();
+    void manyEntriesOfOneName();
+    void manyFlamesOfOneName();
+    void aCompressedTextDoesNotGrowWithoutEnd();
+    void hugePalettes();
+};
+
+namespace {
+
+constexpr qsizetype huge = 100'000'000; // bytes
+
+QByteArray filled(const QByteArray& beginning, const QByteArray& piece, qsizetype size = huge) {
+    QByteArray bytes = beginning;
+    bytes.reserve(size + piece.size());
+    const QByteArray block = piece.repeated(std::max<qsizetype>(1, 65536 / piece.size()));
+    while (bytes.size() < size)
+        bytes += block;
+    return bytes;
+}
+
+QByteArray noise() {
+    std::mt19937_64 random(1);
+    QByteArray bytes(huge, Qt::Uninitialized);
+    for (char& c : bytes)
+        c = char(random());
+    return bytes;
+}
+
+QString everythingSaid(const FractalFile& file) {
+    QStringList said;
+    for (const auto& problem : file.problems)
+        said << problem.message;
+    for (const auto& entry : file.entries.first(std::min<qsizetype>(file.entries.size(), 10)))
+        for (const auto& problem : entry.problems)
+            said << problem.message;
+    return said.join(u'\n');
+}
+
+} // namespace
+
+void HostileFilesTest::initTestCase() {
+#if !defined(__SANITIZE_ADDRESS__)
+    const rlimit twoGigabytes{2UL << 30, 2UL << 30};
+    QCOMPARE(setrlimit(RLIMIT_AS, &twoGigabytes), 0);
+#endif
+}
+
+void HostileFilesTest::hugeFiles_data() {
+    QTest::addColumn<QByteArray>("beginning");
+    QTest::addColumn<QByteArray>("piece");
+    QTest::addColumn<QByteArray>("end");
+    QTest::addColumn<qsizetype>("size");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* name, const QByteArray& beginning, const QByteArray& piece,
+                        const QByteArray& end, const char* says, qsizetype size = huge) {
+        QTest::newRow(name) << beginning << piece << end << size << QString::fromUtf8(says);
+    };
+    row("line ends", "", "\n", "", "No iterated function system");
+    row("zeros", "", QByteArray(1, '\0'), "", "binary");
+    row("noise", "", "", "", "binary");
+    row("one word", "", "a", "", "No iterated function system");
+    row("words", "", "a\n", "", "the limit is 64 MB");
+    row("opening braces", "", "a{", "", "No iterated function system");
+    row("closing braces", "a{", "}", "", "no numbers");
+    row("entries", "", "a{}\n", "", "more than 200000 entries");
+    row("wrong entries", "", "a{\n1\n}\n", "", "a map is 7 numbers");
+    row("an entry of rows", "a {\n", ".5 0 0 .5 0 0 1\n", "}", "more than 1000000 lines");
+    row("an entry of wide rows", "a {\n",
+        ".5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 "
+        ".5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1\n",
+        "}", "more than 250000 maps");
+    row("an entry of one line", "a {\n", "1 ", "}", "more than 250000 maps");
+    row("an entry of commas", "a {\n", "1,", "}", "more than 250000 maps");
+    row("an entry of line ends", "a {\n", "\n", "}", "more than 1000000 lines");
+    row("an entry of comments", "a {\n", ";\n", "}", "more than 1000000 lines");
+    row("an entry of our lines", "a {\n", "; barycage: rest 0 0\n", "}", "more than 1000000 lines");
+    row("a header without end", "a { ;", "x", "", "not closed");
+    row("bare numbers", "", "1 ", "", "more than 250000 maps");
+    row("bare lines", "", "1 2 3\n", "", "more than 1000000 lines");
+    row("a table of one row", "", "1,", "", "No iterated function system", 60'000'000);
+    row("a table of rows", "", "1,0,0,1,0,0,1\n", "", "more than 250000 rows", 60'000'000);
+    row("a table of line ends", ",", "\n", "", "No iterated function system", 60'000'000);
+    row("flames", "<flames>", "<flame name='a'/>", "", "limit for XML");
+    row("flames to be read", "<flames>", "<flame name='a'/>", "</flames>", "more than 200000 flames",
+        60'000'000);
+    row("a picture of text", "<svg><system xmlns='urn:barycage:system:1'>", "a { }\n", "", "limit for XML");
+    row("a picture to be read", "<svg><system xmlns='urn:barycage:system:1'>", "a { }\n", "</system></svg>",
+        "more than 8 MB", 60'000'000);
+}
+
+void HostileFilesTest::hugeFiles() {
+    QFETCH(QByteArray, beginning);
+    QFETCH(QByteArray, piece);
+    QFETCH(QByteArray, end);
+    QFETCH(qsizetype, size);
+    QFETCH(QString, says);
+    const QByteArray bytes = piece.isEmpty() ? noise() : filled(beginning, piece, size) + end;
+    const FractalFile file = io::readCollection(bytes, QStringLiteral("huge.ifs")).file;
+    const QString said = everythingSaid(file);
+    QVERIFY2(said.contains(says), qPrintable(said.left(2000)));
+}
+
+void HostileFilesTest::manyMapsInEveryFormat_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("maps");
+    const int count = 100'000;
+    QTest::newRow("Fractint") << "a {\n" + QByteArray(".5 0 0 .5 0 0 1\n").repeated(count) + "}\n" << count;
+    QTest::newRow("table") << QByteArray(".5,0,0,.5,0,0,1\n").repeated(count) << count;
+    QTest::newRow("flame")
+        << "<flame name='a'>" +
+               QByteArray("<xform weight='1' linear='1' coefs='.5 0 0 .5 0 0'/>").repeated(count) + "</flame>"
+        << count;
+}
+
+void HostileFilesTest::manyMapsInEveryFormat() {
+    QFETCH(QByteArray, text);
+    QFETCH(int, maps);
+    const FractalFile file = io::readCollection(text).file;
+    QCOMPARE(file.entries.size(), 1);
+    const auto* system = document::system2(*file.entries.first().fractal);
+    QVERIFY(system);
+    QCOMPARE(system->maps.size(), std::size_t(maps));
+    QVERIFY(system->maps.back().id == ifs::MapId(maps)); // each has its own
+    const FractalFile back = io::readFractint(io::writeFractint(file));
+    QCOMPARE(document::system2(*back.entries.first().fractal)->maps.size(), std::size_t(maps));
+}
+
+void HostileFilesTest::manyEntriesOfOneName() {
+    constexpr int count = 100'000;
+    const FractalFile file = io::readFractint(QByteArray("a { .5 0 0 .5 0 0 1 }\n").repeated(count));
+    QCOMPARE(file.entries.size(), count);
+    const io::StrictText strict = io::writeStrict(file); // which gives each a name of its own
+    QCOMPARE(strict.bytes.count('{'), count);
+    QVERIFY(strict.bytes.contains("a_100000 {"));
+}
+
+void HostileFilesTest::manyFlamesOfOneName() {
+    constexpr int count = 100'000;
+    const QByteArray flame = "<flame name='a'><xform weight='1' linear='1' coefs='.5 0 0 .5 0 0'/></flame>";
+    const FractalFile file = io::readCollection("<flames>" + flame.repeated(count) + "</flames>").file;
+    QCOMPARE(file.entries.size(), count);
+    QCOMPARE(file.entries.last().fractal->name, QStringLiteral("a_100000"));
+    // Each refused one is counted, not each is listed.
+    const FractalFile refused =
+        io::readCollection("<flames>" + QByteArray("<flame name='a'/>").repeated(count) + "</flames>").file;
+    QVERIFY(refused.problems.size() < 200);
+    QVERIFY2(everythingSaid(refused).contains(QStringLiteral("100000 flames")),
+             qPrintable(everythingSaid(refused)));
+}
+
+void HostileFilesTest::aCompressedTextDoesNotGrowWithoutEnd() {
+    const auto chunk = [](const QByteArray& type, const QByteArray& data) {
+        QByteArray bytes(4, '\0');
+        qToBigEndian(quint32(data.size()), bytes.data());
+        bytes += type + data;
+        QByteArray sum(4, '\0');
+        const QByteArray summed = type + data;
+        qToBigEndian(
+            quint32(crc32(0, reinterpret_cast<const Bytef*>(summed.constData()), uInt(summed.size()))),
+            sum.data());
+        return bytes + sum;
+    };
+    const auto picture = [&](qsizetype size) {
+        const QByteArray packed = qCompress(QByteArray(size, ' ')).sliced(4);
+        return "\x89PNG\r\n\x1a\n" + chunk("IHDR", QByteArray("\0\0\0\1\0\0\0\1\x08\0\0\0\0", 13)) +
+               chunk("iTXt", QByteArray("Barycage\0\1\0\0\0", 13) + packed) +
+               chunk("IDAT", qCompress(QByteArray(2, '\0')).sliced(4)) + chunk("IEND", {});
+    };
+    QCOMPARE(io::readPngSystem(picture(1000)).text.size(), 1000);
+    QVERIFY(io::readPngSystem(picture(1'000'000'000)).failure); // a megabyte of file
+}
+
+void HostileFilesTest::hugePalettes() {
+    for (const char* piece : {"255 255 255\n", "a { gradient: index=0 color=1 }\n", "\n", "{"}) {
+        const io::PaletteFile refused = io::readPalettes(filled("", piece), {});
+        QVERIFY(refused.palettes.empty());
+        QVERIFY(refused.problems.first().message.contains(QStringLiteral("16 MB")));
+        const io::PaletteFile file = io::readPalettes(filled("", piece, 15'000'000), {});
+        QVERIFY(file.palettes.size() <= 4000 && file.problems.size() <= 20);
+    }
+}
+
+QTEST_APPLESS_MAIN(HostileFilesTest)
+#include "hostile_files_test.moc"

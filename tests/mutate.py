@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Changes one sign, comparison or constant of the model at a time and sees whether a test notices.
+
+A copy of the tree is built below build/mutate; the tree itself is not touched. A mutant is caught when a test fails,
+crashes or takes far too long. First the test of the file's own name is asked, then the others of its folder.
+"""
+import argparse
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+COPY = ROOT / "build" / "mutate"
+BUILD = COPY / "build" / "release"  # as in the tree, so that a compiler cache serves both
+FOLDERS = {"model/ifs": ["ifs"], "model/io": ["io", "app"]}  # of the sources, of their tests
+
+NEGATED = {"<": ">=", ">=": "<", ">": "<=", "<=": ">", "==": "!=", "!=": "=="}
+SIGNS = {"+": "-", "-": "+", "+=": "-=", "-=": "+="}
+# clang-format puts blanks around binary operators and none around what is unary or a template's.
+OPERATOR = re.compile(r"(?<= )(<=|>=|==|!=|<|>|\+=|-=|\+|-)(?= )")
+NEGATION = re.compile(r"(?<=[(\[{, ])-(?=[A-Za-z_(])")
+NUMBER = re.compile(r"(?<![\w.'<])(\d[\d']*\.?\d*(?:e-?\d+)?)(?![\w.'>])")
+TRUTH = re.compile(r"\b(true|false)\b")
+SKIPPED = re.compile(r"^\s*(#|static_assert|template\b|extern template|using |namespace |//)|BARYCAGE_INSTANTIATE")
+
+
+def bare(text):
+    """The text with comments, strings and characters blanked out, every place the same."""
+    blank = lambda match: re.sub(r"[^\n]", "\0", match.group())
+    pattern = r'//[^\n]*|/\*.*?\*/|R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|(?<![0-9])\'(?:\\.|[^\'\\\n])+\''
+    return re.sub(pattern, blank, text, flags=re.S)
+
+
+def constant(text):
+    if "." in text or "e" in text:
+        return text + " + 1" if float(text.replace("'", "")) < 0.5 else "0.5 * " + text
+    return {"0": "1", "1": "0"}.get(text, str(int(text.replace("'", "")) + 1))
+
+
+def mutants(path):
+    """(place, length, replacement) for everything that can be flipped in a file."""
+    text = path.read_text()
+    found = []
+    start = 0
+    for line in bare(text).splitlines(keepends=True):
+        if not SKIPPED.search(line):
+            for m in OPERATOR.finditer(line):
+                found.append((start + m.start(), len(m.group()), {**NEGATED, **SIGNS}[m.group()]))
+            for m in NEGATION.finditer(line):
+                found.append((start + m.start(), 1, ""))
+            for m in NUMBER.finditer(line):
+                found.append((start + m.start(), len(m.group()), "(" + constant(m.group()) + ")"))
+            for m in TRUTH.finditer(line):
+                found.append((start + m.start(), len(m.group()), {"true": "false", "false": "true"}[m.group()]))
+        start += len(line)
+    return found
+
+
+def run(command, **options):
+    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **options).returncode
+
+
+def prepare():
+    files = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    for name in files.split():
+        source, target = ROOT / name, COPY / name
+        if source.is_file() and not (target.is_file() and target.read_bytes() == source.read_bytes()):
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, target)
+            shutil.copymode(source, target)
+    os.environ.update(CCACHE_BASEDIR=str(COPY), CCACHE_NOHASHDIR="1")
+    launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    subprocess.run(["cmake", "--preset", "release", "-DBARYCAGE_GUI=OFF", "-DBARYCAGE_TESTS=ON", *launcher], cwd=COPY,
+                   check=True, stdout=subprocess.DEVNULL)
+
+
+def tests_in(folder):
+    """Programs of the tests that are quick enough to be run for every mutant."""
+    listing = subprocess.run(["ctest", "--show-only=json-v1"], cwd=BUILD / "tests" / folder, check=True,
+                             capture_output=True, text=True).stdout
+    slow = {"name": "LABELS", "value": ["slow"]}
+    return [Path(test["command"][0]) for test in json.loads(listing)["tests"] if slow not in test["properties"]]
+
+
+class Judge:
+    """Builds and runs the tests of some folders against the copy as it is."""
+
+    def __init__(self, folders):
+        self.tests = [test for folder in folders for test in tests_in(folder)]
+        self.seconds = {}
+        self.environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8"}
+        if self.build(self.tests) != 0:
+            sys.exit(f"the tests of {folders} cannot be built")
+        for test in self.tests:
+            began = time.monotonic()
+            if not self.passes(test, 600):
+                sys.exit(f"{test.name} fails already")
+            self.seconds[test] = time.monotonic() - began
+
+    def build(self, tests):
+        return run(["ninja", "-C", BUILD, *(test.relative_to(BUILD) for test in tests)])
+
+    def passes(self, test, limit):
+        try:
+            return run([test], cwd=test.parent, timeout=limit, env=self.environment) == 0
+        except subprocess.TimeoutExpired:
+            return False
+
+    def verdict(self, stem):
+        own = [test for test in self.tests if test.name == stem + "_test"]
+        others = sorted((test for test in self.tests if test not in own), key=self.seconds.get)
+        for group in (own, others):
+            if group and self.build(group) != 0:
+                return "does not compile"
+            for test in group:
+                if not self.passes(test, 20 + 10 * self.seconds[test]):
+                    return "caught"
+        return "survived"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("files", nargs="*", help="sources (all of model/ifs and model/io without)")
+    parser.add_argument("--sample", type=int, help="so many mutants, chosen at random")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--report", type=Path, help="write the survivors to this file")
+    arguments = parser.parse_args()
+
+    files = arguments.files or [str(path.relative_to(ROOT)) for folder in FOLDERS
+                                for path in sorted((ROOT / folder).glob("*.cpp"))]
+    all_mutants = [(name, mutant) for name in files for mutant in mutants(ROOT / name)]
+    if arguments.sample and arguments.sample < len(all_mutants):
+        all_mutants = random.Random(arguments.seed).sample(all_mutants, arguments.sample)
+    all_mutants.sort()
+    prepare()
+    judges = {}
+    counts = {"caught": 0, "survived": 0, "does not compile": 0}
+    survivors = []
+    for number, (name, (place, length, replacement)) in enumerate(all_mutants, 1):
+        folder = str(Path(name).parent)
+        judge = judges.get(folder) or judges.setdefault(folder, Judge(FOLDERS[folder]))
+        text = (ROOT / name).read_text()
+        line = text.count("\n", 0, place) + 1
+        changed = text[:place] + replacement + text[place + length:]
+        try:
+            (COPY / name).write_text(changed)
+            verdict = judge.verdict(Path(name).stem)
+        finally:
+            (COPY / name).write_text(text)
+        counts[verdict] += 1
+        shown = changed.splitlines()[line - 1].strip()
+        print(f"{number}/{len(all_mutants)} {verdict}: {name}:{line}: {shown}", flush=True)
+        if verdict == "survived":
+            survivors.append(f"| `{name}:{line}` | `{text.splitlines()[line - 1].strip()}` | `{shown}` |")
+    judged = counts["caught"] + counts["survived"]
+    share = f"{counts['caught']} of {judged} mutants were caught"
+    share += f" ({100 * counts['caught'] / judged:.0f} %)" if judged else ""
+    print(f"{share}; {counts['does not compile']} did not compile")
+    if arguments.report:
+        arguments.report.write_text("\n".join([share + ".", "", "| where | line | became |", "|---|---|---|",
+                                               *survivors]) + "\n")
+
+
+if __name__ == "__main__":
+    main()

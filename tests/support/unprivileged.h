@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QFile>
+#include <QString>
+
+#include <unistd.h>
+
+namespace support {
+
+// To root no file is read-only. While one of these lives, a process of root is nobody instead, in the eyes of
+// the kernel and of access(); the folder is nobody's as well. For any other user nothing changes.
+class Unprivileged {
+public:
+    explicit Unprivileged(const QString& folder) {
+        if (::geteuid() != 0) return;
+        m_wasRoot = ::chown(QFile::encodeName(folder).constData(), nobody, nobody) == 0 &&
+                    ::setresgid(nobody, nobody, 0) == 0 && ::setresuid(nobody, nobody, 0) == 0;
+    }
+    ~Unprivileged() {
+        if (m_wasRoot && (::setresuid(0, 0, 0) != 0 || ::setresgid(0, 0, 0) != 0))
+            qFatal("root could not become root again");
+    }
+    Unprivileged(const Unprivileged&) = delete;
+    Unprivileged& operator=(const Unprivileged&) = delete;
+
+    bool isInForce() const { return ::geteuid() != 0; }
+
+private:
+    static constexpr uid_t nobody = 65534;
+    bool m_wasRoot = false;
+};
+
+} // namespace support
