@@ -219,7 +219,8 @@ void Tour::place() {
         m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(m_window->rect()));
         m_mark->raise();
         if (pointed.left() >= room.right()) corner.setX(room.right() - margin - width());
-        if (pointed.top() >= room.bottom()) corner.setY(room.bottom() - noteRoom - this->height());
+        if (pointed.top() >= room.bottom() || m_target == canvas)
+            corner.setY(room.bottom() - noteRoom - this->height());
     } else {
         corner.setY(room.bottom() - noteRoom - this->height());
     }

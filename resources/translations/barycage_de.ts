@@ -2,6 +2,25 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AccessibleHandle</name>
+    <message>
+        <source>Move left</source>
+        <translation>Nach links bewegen</translation>
+    </message>
+    <message>
+        <source>Move right</source>
+        <translation>Nach rechts bewegen</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben bewegen</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten bewegen</translation>
+    </message>
+</context>
+<context>
     <name>Analysis</name>
     <message>
         <source>Attractor</source>
