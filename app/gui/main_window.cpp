@@ -405,6 +405,7 @@ void MainWindow::makeRoomForPicture() {
                 together += panel->width();
                 break;
             }
+    if (together <= 0) return;
     QList<int> widths;
     for (const QDockWidget* panel : beside)
         widths << panel->width() - missing * panel->width() / together;
