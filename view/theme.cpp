@@ -16,7 +16,7 @@ struct Colours {
 constexpr Colours lightColours{0xffefefef, 0xffffffff, 0xfff6f6f6, 0xff1c1c1c, 0xffefefef,
                                0xffffffff, 0xffe4e4e4, 0xffb8b8b8, 0xff9f9f9f, 0xff767676,
                                0xff2a6fb0, 0xff1d5fa8, 0xff8c8c8c};
-constexpr Colours darkColours{0xff2b2b2e, 0xff1d1d20, 0xff252528, 0xffe8e8e8, 0xff38383c,
+constexpr Colours darkColours{0xff333337, 0xff1d1d20, 0xff252528, 0xffe8e8e8, 0xff434348,
                               0xff55555a, 0xff424247, 0xff242427, 0xff19191b, 0xff0e0e10,
                               0xff2f7ac2, 0xff72b2f2, 0xff808084};
 

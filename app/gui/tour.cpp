@@ -147,6 +147,9 @@ Tour::Tour(QMainWindow* window)
             close();
     });
     connect(m_close, &QPushButton::clicked, this, &QWidget::close);
+    m_settling.setSingleShot(true);
+    m_settling.setInterval(0);
+    connect(&m_settling, &QTimer::timeout, this, &Tour::place);
     window->installEventFilter(this);
 }
 
@@ -201,7 +204,7 @@ void Tour::showStep(int step) {
     m_mark->setVisible(m_target != nullptr);
     show();
     // After the panels have found their places.
-    QMetaObject::invokeMethod(this, &Tour::place, Qt::QueuedConnection);
+    m_settling.start();
     setAccessibleDescription(m_text->text());
     QAccessibleEvent event(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&event);
@@ -219,7 +222,8 @@ void Tour::place() {
         m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(m_window->rect()));
         m_mark->raise();
         if (pointed.left() >= room.right()) corner.setX(room.right() - margin - width());
-        if (pointed.top() >= room.bottom()) corner.setY(room.bottom() - noteRoom - this->height());
+        if (pointed.top() >= room.bottom() || m_target == canvas)
+            corner.setY(room.bottom() - noteRoom - this->height());
     } else {
         corner.setY(room.bottom() - noteRoom - this->height());
     }
@@ -234,7 +238,7 @@ bool Tour::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Show:
     case QEvent::Hide:
     case QEvent::LayoutRequest:
-        QMetaObject::invokeMethod(this, &Tour::place, Qt::QueuedConnection);
+        m_settling.start();
         break;
     default:
         break;
@@ -244,8 +248,7 @@ bool Tour::eventFilter(QObject* watched, QEvent* event) {
 
 void Tour::changeEvent(QEvent* event) {
     QFrame::changeEvent(event);
-    if (event->type() == QEvent::FontChange)
-        QMetaObject::invokeMethod(this, &Tour::place, Qt::QueuedConnection);
+    if (event->type() == QEvent::FontChange) m_settling.start();
 }
 
 void Tour::keyPressEvent(QKeyEvent* event) {

@@ -3,6 +3,7 @@
 
 #include <QFrame>
 #include <QPointer>
+#include <QTimer>
 
 class QLabel;
 class QMainWindow;
@@ -39,6 +40,7 @@ private:
     QMainWindow* m_window;
     QPointer<QWidget> m_mark; // the frame around the target
     QPointer<QWidget> m_target;
+    QTimer m_settling; // the card is placed when panels and bars have found theirs
     int m_step = -1;
     bool m_barWasHidden = false;
     QLabel* m_place;

@@ -2,6 +2,25 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AccessibleHandle</name>
+    <message>
+        <source>Move left</source>
+        <translation>Nach links bewegen</translation>
+    </message>
+    <message>
+        <source>Move right</source>
+        <translation>Nach rechts bewegen</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben bewegen</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten bewegen</translation>
+    </message>
+</context>
+<context>
     <name>Analysis</name>
     <message>
         <source>Attractor</source>
@@ -280,7 +299,7 @@
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
-        <translation>Für dieses Bild reicht der Speicher nicht. Machen Sie es kleiner oder verringern Sie die Unterabtastung.</translation>
+        <translation>Für dieses Bild reicht der Speicher nicht. Machen Sie es kleiner oder verringern Sie die Überabtastung.</translation>
     </message>
 </context>
 <context>
@@ -2156,7 +2175,7 @@
     </message>
     <message>
         <source>Supersampling</source>
-        <translation>Unterabtastung</translation>
+        <translation>Überabtastung</translation>
     </message>
     <message>
         <source>Off</source>
@@ -2168,7 +2187,7 @@
     </message>
     <message>
         <source>Change the supersampling</source>
-        <translation>Die Unterabtastung ändern</translation>
+        <translation>Die Überabtastung ändern</translation>
     </message>
     <message>
         <source>Map colours</source>
@@ -3716,7 +3735,7 @@
     </message>
     <message>
         <source>&amp;Supersampling:</source>
-        <translation>&amp;Unterabtastung:</translation>
+        <translation>&amp;Überabtastung:</translation>
     </message>
     <message>
         <source>C&amp;olour depth:</source>

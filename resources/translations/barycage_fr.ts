@@ -2,1129 +2,1148 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>AccessibleHandle</name>
+    <message>
+        <source>Move left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Analysis</name>
     <message>
         <source>Attractor</source>
-        <translation type="unfinished"></translation>
+        <translation>Attracteur</translation>
     </message>
     <message>
         <source>A system has one attractor if some power of it contracts: then every start leads to the same set.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un système a un unique attracteur dès que l’une de ses puissances est contractante : tout ensemble de départ mène alors au même ensemble.</translation>
     </message>
     <message>
         <source>Contraction</source>
-        <translation type="unfinished"></translation>
+        <translation>Contraction</translation>
     </message>
     <message>
         <source>‖A‖ of each map that takes part: the most by which it stretches distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>‖A‖ pour chaque application active : le plus grand facteur dont elle étire les distances.</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Boîte englobante</translation>
     </message>
     <message>
         <source>The smallest box with sides parallel to the axes that holds the attractor; certified.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plus petit rectangle aux côtés parallèles aux axes qui contient l’attracteur ; résultat certifié.</translation>
     </message>
     <message>
         <source>Canonical simplex</source>
-        <translation type="unfinished"></translation>
+        <translation>Simplexe canonique</translation>
     </message>
     <message>
         <source>%1, leg %2, corner %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, cathète %2, angle droit en %3</translation>
     </message>
     <message>
         <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor. The signs are the directions of its legs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plus petit triangle rectangle isocèle aux cathètes parallèles aux axes qui contient l’attracteur. Les signes indiquent le sens de ses cathètes.</translation>
     </message>
     <message>
         <source>Convex hull area</source>
-        <translation type="unfinished"></translation>
+        <translation>Aire de l’enveloppe convexe</translation>
     </message>
     <message>
         <source>Area of the convex hull&apos;s inner polygon with %1 vertices; the hull reaches at most %2 beyond it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aire du polygone intérieur à %1 sommets inscrit dans l’enveloppe convexe ; celle-ci le dépasse d’au plus %2.</translation>
     </message>
     <message>
         <source>Similarity dimension</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimension de similitude</translation>
     </message>
     <message>
         <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre D tel que Σ sᵢᴰ = 1 pour les rapports sᵢ. C’est la dimension de l’attracteur quand les morceaux ne se chevauchent pas.</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne</translation>
     </message>
     <message>
         <source>Mean of the invariant measure, solved exactly: the centre of mass of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne de la mesure invariante, calculée exactement : le centre de masse de l’image.</translation>
     </message>
     <message>
         <source>Covariance</source>
-        <translation type="unfinished"></translation>
+        <translation>Covariance</translation>
     </message>
     <message>
         <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads.</source>
-        <translation type="unfinished"></translation>
+        <translation>Covariances xx, xy, yy de la mesure invariante, calculées exactement : elles disent combien l’image s’étale.</translation>
     </message>
 </context>
 <context>
     <name>Application</name>
     <message>
         <source>Take a fractal by its corners: an editor for iterated function systems.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prenez une fractale par les coins : un éditeur de systèmes de fonctions itérées.</translation>
     </message>
     <message>
         <source>.ifs files to open, a window each</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichiers .ifs à ouvrir, chacun dans sa fenêtre</translation>
     </message>
 </context>
 <context>
     <name>CageEdits</name>
     <message>
         <source>This entry has no maps of the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée n’a pas d’applications du plan.</translation>
     </message>
     <message>
         <source>The cage is at rest: the code is what is displayed.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est au repos : l’image affichée est celle du code.</translation>
     </message>
     <message>
         <source>The cage bends the picture, and no affine code has a bent picture. Choose “Affine fit” to bake what comes nearest to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez « Ajustement affine » pour intégrer au code ce qui s’en approche le plus.</translation>
     </message>
     <message>
         <source>The cage is flat: no code has this picture. Open the cage first.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est plate : aucun code ne donne cette image. Ouvrez d’abord la cage.</translation>
     </message>
     <message>
         <source>Moving the cage moves the picture. The code stays as it is until you bake.</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la cage déplace l’image. Le code reste tel quel tant que vous n’y intégrez pas le placement.</translation>
     </message>
     <message>
         <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can follow, and leaves it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la cage entière réécrit le code. Déplacer un seul sommet courbe l’image, ce qu’aucun code ne peut suivre ; le code reste alors tel quel.</translation>
     </message>
     <message>
         <source>Moving the cage rewrites every coefficient of the code, and the cage rests where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la cage réécrit tous les coefficients du code, et la cage est au repos là où elle se trouve.</translation>
     </message>
     <message>
         <source>The cage already places the code.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage place déjà le code.</translation>
     </message>
     <message>
         <source>Only a triangle can be taken out of the code.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seul un triangle peut être extrait du code.</translation>
     </message>
     <message>
         <source>The cage has a notch: the picture may fold over itself there.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage a une encoche : l’image peut s’y replier sur elle-même.</translation>
     </message>
     <message>
         <source>The cage is folded: parts of the picture lie over one another. Move the vertices apart to unfold it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est repliée : des parties de l’image se superposent. Écartez les sommets pour la déplier.</translation>
     </message>
     <message>
         <source>No map takes part, so there is nothing to enclose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune application n’est active : il n’y a rien à entourer.</translation>
     </message>
     <message>
         <source>A bent picture cannot be held by another cage. Reset the cage, or choose “Affine fit”, first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une image courbée ne peut pas être confiée à une autre cage. Réinitialisez d’abord la cage, ou choisissez « Ajustement affine ».</translation>
     </message>
     <message>
         <source>The cage is flat. Open the triangle, or reset it, first.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est plate. Ouvrez d’abord le triangle, ou réinitialisez-le.</translation>
     </message>
     <message>
         <source>This system has no attractor that could be enclosed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce système n’a pas d’attracteur à entourer.</translation>
     </message>
 </context>
 <context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Tirées de l’article</translation>
     </message>
     <message>
         <source>The two systems of E. Hadzieva and M. Shuminoska, with the coefficients as printed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les deux systèmes de E. Hadzieva et M. Shuminoska, avec les coefficients imprimés.</translation>
     </message>
     <message>
         <source>Ferns</source>
-        <translation type="unfinished"></translation>
+        <translation>Fougères</translation>
     </message>
     <message>
         <source>Fronds: a long slow map climbs the rachis, two short ones hang the pinnae, a flat one draws the stem.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frondes : une longue application lente monte le long du rachis, deux courtes y accrochent les pennes, une plate trace la tige.</translation>
     </message>
     <message>
         <source>Trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbres</translation>
     </message>
     <message>
         <source>Trunks that fork: the whole tree stands on its own branches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des troncs qui se ramifient : l’arbre entier se tient sur chacune de ses branches.</translation>
     </message>
     <message>
         <source>Dragons</source>
-        <translation type="unfinished"></translation>
+        <translation>Dragons</translation>
     </message>
     <message>
         <source>Folded paper curves and the fractals of two or three twisted similarities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbes de papier plié et fractales de deux ou trois similitudes avec rotation.</translation>
     </message>
     <message>
         <source>Sierpiński family</source>
-        <translation type="unfinished"></translation>
+        <translation>Famille de Sierpiński</translation>
     </message>
     <message>
         <source>Gaskets and carpets: a polygon holds shrunken copies of itself and keeps its holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamis et tapis : un polygone contient des copies réduites de lui-même et garde ses trous.</translation>
     </message>
     <message>
         <source>Koch family</source>
-        <translation type="unfinished"></translation>
+        <translation>Famille de Koch</translation>
     </message>
     <message>
         <source>Curves built by replacing a segment, and the islands they bound.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des courbes construites en remplaçant un segment, et les îles qu’elles délimitent.</translation>
     </message>
     <message>
         <source>Spirals</source>
-        <translation type="unfinished"></translation>
+        <translation>Spirales</translation>
     </message>
     <message>
         <source>One map that turns and shrinks a little, and small ones that bead its path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une application qui tourne et réduit un peu, et de petites qui s’égrènent le long de son parcours.</translation>
     </message>
     <message>
         <source>Leaves and flowers</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuilles et fleurs</translation>
     </message>
     <message>
         <source>Leaf outlines, and flowers whose petals are turned copies of one another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Contours de feuilles, et fleurs dont les pétales se déduisent les uns des autres par rotation.</translation>
     </message>
     <message>
         <source>Tiles and reptiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Pavages et reptuiles</translation>
     </message>
     <message>
         <source>Sets that tile the plane: copies of themselves, rep-tiles, and the central tiles of number systems.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des ensembles qui pavent le plan : copies d’eux-mêmes, reptuiles, et tuiles centrales de systèmes de numération.</translation>
     </message>
     <message>
         <source>Cantor sets and dust</source>
-        <translation type="unfinished"></translation>
+        <translation>Ensembles de Cantor et poussières</translation>
     </message>
     <message>
         <source>Sets full of gaps at every scale: points everywhere near, hardly any of them joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des ensembles pleins de lacunes à toutes les échelles : partout des points proches, presque aucun relié à un autre.</translation>
     </message>
     <message>
         <source>Crystals and snowflakes</source>
-        <translation type="unfinished"></translation>
+        <translation>Cristaux et flocons de neige</translation>
     </message>
     <message>
         <source>Sets with the symmetry of frost: five, six and more arms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des ensembles qui ont la symétrie du givre : cinq, six branches et davantage.</translation>
     </message>
     <message>
         <source>Curves and graphs</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbes et graphes</translation>
     </message>
     <message>
         <source>Graphs of strange functions, smooth curves as attractors, space-filling coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Graphes de fonctions étranges, courbes lisses en attracteurs, coordonnées de courbes remplissant le plan.</translation>
     </message>
     <message>
         <source>Abstract</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstraites</translation>
     </message>
     <message>
         <source>Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Motifs affines sans nom dans la nature : parents du tamis, entrelacs, rosaces.</translation>
     </message>
 </context>
 <context>
     <name>ColumnOrders</name>
     <message>
         <source>a b c d e f p: Fractint, Barnsley</source>
-        <translation type="unfinished"></translation>
+        <translation>a b c d e f p : Fractint, Barnsley</translation>
     </message>
     <message>
         <source>a b e c d f p: each equation in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>a b e c d f p : chaque équation sur une ligne</translation>
     </message>
     <message>
         <source>a c b d e f p: column by column</source>
-        <translation type="unfinished"></translation>
+        <translation>a c b d e f p : colonne par colonne</translation>
     </message>
     <message>
         <source>p a b c d e f: the weight first</source>
-        <translation type="unfinished"></translation>
+        <translation>p a b c d e f : le poids en premier</translation>
     </message>
     <message>
         <source>r s theta phi e f p: scales, and angles in degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>r s theta phi e f p : facteurs d’échelle, et angles en degrés</translation>
     </message>
 </context>
 <context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
-        <translation type="unfinished"></translation>
+        <translation>La mémoire ne suffit pas pour cette image. Réduisez-la, ou diminuez le suréchantillonnage.</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
         <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures that carry their fractal (*.png *.svg);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Collections Fractint (*.ifs *.par);;Flammes (*.flame *.flam3);;Tableaux de nombres (*.csv *.tsv *.txt);;Images contenant leur fractale (*.png *.svg);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter %1</translation>
     </message>
     <message>
         <source>Show or hide the panel “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher ou masquer le panneau « %1 »</translation>
     </message>
     <message>
         <source>Entries</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrées</translation>
     </message>
     <message>
         <source>Collection</source>
-        <translation type="unfinished"></translation>
+        <translation>Collection</translation>
     </message>
     <message>
         <source>Maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Applications</translation>
     </message>
     <message>
         <source>Cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Cage</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Apparence</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Historique</translation>
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Problèmes</translation>
     </message>
     <message>
         <source>Take the maple by a corner and pull. Or press D and define another triangle by three clicks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prenez l’érable par un coin et tirez. Ou appuyez sur D et définissez un autre triangle en trois clics.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Impossible d’ouvrir %1</translation>
     </message>
     <message>
         <source>Recovered %1. It is not saved yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a été récupéré, mais n’est pas encore enregistré.</translation>
     </message>
     <message numerus="yes">
         <source>%n entries</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n entrée</numerusform>
+            <numerusform>%n entrées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>, %n of them could not be read and are kept as they are</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, dont %n qui n’a pas pu être lue et reste telle quelle</numerusform>
+            <numerusform>, dont %n qui n’ont pas pu être lues et restent telles quelles</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>, %n read with a remark</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, %n lue avec une remarque</numerusform>
+            <numerusform>, %n lues avec une remarque</numerusform>
         </translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifications non enregistrées</translation>
     </message>
     <message>
         <source>“%1” has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » contient des modifications non enregistrées.</translation>
     </message>
     <message>
         <source>Do you want to save them?</source>
-        <translation type="unfinished"></translation>
+        <translation>Voulez-vous les enregistrer ?</translation>
     </message>
     <message>
         <source>Changed on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifié sur le disque</translation>
     </message>
     <message>
         <source>“%1” was changed by another program since it was opened here.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » a été modifié par un autre programme depuis son ouverture ici.</translation>
     </message>
     <message>
         <source>Saving replaces what the other program wrote.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’enregistrement remplacera ce que l’autre programme a écrit.</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer</translation>
     </message>
     <message>
         <source>Save As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer sous…</translation>
     </message>
     <message>
         <source>%1 was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 n’a pas été enregistré</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est enregistré.</translation>
     </message>
     <message>
         <source>Save As</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer sous</translation>
     </message>
     <message>
         <source>Fractint collections (*.ifs)</source>
-        <translation type="unfinished"></translation>
+        <translation>Collections Fractint (*.ifs)</translation>
     </message>
     <message>
         <source>Revert</source>
-        <translation type="unfinished"></translation>
+        <translation>Revenir</translation>
     </message>
     <message>
         <source>Go back to “%1” as it is on disk? The changes made since then are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Revenir à « %1 » tel qu’il est sur le disque ? Les modifications faites depuis seront perdues.</translation>
     </message>
     <message>
         <source>%1 could not be read again</source>
-        <translation type="unfinished"></translation>
+        <translation>Impossible de relire %1</translation>
     </message>
     <message>
         <source>No recent files</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun fichier récent</translation>
     </message>
     <message>
         <source>Clear this list</source>
-        <translation type="unfinished"></translation>
+        <translation>Vider cette liste</translation>
     </message>
     <message>
         <source>%1[*] — %2</source>
         <comment>file, entry</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] — %2</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <comment>what it does, shortcut</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fichier</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nouveau</translation>
     </message>
     <message>
         <source>Start with a Sierpiński triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Commencer par un triangle de Sierpiński</translation>
     </message>
     <message>
         <source>New &amp;Window</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouvelle fenê&amp;tre</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+N</translation>
     </message>
     <message>
         <source>Open another window</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir une autre fenêtre</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ouvrir…</translation>
     </message>
     <message>
         <source>Open a collection of fractals</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir une collection de fractales</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir un fichier &amp;récent</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Enregistrer</translation>
     </message>
     <message>
         <source>Save the file; entries not edited keep every byte</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer le fichier ; les entrées non modifiées sont conservées à l’octet près</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer &amp;sous…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+S</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+S</translation>
     </message>
     <message>
         <source>Save the file under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer le fichier sous un autre nom</translation>
     </message>
     <message>
         <source>Re&amp;vert</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;venir à la version enregistrée</translation>
     </message>
     <message>
         <source>Go back to the file as it is on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Revenir au fichier tel qu’il est sur le disque</translation>
     </message>
     <message>
         <source>&amp;Export Picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;xporter l’image…</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>Export the picture as PNG, SVG or PDF, framed as on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter l’image en PNG, SVG ou PDF, cadrée comme à l’écran</translation>
     </message>
     <message>
         <source>Export &amp;Data…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter les &amp;données…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+E</translation>
     </message>
     <message>
         <source>Export the maps or points as a flame, for IFStile, as a table or a point cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter les applications ou les points : flamme, IFStile, tableau ou nuage de points</translation>
     </message>
     <message>
         <source>&amp;Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copier l’image</translation>
     </message>
     <message>
         <source>Ctrl+Shift+C</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+C</translation>
     </message>
     <message>
         <source>Copy the picture to the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier l’image dans le presse-papiers</translation>
     </message>
     <message>
         <source>The picture is on the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image est dans le presse-papiers.</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Imprimer…</translation>
     </message>
     <message>
         <source>Print the picture, its name and its coefficients</source>
-        <translation type="unfinished"></translation>
+        <translation>Imprimer l’image, son nom et ses coefficients</translation>
     </message>
     <message>
         <source>C&amp;lose</source>
-        <translation type="unfinished"></translation>
+        <translation>Fer&amp;mer</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer cette fenêtre</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quitter</translation>
     </message>
     <message>
         <source>Close all windows</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer toutes les fenêtres</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>É&amp;dition</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Annuler</translation>
     </message>
     <message>
         <source>Ctrl+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Z</translation>
     </message>
     <message>
         <source>Take the last edit back</source>
-        <translation type="unfinished"></translation>
+        <translation>Annuler la dernière modification</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rétablir</translation>
     </message>
     <message>
         <source>Ctrl+Shift+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+Z</translation>
     </message>
     <message>
         <source>Ctrl+Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Y</translation>
     </message>
     <message>
         <source>Make the edit again that was taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>Refaire la modification annulée</translation>
     </message>
     <message>
         <source>&amp;Transform…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Transformer…</translation>
     </message>
     <message>
         <source>Ctrl+T</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+T</translation>
     </message>
     <message>
         <source>Rotate, scale, shear, reflect or move the whole fractal by numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire tourner, redimensionner, cisailler, réfléchir ou déplacer toute la fractale en saisissant des nombres</translation>
     </message>
     <message>
         <source>&amp;Mutate…</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire &amp;muter…</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+M</translation>
     </message>
     <message>
         <source>Pick one of many variations of this fractal</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir parmi de nombreuses variations de cette fractale</translation>
     </message>
     <message>
         <source>Only systems in the plane can be varied.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seuls les systèmes du plan peuvent varier.</translation>
     </message>
     <message>
         <source>Add &amp;Random Fractal…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter une &amp;fractale aléatoire…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+M</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+M</translation>
     </message>
     <message>
         <source>Pick one of many fractals made by chance, and add it to the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir parmi de nombreuses fractales nées du hasard, et l’ajouter au fichier</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Préférences…</translation>
     </message>
     <message>
         <source>Ctrl+,</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+,</translation>
     </message>
     <message>
         <source>Language, theme, quality of the picture at rest, what is opened at the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Langue, thème, qualité de l’image au repos, fichiers ouverts au démarrage</translation>
     </message>
     <message>
         <source>&amp;Cage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Cage</translation>
     </message>
     <message>
         <source>&amp;Drag the Cage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Déplacer la cage</translation>
     </message>
     <message>
         <source>C</source>
-        <translation type="unfinished"></translation>
+        <translation>C</translation>
     </message>
     <message>
         <source>Take the fractal by the vertices of its control triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Saisir la fractale par les sommets de son triangle de contrôle</translation>
     </message>
     <message>
         <source>De&amp;fine Triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Définir un &amp;triangle</translation>
     </message>
     <message>
         <source>D</source>
-        <translation type="unfinished"></translation>
+        <translation>D</translation>
     </message>
     <message>
         <source>Define the control triangle by three clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>Définir le triangle de contrôle en trois clics</translation>
     </message>
     <message>
         <source>Fit &amp;Minimal Canonical Simplex</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuster le simplexe canonique &amp;minimal</translation>
     </message>
     <message>
         <source>Hold the attractor in the smallest isosceles right triangle around it</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenir l’attracteur par le plus petit triangle rectangle isocèle qui le contient</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Réinitialiser</translation>
     </message>
     <message>
         <source>Put the cage back to rest: the code is drawn as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Remettre la cage au repos : le code est dessiné tel quel</translation>
     </message>
     <message>
         <source>&amp;Bake</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Intégrer au code</translation>
     </message>
     <message>
         <source>Ctrl+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+B</translation>
     </message>
     <message>
         <source>Make the placement part of the code: the picture stays, the coefficients change</source>
-        <translation type="unfinished"></translation>
+        <translation>Intégrer le placement au code : l’image reste, les coefficients changent</translation>
     </message>
     <message>
         <source>&amp;Unbake</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Extraire du code</translation>
     </message>
     <message>
         <source>Take the placement out of the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Extraire le placement du code : l’image reste, le code devient celui du triangle (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
         <source>Make Re&amp;gular</source>
-        <translation type="unfinished"></translation>
+        <translation>Rendre ré&amp;gulière</translation>
     </message>
     <message>
         <source>Put the vertices on the regular polygon nearest to them</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettre les sommets sur le polygone régulier le plus proche</translation>
     </message>
     <message>
         <source>Affine &amp;Invariant Form…</source>
-        <translation type="unfinished"></translation>
+        <translation>Forme &amp;affinement invariante…</translation>
     </message>
     <message>
         <source>Show every map as a row-stochastic matrix over the control triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer chaque application comme une matrice stochastique par lignes relative au triangle de contrôle</translation>
     </message>
     <message>
         <source>&amp;Place</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Placer</translation>
     </message>
     <message>
         <source>Moving the cage moves the picture; the code stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la cage déplace l’image ; le code reste</translation>
     </message>
     <message>
         <source>Re&amp;write</source>
-        <translation type="unfinished"></translation>
+        <translation>Réé&amp;crire</translation>
     </message>
     <message>
         <source>Moving the cage rewrites the code</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la cage réécrit le code</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Affichage</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;juster à la vue</translation>
     </message>
     <message>
         <source>F</source>
-        <translation type="unfinished"></translation>
+        <translation>F</translation>
     </message>
     <message>
         <source>Show the whole fractal</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer la fractale entière</translation>
     </message>
     <message>
         <source>Zoom &amp;In</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom a&amp;vant</translation>
     </message>
     <message>
         <source>Zoom in</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom avant</translation>
     </message>
     <message>
         <source>Zoom &amp;Out</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom a&amp;rrière</translation>
     </message>
     <message>
         <source>Zoom out</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom arrière</translation>
     </message>
     <message>
         <source>&amp;100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;100 %</translation>
     </message>
     <message>
         <source>1</source>
-        <translation type="unfinished"></translation>
+        <translation>1</translation>
     </message>
     <message>
         <source>Show one unit as one hundred pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher une unité sur cent pixels</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Grille</translation>
     </message>
     <message>
         <source>G</source>
-        <translation type="unfinished"></translation>
+        <translation>G</translation>
     </message>
     <message>
         <source>Show the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher la grille</translation>
     </message>
     <message>
         <source>&amp;Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Axes</translation>
     </message>
     <message>
         <source>A</source>
-        <translation type="unfinished"></translation>
+        <translation>A</translation>
     </message>
     <message>
         <source>Show the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher les axes</translation>
     </message>
     <message>
         <source>&amp;Y Axis Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Axe des &amp;y vers le bas</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Let y grow downwards, as in window coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire croître y vers le bas, comme dans les coordonnées d’une fenêtre</translation>
     </message>
     <message>
         <source>&amp;Only the Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Image seule</translation>
     </message>
     <message>
         <source>H</source>
-        <translation type="unfinished"></translation>
+        <translation>H</translation>
     </message>
     <message>
         <source>Hide everything on the canvas but the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Masquer tout ce qui n’est pas l’image</translation>
     </message>
     <message>
         <source>&amp;Snap To</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;ccrochage</translation>
     </message>
     <message>
         <source>&amp;Vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sommets</translation>
     </message>
     <message>
         <source>Let dragged vertices snap to this</source>
-        <translation type="unfinished"></translation>
+        <translation>Accrocher à ceci les sommets que l’on déplace</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Pa&amp;nneaux</translation>
     </message>
     <message>
         <source>F&amp;ull Screen</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Plein écran</translation>
     </message>
     <message>
         <source>F11</source>
-        <translation type="unfinished"></translation>
+        <translation>F11</translation>
     </message>
     <message>
         <source>Use the whole screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Utiliser tout l’écran</translation>
     </message>
     <message>
         <source>How It Arises</source>
-        <translation type="unfinished"></translation>
+        <translation>Genèse de l’attracteur</translation>
     </message>
     <message>
         <source>&amp;How It Arises</source>
-        <translation type="unfinished"></translation>
+        <translation>Genèse de l’attrac&amp;teur</translation>
     </message>
     <message>
         <source>W</source>
-        <translation type="unfinished"></translation>
+        <translation>W</translation>
     </message>
     <message>
         <source>Watch the attractor arise: by steps of the deterministic algorithm, or by the chaos game</source>
-        <translation type="unfinished"></translation>
+        <translation>Regarder naître l’attracteur : par les étapes de l’algorithme déterministe, ou par le jeu du chaos</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;ide</translation>
     </message>
     <message>
         <source>&amp;Find a Command…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rechercher une commande…</translation>
     </message>
     <message>
         <source>Ctrl+K</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+K</translation>
     </message>
     <message>
         <source>Find any command by typing what it does</source>
-        <translation type="unfinished"></translation>
+        <translation>Trouver n’importe quelle commande en tapant ce qu’elle fait</translation>
     </message>
     <message>
         <source>&amp;Keyboard and Mouse…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Clavier et souris…</translation>
     </message>
     <message>
         <source>Ctrl+/</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+/</translation>
     </message>
     <message>
         <source>Every shortcut and gesture</source>
-        <translation type="unfinished"></translation>
+        <translation>Tous les raccourcis et tous les gestes</translation>
     </message>
     <message>
         <source>&amp;User Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Guide d’utilisation</translation>
     </message>
     <message>
         <source>Read the user guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Lire le guide d’utilisation</translation>
     </message>
     <message>
         <source>&amp;About Barycage</source>
-        <translation type="unfinished"></translation>
+        <translation>À &amp;propos de Barycage</translation>
     </message>
     <message>
         <source>Version and licence</source>
-        <translation type="unfinished"></translation>
+        <translation>Version et licence</translation>
     </message>
     <message>
         <source>About Barycage</source>
-        <translation type="unfinished"></translation>
+        <translation>À propos de Barycage</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Take a fractal by its corners: an editor for iterated function systems whose attractors are held in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Prenez une fractale par les coins : un éditeur de systèmes de fonctions itérées dont les attracteurs sont tenus par les coordonnées barycentriques d’un triangle de contrôle.&lt;/p&gt;&lt;p&gt;D’après E. Hadzieva et M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Licence MIT.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>About &amp;Qt</source>
-        <translation type="unfinished"></translation>
+        <translation>À propos de &amp;Qt</translation>
     </message>
     <message>
         <source>The toolkit this program is built with</source>
-        <translation type="unfinished"></translation>
+        <translation>La bibliothèque avec laquelle ce programme est construit</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Outils</translation>
     </message>
     <message>
         <source>The fractals of the open file. The one chosen here is in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les fractales du fichier ouvert. Celle que l’on choisit ici est à l’image.</translation>
     </message>
     <message>
         <source>Fractals to begin with, by theme, and your own folders of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des fractales pour commencer, classées par thème, et vos propres dossiers de fractales.</translation>
     </message>
     <message>
         <source>The maps of the fractal: its code, one map in a row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les applications de la fractale : son code, une application par ligne.</translation>
     </message>
     <message>
         <source>The control cage by numbers: where its vertices are, where they are at rest, what moving them does, and other cages to choose from.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage de contrôle en nombres : où sont ses sommets, où ils sont au repos, ce que produit leur déplacement, et d’autres cages à choisir.</translation>
     </message>
     <message>
         <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleurs, luminosité et fond de l’image. Ils sont enregistrés avec la fractale.</translation>
     </message>
     <message>
         <source>What mathematics knows of this fractal. Point at a name to read what it means.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que les mathématiques savent de cette fractale. Pointez un nom pour lire ce qu’il signifie.</translation>
     </message>
     <message>
         <source>Every step since the file was opened. Choose one to go back to it, or forward.</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les étapes depuis l’ouverture du fichier. Choisissez-en une pour y revenir ou pour y avancer.</translation>
     </message>
     <message>
         <source>What was odd in the file, with line and column. It is kept as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que le fichier a d’inhabituel, avec la ligne et la colonne. Il est conservé tel quel.</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Visite guidée</translation>
     </message>
     <message>
         <source>Six short steps in this window: contraction, fixed point, chaos game, address, barycentric coordinates, dimension</source>
-        <translation type="unfinished"></translation>
+        <translation>Six courtes étapes dans cette fenêtre : contraction, point fixe, jeu du chaos, adresse, coordonnées barycentriques, dimension</translation>
     </message>
     <message>
         <source>&amp;What’s This?</source>
-        <translation type="unfinished"></translation>
+        <translation>Qu’est-ce que c’&amp;est ?</translation>
     </message>
     <message>
         <source>Click anything to read what it is for</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez sur un élément pour lire à quoi il sert</translation>
     </message>
 </context>
 <context>
     <name>NumberField</name>
     <message>
         <source>The number must be greater than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre doit être strictement supérieur à %1.</translation>
     </message>
     <message>
         <source>The number must be at least %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre doit être au moins égal à %1.</translation>
     </message>
     <message>
         <source>The number must be less than %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre doit être strictement inférieur à %1.</translation>
     </message>
     <message>
         <source>The number must be at most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre doit être au plus égal à %1.</translation>
     </message>
     <message>
         <source>A number is missing here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque ici un nombre.</translation>
     </message>
     <message>
         <source>“%1” is a fraction: write it as a decimal number.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est une fraction : écrivez-la sous forme décimale.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un nombre.</translation>
     </message>
 </context>
 <context>
     <name>OpenFile</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans titre</translation>
     </message>
     <message>
         <source>Recover unsaved work</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupérer le travail non enregistré</translation>
     </message>
 </context>
 <context>
     <name>Palette</name>
     <message>
         <source>Maple</source>
-        <translation type="unfinished"></translation>
+        <translation>Érable</translation>
     </message>
     <message>
         <source>Fern</source>
-        <translation type="unfinished"></translation>
+        <translation>Fougère</translation>
     </message>
     <message>
         <source>Glacier</source>
-        <translation type="unfinished"></translation>
+        <translation>Glacier</translation>
     </message>
     <message>
         <source>Orchid</source>
-        <translation type="unfinished"></translation>
+        <translation>Orchidée</translation>
     </message>
     <message>
         <source>Aurora</source>
-        <translation type="unfinished"></translation>
+        <translation>Aurore</translation>
     </message>
     <message>
         <source>Dusk</source>
-        <translation type="unfinished"></translation>
+        <translation>Crépuscule</translation>
     </message>
     <message>
         <source>Copper</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuivre</translation>
     </message>
     <message>
         <source>Lagoon</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagon</translation>
     </message>
     <message>
         <source>Silver</source>
-        <translation type="unfinished"></translation>
+        <translation>Argent</translation>
     </message>
     <message>
         <source>Ink</source>
-        <translation type="unfinished"></translation>
+        <translation>Encre</translation>
     </message>
     <message>
         <source>Herbarium</source>
-        <translation type="unfinished"></translation>
+        <translation>Herbier</translation>
     </message>
     <message>
         <source>Sanguine</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanguine</translation>
     </message>
     <message>
         <source>Cyanotype</source>
-        <translation type="unfinished"></translation>
+        <translation>Cyanotype</translation>
     </message>
 </context>
 <context>
     <name>PngExport</name>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Impossible d’écrire %1 : %2</translation>
     </message>
 </context>
 <context>
     <name>PngSystem</name>
     <message>
         <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image ne contient pas de système : elle n’a pas été écrite par Barycage, ou un autre programme en a retiré le texte.</translation>
     </message>
     <message>
         <source>The system in the picture has more than 8 MB.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le système contenu dans l’image dépasse 8 Mo.</translation>
     </message>
     <message>
         <source>The file is no PNG picture, or it is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier n’est pas une image PNG, ou il est endommagé.</translation>
     </message>
 </context>
 <context>
     <name>PngWriter</name>
     <message>
         <source>The picture cannot be written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Impossible d’écrire l’image : %1</translation>
     </message>
 </context>
 <context>
@@ -1132,1889 +1151,1889 @@
     <message>
         <source>%1, %2</source>
         <comment>file, time</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Unsaved work was found</source>
-        <translation type="unfinished"></translation>
+        <translation>Un travail non enregistré a été trouvé</translation>
     </message>
     <message>
         <source>Barycage ended last time before this work was saved:</source>
-        <translation type="unfinished"></translation>
+        <translation>La dernière fois, Barycage s’est arrêté avant que ce travail ne soit enregistré :</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Récupérer</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Abandonner</translation>
     </message>
     <message>
         <source>Ask Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Demander plus tard</translation>
     </message>
 </context>
 <context>
     <name>StatusLine</name>
     <message>
         <source>%1 G points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Md de points</translation>
     </message>
     <message>
         <source>%1 M points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 M de points</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 points</translation>
     </message>
     <message>
         <source>hyperbolic, s = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>hyperbolique, s = %1</translation>
     </message>
     <message>
         <source>eventually contractive, γ = %1 (words of %2 maps)</source>
-        <translation type="unfinished"></translation>
+        <translation>ultimement contractant, γ = %1 (mots de %2 applications)</translation>
     </message>
     <message>
         <source>no attractor: the word %1 does not contract</source>
-        <translation type="unfinished"></translation>
+        <translation>pas d’attracteur : le mot %1 n’est pas contractant</translation>
     </message>
     <message>
         <source>existence of an attractor undecided</source>
-        <translation type="unfinished"></translation>
+        <translation>existence d’un attracteur indécise</translation>
     </message>
     <message>
         <source>no map takes part</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune application active</translation>
     </message>
     <message>
         <source>Pointer position</source>
-        <translation type="unfinished"></translation>
+        <translation>Position du pointeur</translation>
     </message>
     <message>
         <source>World and barycentric coordinates of the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordonnées du pointeur dans le plan et coordonnées barycentriques</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdict</translation>
     </message>
     <message>
         <source>Whether the system has an attractor, and the factor by which it contracts</source>
-        <translation type="unfinished"></translation>
+        <translation>Si le système a un attracteur, et le facteur dont il contracte</translation>
     </message>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Image</translation>
     </message>
     <message>
         <source>Points drawn so far and the time of the last pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Points dessinés jusqu’ici et durée de la dernière passe</translation>
     </message>
     <message>
         <source>  barycentric (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>  barycentriques (%1)</translation>
     </message>
     <message>
         <source>3D: not yet shown</source>
-        <translation type="unfinished"></translation>
+        <translation>3D : pas encore affiché</translation>
     </message>
     <message>
         <source>this entry could not be read</source>
-        <translation type="unfinished"></translation>
+        <translation>cette entrée n’a pas pu être lue</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
     <name>SvgSystem</name>
     <message>
         <source>The system in the picture has more than 8 MB.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le système contenu dans l’image dépasse 8 Mo.</translation>
     </message>
     <message>
         <source>The system in the picture is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le système contenu dans l’image est endommagé.</translation>
     </message>
     <message>
         <source>The picture declares a document type, which Barycage never writes and does not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image déclare un type de document, ce que Barycage n’écrit jamais et ne lit pas.</translation>
     </message>
     <message>
         <source>The file is no SVG picture, or it is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier n’est pas une image SVG, ou il est endommagé.</translation>
     </message>
     <message>
         <source>The picture holds no system: it was not written by Barycage, or another program removed it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image ne contient pas de système : elle n’a pas été écrite par Barycage, ou un autre programme l’en a retiré.</translation>
     </message>
 </context>
 <context>
     <name>Text</name>
     <message>
         <source>a document type is not accepted in a flame file</source>
-        <translation type="unfinished"></translation>
+        <translation>un type de document n’est pas accepté dans un fichier de flammes</translation>
     </message>
     <message>
         <source>The XML ends here: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le XML s’arrête ici : %1.</translation>
     </message>
     <message>
         <source>There is no flame in this file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce fichier ne contient pas de flamme.</translation>
     </message>
     <message>
         <source>Drawing the picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessin de l’image…</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Print “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Imprimer « %1 »</translation>
     </message>
     <message>
         <source>in space</source>
-        <translation type="unfinished"></translation>
+        <translation>dans l’espace</translation>
     </message>
     <message>
         <source>no attractor</source>
-        <translation type="unfinished"></translation>
+        <translation>pas d’attracteur</translation>
     </message>
     <message>
         <source>The sheet would be %1 by %2 pixels; at most %3 a side can be drawn. Take smaller tiles, or other columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>La planche ferait %1 sur %2 pixels ; on peut dessiner au plus %3 pixels par côté. Prenez des vignettes plus petites, ou un autre nombre de colonnes.</translation>
     </message>
     <message>
         <source>the amount of “%1” is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>le coefficient de « %1 » n’est pas un nombre</translation>
     </message>
     <message>
         <source>it uses a variation other than linear</source>
-        <translation type="unfinished"></translation>
+        <translation>elle utilise une variation autre que linear</translation>
     </message>
     <message>
         <source>it acts in space (“%1”)</source>
-        <translation type="unfinished"></translation>
+        <translation>elle agit dans l’espace (« %1 »)</translation>
     </message>
     <message>
         <source>it uses the variation “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>elle utilise la variation « %1 »</translation>
     </message>
     <message>
         <source>its “coefs” are not six numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>ses « coefs » ne sont pas six nombres</translation>
     </message>
     <message>
         <source>its “post” is not six numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>son « post » n’est pas formé de six nombres</translation>
     </message>
     <message>
         <source>its “chaos” allows some successors only, which a list of maps cannot say</source>
-        <translation type="unfinished"></translation>
+        <translation>son « chaos » n’autorise que certains successeurs, ce qu’une liste d’applications ne peut exprimer</translation>
     </message>
     <message>
         <source>it takes part without being drawn (opacity 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>elle agit sans être dessinée (opacity 0)</translation>
     </message>
     <message>
         <source>its weight is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>son poids n’est pas un nombre</translation>
     </message>
     <message>
         <source>it has a final transform</source>
-        <translation type="unfinished"></translation>
+        <translation>elle a une transformation finale</translation>
     </message>
     <message>
         <source>it adds a symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>elle ajoute une symétrie</translation>
     </message>
     <message>
         <source>it has motion</source>
-        <translation type="unfinished"></translation>
+        <translation>elle est animée</translation>
     </message>
     <message>
         <source>it has layers</source>
-        <translation type="unfinished"></translation>
+        <translation>elle a des calques</translation>
     </message>
     <message>
         <source>The flame “%1” is not a system of affine maps: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>La flamme « %1 » n’est pas un système d’applications affines : %2.</translation>
     </message>
     <message>
         <source>it has more than %1 transforms</source>
-        <translation type="unfinished"></translation>
+        <translation>elle a plus de %1 transformations</translation>
     </message>
     <message>
         <source>transform %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>transformation %1 : %2</translation>
     </message>
     <message>
         <source>The flame “%1” has no transforms.</source>
-        <translation type="unfinished"></translation>
+        <translation>La flamme « %1 » n’a pas de transformations.</translation>
     </message>
     <message>
         <source>The entry that opens here is not closed by “}” before the next entry or the end of the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’entrée qui s’ouvre ici n’est pas fermée par « } » avant l’entrée suivante ou la fin du fichier.</translation>
     </message>
     <message>
         <source>%1 more problems in this entry are not listed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 autres problèmes de cette entrée ne sont pas listés.</translation>
     </message>
     <message>
         <source>The name “%1” holds a blank; Fractint takes only its first word.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nom « %1 » contient une espace ; Fractint n’en retient que le premier mot.</translation>
     </message>
     <message>
         <source>The name “%1” is longer than 18 bytes; Fractint cuts it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nom « %1 » dépasse 18 octets ; Fractint le coupe là.</translation>
     </message>
     <message>
         <source>The opening brace stands on a line of its own; Fractint does not find this entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’accolade ouvrante est seule sur sa ligne ; Fractint ne trouve pas cette entrée.</translation>
     </message>
     <message>
         <source>The entry has more than %1 maps, which is the limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’entrée a plus de %1 applications, ce qui est la limite.</translation>
     </message>
     <message>
         <source>“%1”: the comma can be read as a decimal point or between two numbers, and both give whole rows. Write decimal points and blanks.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » : la virgule peut être décimale ou séparer deux nombres, et les deux lectures donnent des lignes complètes. Écrivez des points décimaux et des espaces.</translation>
     </message>
     <message>
         <source>“%1”: neither as a decimal point nor between two numbers does the comma give whole rows of 7 numbers (13 with “(3D)”).</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » : que la virgule soit décimale ou sépare deux nombres, on n’obtient pas de lignes complètes de 7 nombres (13 avec « (3D) »).</translation>
     </message>
     <message>
         <source>The numbers on the line of the opening brace are ignored, as Fractint ignores them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les nombres placés sur la ligne de l’accolade ouvrante sont ignorés, comme le fait Fractint.</translation>
     </message>
     <message>
         <source>“%1” is not understood by this version of Barycage; the line is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas compris par cette version de Barycage ; la ligne est conservée.</translation>
     </message>
     <message>
         <source>The entry holds no numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’entrée ne contient pas de nombres.</translation>
     </message>
     <message>
         <source>This line has %1 numbers and the entry %2, which is no multiple of %3: a map is %3 numbers%4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette ligne a %1 nombres et l’entrée %2, ce qui n’est pas un multiple de %3 : une application compte %3 nombres%4.</translation>
     </message>
     <message>
         <source> in an entry marked “(3D)”</source>
-        <translation type="unfinished"></translation>
+        <translation> dans une entrée marquée « (3D) »</translation>
     </message>
     <message>
         <source>“%1” is not a plain number: Fractint reads %2 and ignores the rest. Write it as one decimal number.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un nombre simple : Fractint lit %2 et ignore le reste. Écrivez-le comme un seul nombre décimal.</translation>
     </message>
     <message>
         <source>“%1” is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un nombre fini.</translation>
     </message>
     <message>
         <source>“%1” is larger than a coefficient can be (3.4e38 in size).</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est plus grand que ne peut l’être un coefficient (3,4e38 en valeur absolue).</translation>
     </message>
     <message>
         <source>“%1” begins with a typographic minus sign (U+2212). Write the plain “-”.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » commence par un signe moins typographique (U+2212). Écrivez le simple « - ».</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un nombre.</translation>
     </message>
     <message>
         <source>Numbers stand on the line of the opening brace, where Fractint ignores them; they are read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des nombres se trouvent sur la ligne de l’accolade ouvrante, où Fractint les ignore ; ils sont lus.</translation>
     </message>
     <message>
         <source>Commas are read as decimal points; Fractint reads other numbers here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les virgules sont lues comme des séparateurs décimaux ; Fractint lit ici d’autres nombres.</translation>
     </message>
     <message>
         <source>Commas or apostrophes stand between the numbers; Iterated Dynamics cannot read this entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des virgules ou des apostrophes séparent les nombres ; Iterated Dynamics ne peut pas lire cette entrée.</translation>
     </message>
     <message>
         <source>The maps have no weights (%1 numbers each); weights are taken from the determinants. Fractint cannot read this entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les applications n’ont pas de poids (%1 nombres chacune) ; les poids sont tirés des déterminants. Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
         <source>Rows of %1 numbers without “(3D)” after the name are read as a 3D system; Fractint cannot read this entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des lignes de %1 nombres sans « (3D) » après le nom sont lues comme un système 3D ; Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
         <source>The lines do not hold 7 numbers each, but all numbers together fill rows of 7 and are read so, as Fractint does. Probably the weights are missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les lignes n’ont pas 7 nombres chacune, mais tous les nombres réunis remplissent des lignes de 7 et sont lus ainsi, comme le fait Fractint. Les poids manquent probablement.</translation>
     </message>
     <message>
         <source>The closing brace touches the last number; Fractint cannot read this entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’accolade fermante touche le dernier nombre ; Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
         <source>The line is longer than 200 bytes; Fractint cuts it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ligne dépasse 200 octets ; Fractint la coupe là.</translation>
     </message>
     <message>
         <source>A NUL byte; the rest of the line is ignored, as Fractint ignores it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un octet NUL ; le reste de la ligne est ignoré, comme le fait Fractint.</translation>
     </message>
     <message>
         <source>The entry has %1 maps; Fractint and Iterated Dynamics read at most 63.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’entrée a %1 applications ; Fractint et Iterated Dynamics en lisent au plus 63.</translation>
     </message>
     <message>
         <source>The weight of map %1 is negative; the map counts as switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le poids de l’application %1 est négatif ; l’application est considérée comme désactivée.</translation>
     </message>
     <message>
         <source>The weight of map %1 is 0; the map takes no part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le poids de l’application %1 est nul ; l’application n’est pas active.</translation>
     </message>
     <message>
         <source>The weights sum to %1, not 1. They are used in proportion; Fractint gives what is missing to the last map and cuts what is too much.</source>
-        <translation type="unfinished"></translation>
+        <translation>La somme des poids est %1, et non 1. Ils sont utilisés en proportion ; Fractint donne ce qui manque à la dernière application et coupe ce qui est en trop.</translation>
     </message>
     <message>
         <source>The file is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier est vide.</translation>
     </message>
     <message>
         <source>These are Fractint parameter sets or formulas; no iterated function system is among them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce sont des jeux de paramètres ou des formules de Fractint ; aucun système de fonctions itérées n’y figure.</translation>
     </message>
     <message>
         <source>No iterated function system was found: an entry is a name, “{”, rows of 7 numbers and “}”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun système de fonctions itérées n’a été trouvé : une entrée est un nom, « { », des lignes de 7 nombres et « } ».</translation>
     </message>
     <message>
         <source>The file has more than %1 entries; the rest is kept as text but not shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier a plus de %1 entrées ; le reste est conservé comme texte, mais n’est pas affiché.</translation>
     </message>
     <message>
         <source>A block without a name is kept as text; Fractint does not list it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un bloc sans nom est conservé comme texte ; Fractint ne le liste pas.</translation>
     </message>
     <message>
         <source>Two opening braces on one line: no reader finds an entry here. The text is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deux accolades ouvrantes sur une même ligne : aucun programme ne trouve d’entrée ici. Le texte est conservé.</translation>
     </message>
     <message>
         <source>“%1” is a parameter set or a formula, not an iterated function system; it is kept as text.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est un jeu de paramètres ou une formule, et non un système de fonctions itérées ; il est conservé comme texte.</translation>
     </message>
     <message>
         <source>The name is taken by the entry in line %1 (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nom est déjà pris par l’entrée de la ligne %1 (Fractint compare 18 caractères sans distinguer majuscules et minuscules) ; Fractint n’atteint jamais celle-ci.</translation>
     </message>
     <message>
         <source>The file begins with a byte order mark, which Fractint takes for a part of the first name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier commence par une marque d’ordre des octets (BOM), que Fractint prend pour une partie du premier nom.</translation>
     </message>
     <message>
         <source>Fractint stops reading at this byte (^Z); the entries after it are read all the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fractint cesse de lire à cet octet (^Z) ; les entrées suivantes sont lues malgré tout.</translation>
     </message>
     <message>
         <source>The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier a %1 entrées ; Fractint et Iterated Dynamics utilisent les 2000 premières.</translation>
     </message>
     <message>
         <source>The entry has no map that takes part and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’entrée n’a aucune application active et est omise.</translation>
     </message>
     <message>
         <source>%1 maps that take no part are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 applications inactives sont omises.</translation>
     </message>
     <message>
         <source>The entry is written under the name “%1”: other programs take 18 plain characters, and each name once.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’entrée est écrite sous le nom « %1 » : d’autres programmes acceptent 18 caractères simples, et chaque nom une seule fois.</translation>
     </message>
     <message>
         <source>The entry has %1 maps; Fractint up to 17.2 reads at most 31.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’entrée a %1 applications ; Fractint jusqu’à 17.2 en lit au plus 31.</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>inconnu</translation>
     </message>
     <message>
         <source>hyperbolic, s = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>hyperbolique, s = %1</translation>
     </message>
     <message>
         <source>eventually contractive, γ = %1 from words of length %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ultimement contractant, γ = %1 pour les mots de longueur %2</translation>
     </message>
     <message>
         <source>none: a word of length %1 does not contract</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun : un mot de longueur %1 n’est pas contractant</translation>
     </message>
     <message>
         <source>undecided</source>
-        <translation type="unfinished"></translation>
+        <translation>indécis</translation>
     </message>
     <message>
         <source>none: no map takes part</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun : pas d’application active</translation>
     </message>
     <message>
         <source>   norm %1, determinant %2</source>
-        <translation type="unfinished"></translation>
+        <translation>   norme %1, déterminant %2</translation>
     </message>
     <message>
         <source>map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>application %1</translation>
     </message>
     <message>
         <source>attractor</source>
-        <translation type="unfinished"></translation>
+        <translation>attracteur</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation type="unfinished"></translation>
+        <translation>moyenne</translation>
     </message>
     <message>
         <source>covariance</source>
-        <translation type="unfinished"></translation>
+        <translation>covariance</translation>
     </message>
     <message>
         <source>bounding box</source>
-        <translation type="unfinished"></translation>
+        <translation>boîte englobante</translation>
     </message>
     <message>
         <source>canonical simplex</source>
-        <translation type="unfinished"></translation>
+        <translation>simplexe canonique</translation>
     </message>
     <message>
         <source>convex hull</source>
-        <translation type="unfinished"></translation>
+        <translation>enveloppe convexe</translation>
     </message>
     <message>
         <source>%1 vertices, area %2; error at most %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sommets, aire %2 ; erreur d’au plus %3</translation>
     </message>
     <message>
         <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sommets, %2 faces, volume %3 ; erreur d’au plus %4</translation>
     </message>
     <message>
         <source>similarity dimension</source>
-        <translation type="unfinished"></translation>
+        <translation>dimension de similitude</translation>
     </message>
     <message>
         <source>affinity dimension</source>
-        <translation type="unfinished"></translation>
+        <translation>dimension d’affinité</translation>
     </message>
     <message>
         <source>%1 — in the plane, %2 maps</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 — dans le plan, %2 applications</translation>
     </message>
     <message>
         <source>%1 — in space, %2 maps</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 — dans l’espace, %2 applications</translation>
     </message>
     <message>
         <source>%1 — could not be read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 — n’a pas pu être lue</translation>
     </message>
     <message>
         <source>cage at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>cage au repos</translation>
     </message>
     <message>
         <source>cage now</source>
-        <translation type="unfinished"></translation>
+        <translation>cage actuelle</translation>
     </message>
     <message>
         <source>The stored cage is not usable (its lists of vertices do not match, or its rest vertices lie on one line, cross each other or are more than 64) and is not applied.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage enregistrée est inutilisable (ses listes de sommets ne se correspondent pas, ou ses sommets au repos sont alignés, forment un polygone croisé ou sont plus de 64) et n’est pas appliquée.</translation>
     </message>
     <message>
         <source>The stored palette “%1” is unknown and is not applied.</source>
-        <translation type="unfinished"></translation>
+        <translation>La palette enregistrée « %1 » est inconnue et n’est pas appliquée.</translation>
     </message>
     <message>
         <source>Map %1 was switched off here, but another program has given it a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’application %1 était désactivée ici, mais un autre programme lui a donné un poids.</translation>
     </message>
     <message>
         <source>A palette has at most %1 colours; the others are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une palette a au plus %1 couleurs ; les autres sont omises.</translation>
     </message>
     <message>
         <source>This line is left out: three whole numbers from 0 to 255 make a colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette ligne est omise : une couleur est formée de trois entiers de 0 à 255.</translation>
     </message>
     <message>
         <source>The file holds no colours.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier ne contient pas de couleurs.</translation>
     </message>
     <message>
         <source>The file has more than 16 MB, which no palette needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier dépasse 16 Mo, bien plus qu’il n’en faut à une palette.</translation>
     </message>
     <message>
         <source>The file is no text, so it is no palette.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier n’est pas un texte, ce n’est donc pas une palette.</translation>
     </message>
     <message>
         <source>This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un dégradé GIMP ; les palettes sont lues dans des fichiers .gpl, .ugr et .map.</translation>
     </message>
     <message>
         <source>The file has more than %1 palettes; the others are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier a plus de %1 palettes ; les autres sont omises.</translation>
     </message>
     <message>
         <source>The file holds no gradient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier ne contient pas de dégradé.</translation>
     </message>
     <message>
         <source>The gradient of line %1 is not closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dégradé de la ligne %1 n’est pas fermé.</translation>
     </message>
     <message>
         <source>“%1” is no whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un entier.</translation>
     </message>
     <message>
         <source>“%1” is not a system in the plane, of which alone points are written.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un système du plan ; on n’écrit de points que pour ceux-ci.</translation>
     </message>
     <message>
         <source>“%1” has no map that takes part, so it has no points.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’a aucune application active, donc pas de points.</translation>
     </message>
     <message>
         <source>A cage of more than three corners bends the picture, and its points are not written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une cage de plus de trois sommets courbe l’image, et ses points ne sont pas écrits.</translation>
     </message>
     <message>
         <source>A point cloud has from 1 to %1 points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un nuage de points compte de 1 à %1 points.</translation>
     </message>
     <message>
         <source>“%1” is a folder. Choose a file name.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est un dossier. Choisissez un nom de fichier.</translation>
     </message>
     <message>
         <source>“%1” is not an ordinary file and is not replaced. Choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un fichier ordinaire et n’est pas remplacé. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>The folder “%1” does not exist. Create it, or save somewhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dossier « %1 » n’existe pas. Créez-le, ou enregistrez ailleurs.</translation>
     </message>
     <message>
         <source>“%1” is read-only. Save under another name, or change its permissions.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est en lecture seule. Enregistrez sous un autre nom, ou changez ses permissions.</translation>
     </message>
     <message>
         <source>“%1” was not saved: the disk is full. Free some space and save again; the file on the disk is as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’a pas été enregistré : le disque est plein. Libérez de la place et enregistrez à nouveau ; le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
         <source>“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’a pas été enregistré : vous n’avez pas le droit d’écrire dans le dossier « %2 ». Enregistrez ailleurs.</translation>
     </message>
     <message>
         <source>“%1” was not saved: the name is too long.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’a pas été enregistré : le nom est trop long.</translation>
     </message>
     <message>
         <source>“%1” was not saved: %2. The file on the disk is as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’a pas été enregistré : %2. Le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
         <source>The file has no name. Choose one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier n’a pas de nom. Choisissez-en un.</translation>
     </message>
     <message>
         <source>“%1” does not exist.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’existe pas.</translation>
     </message>
     <message>
         <source>“%1” is a folder, not a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est un dossier, et non un fichier.</translation>
     </message>
     <message>
         <source>“%1” is larger than 256 MB, which is the limit for a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » dépasse 256 Mo, ce qui est la limite pour un fichier.</translation>
     </message>
     <message>
         <source>“%1” cannot be read: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » ne peut pas être lu : %2.</translation>
     </message>
     <message>
         <source>Only plane systems can be written as a scalable picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seuls les systèmes du plan peuvent être écrits comme image vectorielle.</translation>
     </message>
     <message>
         <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le système n’a pas d’attracteur dont on puisse certifier un contour : il n’y a donc rien à copier.</translation>
     </message>
     <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de lignes de nombres : une ligne est a b c d e f, suivie éventuellement d’un poids.</translation>
     </message>
     <message>
         <source>After the count, a map is its weight and a matrix of 3 rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après leur nombre, chaque application est donnée par son poids et une matrice de 3 lignes.</translation>
     </message>
     <message>
         <source>The last row of the matrix of an affine map is 0 0 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dernière ligne de la matrice d’une application affine est 0 0 1.</translation>
     </message>
     <message>
         <source>The table says that it has %1 maps, and it has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le tableau annonce %1 applications, et il en a %2.</translation>
     </message>
     <message>
         <source>The header does not say which column is a, b, c, d, e and f; choose the order of the columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’en-tête ne dit pas quelles colonnes sont a, b, c, d, e et f ; choisissez l’ordre des colonnes.</translation>
     </message>
     <message>
         <source>This row has %1 numbers; a map is 6 numbers, or 7 with its weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette ligne a %1 nombres ; une application en compte 6, ou 7 avec son poids.</translation>
     </message>
     <message>
         <source>“%1” is not a decimal number.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un nombre décimal.</translation>
     </message>
     <message>
         <source>The table has more than %1 rows, which is the limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le tableau a plus de %1 lignes, ce qui est la limite.</translation>
     </message>
     <message>
         <source>This is a %1 file, not a text with iterated function systems.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un fichier %1, et non un texte contenant des systèmes de fonctions itérées.</translation>
     </message>
     <message>
         <source>This is a text in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un texte en UTF-16. Enregistrez-le en UTF-8 ou en ASCII et ouvrez-le à nouveau.</translation>
     </message>
     <message>
         <source>This is a list written by a Racket program (wgmitchener&apos;s IFS editor), not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est une liste écrite par un programme Racket (l’éditeur d’IFS de wgmitchener), et non une collection Fractint.</translation>
     </message>
     <message>
         <source>This is a flame file (XML), not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un fichier de flammes (XML), et non une collection Fractint.</translation>
     </message>
     <message>
         <source>This is an SVG picture, not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est une image SVG, et non une collection Fractint.</translation>
     </message>
     <message>
         <source>This is an XML file of an IFS program such as IFS Explorer, not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un fichier XML d’un programme d’IFS comme IFS Explorer, et non une collection Fractint.</translation>
     </message>
     <message>
         <source>This is an XML or HTML file, not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un fichier XML ou HTML, et non une collection Fractint.</translation>
     </message>
     <message>
         <source>This is an IFStile file (.aifs), not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un fichier IFStile (.aifs), et non une collection Fractint.</translation>
     </message>
     <message>
         <source>This is a XaoS position file, not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un fichier de position de XaoS, et non une collection Fractint.</translation>
     </message>
     <message>
         <source>The lines are expressions in x and y, as pyfractal writes them, not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les lignes sont des expressions en x et y, telles que les écrit pyfractal, et non une collection Fractint.</translation>
     </message>
     <message>
         <source>This is a table of the program Fraktale: a count, maps with cumulative percentages and a window. It is not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un tableau du programme Fraktale : un nombre, des applications avec pourcentages cumulés et une fenêtre. Ce n’est pas une collection Fractint.</translation>
     </message>
     <message>
         <source>This table has 5 numbers per map (scales, shifts and a rotation in pixels). It is not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce tableau a 5 nombres par application (facteurs d’échelle, translations et rotation, en pixels). Ce n’est pas une collection Fractint.</translation>
     </message>
     <message>
         <source>This is a StyrofoamIFS script, not a Fractint collection.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un script StyrofoamIFS, et non une collection Fractint.</translation>
     </message>
     <message>
         <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est un fichier binaire (peut-être une image à compression fractale ou une bibliothèque d’icônes), et non un texte contenant des systèmes de fonctions itérées.</translation>
     </message>
 </context>
 <context>
     <name>Tour</name>
     <message>
         <source>Contraction</source>
-        <translation type="unfinished"></translation>
+        <translation>Contraction</translation>
     </message>
     <message>
         <source>Every row of this table is a map that makes a smaller copy of the whole, and the picture is all copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the most by which a map stretches. While it is less than 1, the map contracts. Ctrl+Z takes everything back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque ligne de ce tableau est une application qui fait une copie réduite du tout, et l’image est la réunion de toutes les copies. Double-cliquez sur un nombre et tapez-en un autre : la copie bouge à mesure que vous tapez. ‖A‖ est le plus grand facteur dont l’application étire les distances. Tant qu’il est inférieur à 1, l’application est contractante. Ctrl+Z annule tout.</translation>
     </message>
     <message>
         <source>Fixed point</source>
-        <translation type="unfinished"></translation>
+        <translation>Point fixe</translation>
     </message>
     <message>
         <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une application contractante laisse exactement un point à sa place : son point fixe. Désactivez toutes les applications sauf deux avec les cases de gauche, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
     </message>
     <message>
         <source>Chaos game</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeu du chaos</translation>
     </message>
     <message>
         <source>Press Chaos Game and then the triangle that starts it. One point jumps about, each time by a map drawn at random, and leaves a dot where it lands. Let it go faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Appuyez sur Jeu du chaos, puis sur le triangle qui le lance. Un seul point saute, chaque fois par une application tirée au hasard, et laisse une marque là où il tombe. Accélérez-le : quoi que disent les dés, les points remplissent la même image, l’attracteur.</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse</translation>
     </message>
     <message>
         <source>The map that made the last jump to a point, the one before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike lie close together, and now they look alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’application du dernier saut vers un point, celle d’avant, et ainsi de suite : ces numéros forment l’adresse du point. Choisissez Colorer selon : Adresse. Les points dont les adresses commencent de la même façon sont voisins, et maintenant ils se ressemblent.</translation>
     </message>
     <message>
         <source>Barycentric coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordonnées barycentriques</translation>
     </message>
     <message>
         <source>Every point of the picture is a weighted mean of the three corners of the triangle. Take a corner and pull: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights at the pointer stand at the bottom of the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque point de l’image est une moyenne pondérée des trois sommets du triangle. Prenez un sommet et tirez : les points gardent leurs poids, et la fractale entière suit. Aplatissez le triangle et rouvrez-le : rien n’est perdu. Les poids au pointeur se lisent au bas de la fenêtre.</translation>
     </message>
     <message>
         <source>Dimension</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimension</translation>
     </message>
     <message>
         <source>How much of the plane does the attractor fill? The dimension of a curve is 1, that of an area is 2, and most attractors lie between the two. Change a map and look here again. That was the tour; the user guide under Help tells the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle part du plan l’attracteur remplit-il ? La dimension d’une courbe est 1, celle d’une surface est 2, et la plupart des attracteurs se situent entre les deux. Modifiez une application et regardez de nouveau ici. La visite est finie ; le guide d’utilisation, dans le menu Aide, dit le reste.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Précédent</translation>
     </message>
     <message>
         <source>Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Visite guidée</translation>
     </message>
     <message>
         <source>New here?</source>
-        <translation type="unfinished"></translation>
+        <translation>C’est votre première fois ?</translation>
     </message>
     <message>
         <source>Six short steps show what an attractor is, by pulling on one. You can take the tour later, too: it is in the Help menu.</source>
-        <translation type="unfinished"></translation>
+        <translation>Six courtes étapes montrent ce qu’est un attracteur, en tirant sur l’un d’eux. Vous pourrez aussi faire la visite plus tard : elle est dans le menu Aide.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>&amp;Start the Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Commencer la visite</translation>
     </message>
     <message>
         <source>&amp;Done</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Terminer</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Suivant</translation>
     </message>
     <message>
         <source>Not Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas maintenant</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
     <name>WhatsThis</name>
     <message>
         <source>Takes what the dialog shows, and closes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Applique ce que montre le dialogue, et le ferme.</translation>
     </message>
     <message>
         <source>Closes the dialog and changes nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferme le dialogue sans rien changer.</translation>
     </message>
     <message>
         <source>Closes the dialog.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferme le dialogue.</translation>
     </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
     <message>
         <source>This entry has no maps of the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée n’a pas d’applications du plan.</translation>
     </message>
     <message>
         <source>Affine Invariant Form</source>
-        <translation type="unfinished"></translation>
+        <translation>Forme affinement invariante</translation>
     </message>
     <message>
         <source>Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. The matrices do not change when the triangle is dragged. Where no entry is negative, the map takes the triangle into itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ligne j d’une matrice contient les coordonnées barycentriques, dans le triangle, de l’image du sommet j ; la somme de chaque ligne est donc 1. Les matrices ne changent pas quand on déplace le triangle. Là où aucun coefficient n’est négatif, l’application envoie le triangle dans lui-même.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copier</translation>
     </message>
     <message>
         <source>Every map as a matrix that takes barycentric coordinates over the control triangle to barycentric coordinates: each row has the sum 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque application comme une matrice qui, relativement au triangle de contrôle, envoie des coordonnées barycentriques sur des coordonnées barycentriques : la somme de chaque ligne est 1.</translation>
     </message>
     <message>
         <source>Copies the matrices to the clipboard as text.</source>
-        <translation type="unfinished"></translation>
+        <translation>Copie les matrices dans le presse-papiers sous forme de texte.</translation>
     </message>
 </context>
 <context>
     <name>view::AnalysisPanel</name>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Copy All</source>
-        <translation type="unfinished"></translation>
+        <translation>Tout copier</translation>
     </message>
     <message>
         <source>Copy all facts with all digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier toutes les propriétés avec tous les chiffres</translation>
     </message>
     <message>
         <source>3D: not yet shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D : pas encore affiché.</translation>
     </message>
     <message>
         <source>This entry could not be read, so nothing is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée n’a pas pu être lue : on n’en sait donc rien.</translation>
     </message>
     <message>
         <source>The picture is placed by its cage; these are facts of the code. Bake to see those of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image est placée par sa cage ; ces propriétés sont celles du code. Intégrez le placement au code pour voir celles de l’image.</translation>
     </message>
     <message>
         <source>Copy with All Digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier avec tous les chiffres</translation>
     </message>
     <message>
         <source>Copy All Facts</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier toutes les propriétés</translation>
     </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Apparence</translation>
     </message>
     <message>
         <source>Reset to Default</source>
-        <translation type="unfinished"></translation>
+        <translation>Valeurs par défaut</translation>
     </message>
     <message>
         <source>Every setting of this panel as in a new fractal</source>
-        <translation type="unfinished"></translation>
+        <translation>Rétablir tous les réglages de ce panneau comme pour une nouvelle fractale</translation>
     </message>
     <message>
         <source>Colour by</source>
-        <translation type="unfinished"></translation>
+        <translation>Colorer selon</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>Densité</translation>
     </message>
     <message>
         <source>The palette follows the density of points</source>
-        <translation type="unfinished"></translation>
+        <translation>La palette suit la densité des points</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Application</translation>
     </message>
     <message>
         <source>The colour of the last map applied</source>
-        <translation type="unfinished"></translation>
+        <translation>La couleur de la dernière application appliquée</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse</translation>
     </message>
     <message>
         <source>The palette follows the address of each point</source>
-        <translation type="unfinished"></translation>
+        <translation>La palette suit l’adresse de chaque point</translation>
     </message>
     <message>
         <source>Plain</source>
-        <translation type="unfinished"></translation>
+        <translation>Uni</translation>
     </message>
     <message>
         <source>One colour; the density is its opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Une seule couleur ; la densité en donne l’opacité</translation>
     </message>
     <message>
         <source>Change what the colour shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer ce que montre la couleur</translation>
     </message>
     <message>
         <source>Plain colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleur unie</translation>
     </message>
     <message>
         <source>Change the plain colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer la couleur unie</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleur</translation>
     </message>
     <message>
         <source>Palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Palette</translation>
     </message>
     <message>
         <source>Change the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer la palette</translation>
     </message>
     <message>
         <source>Edit Palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier la palette</translation>
     </message>
     <message>
         <source>Edit the palette, or load one from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier la palette, ou en charger une depuis un fichier</translation>
     </message>
     <message>
         <source>Background colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleur du fond</translation>
     </message>
     <message>
         <source>Change the background colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer la couleur du fond</translation>
     </message>
     <message>
         <source>Transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>Transparent</translation>
     </message>
     <message>
         <source>Make the background transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>Rendre le fond transparent</translation>
     </message>
     <message>
         <source>Make the background opaque</source>
-        <translation type="unfinished"></translation>
+        <translation>Rendre le fond opaque</translation>
     </message>
     <message>
         <source>Background</source>
-        <translation type="unfinished"></translation>
+        <translation>Fond</translation>
     </message>
     <message>
         <source>Brightness</source>
-        <translation type="unfinished"></translation>
+        <translation>Luminosité</translation>
     </message>
     <message>
         <source>Change the brightness</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer la luminosité</translation>
     </message>
     <message>
         <source>How early thin parts become visible: κ of the logarithmic tone curve</source>
-        <translation type="unfinished"></translation>
+        <translation>À partir de quelle densité les parties ténues deviennent visibles : κ de la courbe de tons logarithmique</translation>
     </message>
     <message>
         <source>Gamma</source>
-        <translation type="unfinished"></translation>
+        <translation>Gamma</translation>
     </message>
     <message>
         <source>Change the gamma</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer le gamma</translation>
     </message>
     <message>
         <source>Exponent of the tone curve: higher values lift the dark parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Exposant de la courbe de tons : une valeur plus grande éclaircit les parties sombres</translation>
     </message>
     <message>
         <source>Supersampling</source>
-        <translation type="unfinished"></translation>
+        <translation>Suréchantillonnage</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun</translation>
     </message>
     <message>
         <source>%1 × %1 sub-pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %1 sous-pixels</translation>
     </message>
     <message>
         <source>Change the supersampling</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer le suréchantillonnage</translation>
     </message>
     <message>
         <source>Map colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleurs des applications</translation>
     </message>
     <message>
         <source>Reset the appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Réinitialiser l’apparence</translation>
     </message>
     <message>
         <source>Colour of map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleur de l’application %1</translation>
     </message>
     <message>
         <source>Change the colour of map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer la couleur de l’application %1</translation>
     </message>
     <message>
         <source>What the colour of a point tells: how many points fall there, which map came last, or the whole address.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que dit la couleur d’un point : combien de points tombent là, quelle application a agi en dernier, ou l’adresse entière.</translation>
     </message>
     <message>
         <source>The colours from the thinnest parts to the densest, or along the addresses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les couleurs, des parties les plus ténues aux plus denses, ou le long des adresses.</translation>
     </message>
     <message>
         <source>Leaves the background out of exported pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Omet le fond dans les images exportées.</translation>
     </message>
     <message>
         <source>Draws every pixel from several finer ones: smoother edges, for more memory and time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessine chaque pixel à partir de plusieurs pixels plus fins : des bords plus lisses, pour plus de mémoire et de temps.</translation>
     </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
     <message>
         <source>Drag, or use the arrow keys. The number beside it is the same value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faites glisser, ou utilisez les touches fléchées. Le nombre à côté est la même valeur.</translation>
     </message>
 </context>
 <context>
     <name>view::ArisingBar</name>
     <message>
         <source>How the attractor arises</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment naît l’attracteur</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>Densité</translation>
     </message>
     <message>
         <source>The invariant measure, refined while nothing moves</source>
-        <translation type="unfinished"></translation>
+        <translation>La mesure invariante, affinée tant que rien ne bouge</translation>
     </message>
     <message>
         <source>Steps Wⁿ</source>
-        <translation type="unfinished"></translation>
+        <translation>Étapes Wⁿ</translation>
     </message>
     <message>
         <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>L’algorithme déterministe : toutes les applications appliquées n fois à la cage au repos</translation>
     </message>
     <message>
         <source>Chaos Game</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeu du chaos</translation>
     </message>
     <message>
         <source>One point that jumps by maps drawn at random; the first 14 points are not plotted</source>
-        <translation type="unfinished"></translation>
+        <translation>Un point qui saute par des applications tirées au hasard ; les 14 premiers points ne sont pas tracés</translation>
     </message>
     <message>
         <source>n: how often all maps are applied</source>
-        <translation type="unfinished"></translation>
+        <translation>n : combien de fois toutes les applications sont appliquées</translation>
     </message>
     <message>
         <source>Begin Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Recommencer</translation>
     </message>
     <message>
         <source>No points yet, and other dice</source>
-        <translation type="unfinished"></translation>
+        <translation>Repartir sans aucun point, avec d’autres tirages</translation>
     </message>
     <message>
         <source>One Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Un point</translation>
     </message>
     <message>
         <source>Plot one more point</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracer un point de plus</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Démarrer</translation>
     </message>
     <message>
         <source>Let points appear</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire apparaître des points</translation>
     </message>
     <message>
         <source>Points a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Points par seconde</translation>
     </message>
     <message>
         <source>%1 a second</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 par seconde</translation>
     </message>
     <message>
         <source>W%1: the cage itself</source>
-        <translation type="unfinished"></translation>
+        <translation>W%1 : la cage elle-même</translation>
     </message>
     <message>
         <source>W%1: %2 copies of the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>W%1 : %2 copies de la cage</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Stay at these points</source>
-        <translation type="unfinished"></translation>
+        <translation>En rester à ces points</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 points</translation>
     </message>
     <message>
         <source>1 point</source>
-        <translation type="unfinished"></translation>
+        <translation>1 point</translation>
     </message>
     <message>
         <source>, the last by map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, le dernier par l’application %1</translation>
     </message>
     <message>
         <source>How often all maps are applied to the cage: 0 is the cage itself, and with every step the picture comes closer to the attractor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de fois toutes les applications sont appliquées à la cage : 0 donne la cage elle-même, et à chaque étape l’image se rapproche de l’attracteur.</translation>
     </message>
     <message>
         <source>How many points the chaos game plots in a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de points le jeu du chaos trace en une seconde.</translation>
     </message>
 </context>
 <context>
     <name>view::CageActions</name>
     <message>
         <source>This entry is not a system of the plane, so it has no control cage.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée n’est pas un système du plan ; elle n’a donc pas de cage de contrôle.</translation>
     </message>
     <message>
         <source>The cage is too flat to be undone. Open it by dragging a vertex, or reset it, and try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est trop plate pour que l’on puisse l’inverser. Ouvrez-la en déplaçant un sommet, ou réinitialisez-la, puis réessayez.</translation>
     </message>
     <message>
         <source>The three points lie on one line and hold no coordinates. Put the third one beside the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les trois points sont alignés et ne portent pas de coordonnées. Placez le troisième à côté de la droite.</translation>
     </message>
     <message>
         <source>Fit the minimal canonical simplex</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuster le simplexe canonique minimal</translation>
     </message>
     <message>
         <source>The cage is at rest already.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est déjà au repos.</translation>
     </message>
     <message>
         <source>Reset the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Réinitialiser la cage</translation>
     </message>
     <message>
         <source>Bake the placement into the code</source>
-        <translation type="unfinished"></translation>
+        <translation>Intégrer le placement au code</translation>
     </message>
     <message>
         <source>Define the control triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Définir le triangle de contrôle</translation>
     </message>
     <message>
         <source>Vertex %1 is there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le sommet %1 y est déjà.</translation>
     </message>
     <message>
         <source>Move vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer le sommet %1</translation>
     </message>
     <message>
         <source>A cage has at most %1 vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une cage a au plus %1 sommets.</translation>
     </message>
     <message>
         <source>There is no room for a vertex here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de place ici pour un sommet.</translation>
     </message>
     <message>
         <source>Insert a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Insérer un sommet</translation>
     </message>
     <message>
         <source>A cage has at least three vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une cage a au moins trois sommets.</translation>
     </message>
     <message>
         <source>Without this vertex the cage at rest would cross itself or be flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans ce sommet, la cage au repos serait croisée ou plate.</translation>
     </message>
     <message>
         <source>Delete vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer le sommet %1</translation>
     </message>
     <message>
         <source>Make the cage regular</source>
-        <translation type="unfinished"></translation>
+        <translation>Rendre la cage régulière</translation>
     </message>
     <message>
         <source>Unbake: take the placement out of the code</source>
-        <translation type="unfinished"></translation>
+        <translation>Extraire le placement du code</translation>
     </message>
 </context>
 <context>
     <name>view::CagePanel</name>
     <message>
         <source>Cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Cage</translation>
     </message>
     <message>
         <source>State of the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>État de la cage</translation>
     </message>
     <message>
         <source>Warning about the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Avertissement sur la cage</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Placer</translation>
     </message>
     <message>
         <source>Rewrite</source>
-        <translation type="unfinished"></translation>
+        <translation>Réécrire</translation>
     </message>
     <message>
         <source>Moving the cage moves the picture; the code stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la cage déplace l’image ; le code reste</translation>
     </message>
     <message>
         <source>Moving the cage rewrites the code</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la cage réécrit le code</translation>
     </message>
     <message>
         <source>Bend</source>
-        <translation type="unfinished"></translation>
+        <translation>Courber</translation>
     </message>
     <message>
         <source>Affine fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustement affine</translation>
     </message>
     <message>
         <source>Every vertex is followed; the picture bends, which cannot be baked into a code</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque sommet est suivi ; l’image se courbe, ce qui ne peut pas être intégré à un code</translation>
     </message>
     <message>
         <source>The picture moves by the affine map that comes nearest to the vertices; it can be baked</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image suit l’application affine qui s’approche le plus des sommets ; celle-ci peut être intégrée au code</translation>
     </message>
     <message>
         <source>Bend the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Courber l’image</translation>
     </message>
     <message>
         <source>Fit the picture by an affine map</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuster l’image par une application affine</translation>
     </message>
     <message>
         <source>Define…</source>
-        <translation type="unfinished"></translation>
+        <translation>Définir…</translation>
     </message>
     <message>
         <source>Define the triangle by three clicks on the canvas; the picture stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Définir le triangle en trois clics dans la zone de dessin ; l’image reste</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Réinitialiser</translation>
     </message>
     <message>
         <source>Bake</source>
-        <translation type="unfinished"></translation>
+        <translation>Intégrer</translation>
     </message>
     <message>
         <source>Minimal Canonical Simplex</source>
-        <translation type="unfinished"></translation>
+        <translation>Simplexe canonique minimal</translation>
     </message>
     <message>
         <source>Canonical Simplex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Simplexe canonique %1</translation>
     </message>
     <message>
         <source>Bounding Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Boîte englobante</translation>
     </message>
     <message numerus="yes">
         <source>%n Corners</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n sommet</numerusform>
+            <numerusform>%n sommets</numerusform>
         </translation>
     </message>
     <message>
         <source>Convex Hull, Simplified to</source>
-        <translation type="unfinished"></translation>
+        <translation>Enveloppe convexe simplifiée à</translation>
     </message>
     <message>
         <source>Regular Polygon with</source>
-        <translation type="unfinished"></translation>
+        <translation>Polygone régulier à</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuster</translation>
     </message>
     <message>
         <source>Fit the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuster la cage</translation>
     </message>
     <message>
         <source>Vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Sommets</translation>
     </message>
     <message>
         <source>Rest cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Cage au repos</translation>
     </message>
     <message>
         <source>Show the vertices that hold the attractor while the cage is at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer les sommets qui tiennent l’attracteur quand la cage est au repos</translation>
     </message>
     <message>
         <source>Show the rest cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher la cage au repos</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>x at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>x au repos</translation>
     </message>
     <message>
         <source>y at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>y au repos</translation>
     </message>
     <message>
         <source>Minimal canonical simplex</source>
-        <translation type="unfinished"></translation>
+        <translation>Simplexe canonique minimal</translation>
     </message>
     <message>
         <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs say to which side its legs point from the right angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plus petit triangle rectangle isocèle aux cathètes parallèles aux axes qui contient l’image. Les signes disent de quel côté pointent ses cathètes depuis l’angle droit.</translation>
     </message>
     <message>
         <source>Barycentric coordinates of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordonnées barycentriques d’un point</translation>
     </message>
     <message>
         <source>The weights a, b, c with a + b + c = 1 that the vertices take to balance in the point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poids a, b, c, avec a + b + c = 1, qu’il faut donner aux sommets pour que le point en soit le barycentre.</translation>
     </message>
     <message>
         <source>x of the point</source>
-        <translation type="unfinished"></translation>
+        <translation>x du point</translation>
     </message>
     <message>
         <source>y of the point</source>
-        <translation type="unfinished"></translation>
+        <translation>y du point</translation>
     </message>
     <message>
         <source>Barycentric coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordonnées barycentriques</translation>
     </message>
     <message>
         <source>%1 of vertex %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 du sommet %2</translation>
     </message>
     <message>
         <source>%1 of rest vertex %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 du sommet au repos %2</translation>
     </message>
     <message>
         <source>Move vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer le sommet %1</translation>
     </message>
     <message>
         <source>The three points are on one line: the rest cage must enclose an area.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les trois points sont alignés : la cage au repos doit entourer une aire.</translation>
     </message>
     <message>
         <source>The rest cage must be a polygon that does not cross itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage au repos doit être un polygone non croisé.</translation>
     </message>
     <message>
         <source>Define vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Définir le sommet %1</translation>
     </message>
     <message>
         <source>The picture is too thin for such a cage.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image est trop mince pour une telle cage.</translation>
     </message>
     <message>
         <source>Reset the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Réinitialiser la cage</translation>
     </message>
     <message>
         <source>Bake the cage into the code</source>
-        <translation type="unfinished"></translation>
+        <translation>Intégrer la cage au code</translation>
     </message>
     <message>
         <source>3D: not yet shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D : pas encore affiché.</translation>
     </message>
     <message>
         <source>This entry could not be read, so it has no cage.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée n’a pas pu être lue ; elle n’a donc pas de cage.</translation>
     </message>
     <message>
         <source>At rest: the picture is that of the code.</source>
-        <translation type="unfinished"></translation>
+        <translation>Au repos : l’image est celle du code.</translation>
     </message>
     <message>
         <source>%1 vertices, at rest: the picture is that of the code.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sommets, au repos : l’image est celle du code.</translation>
     </message>
     <message>
         <source>%1 vertices: bent by Wachspress coordinates, not bakeable.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sommets : image courbée par les coordonnées de Wachspress, impossible à intégrer au code.</translation>
     </message>
     <message>
         <source>%1 vertices: bent by mean value coordinates, not bakeable.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sommets : image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
     </message>
     <message>
         <source>Flat: the picture lies on one line. Open the cage and it comes back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plate : l’image est tout entière sur une droite. Ouvrez la cage et elle réapparaît.</translation>
     </message>
     <message>
         <source>Placed and mirrored: areas change by the factor %1, and the sense of rotation is reversed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Placée et retournée : les aires sont multipliées par %1, et l’orientation est inversée.</translation>
     </message>
     <message>
         <source>Placed: areas change by the factor %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Placée : les aires sont multipliées par %1.</translation>
     </message>
     <message>
         <source>Only a triangle has barycentric coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seul un triangle a des coordonnées barycentriques.</translation>
     </message>
     <message>
         <source>The triangle is flat: it holds no coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le triangle est plat : il ne porte pas de coordonnées.</translation>
     </message>
     <message>
         <source>%1, leg %2, corner (%3, %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, cathète %2, angle droit en (%3, %4)</translation>
     </message>
     <message>
         <source>Hold the picture by a fitted cage; the picture stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenir l’image par une cage ajustée ; l’image reste</translation>
     </message>
     <message>
         <source>The cage is at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est au repos.</translation>
     </message>
     <message>
         <source>Put the cage and the picture back to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Remettre la cage et l’image au repos</translation>
     </message>
     <message>
         <source>Make the displayed picture the code; the cage then rests</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire de l’image affichée le code ; la cage est ensuite au repos</translation>
     </message>
 </context>
 <context>
     <name>view::CageTool</name>
     <message>
         <source>Move the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la cage</translation>
     </message>
     <message>
         <source>Rotate the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire tourner la cage</translation>
     </message>
     <message>
         <source>Scale the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Redimensionner la cage</translation>
     </message>
     <message>
         <source>Move vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer le sommet %1</translation>
     </message>
     <message>
         <source>Move edge %1–%2</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer l’arête %1–%2</translation>
     </message>
 </context>
 <context>
     <name>view::Canvas</name>
     <message>
         <source>No attractor: map %1 does not contract (largest singular value %2, spectral radius %3). Make it smaller, or switch it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas d’attracteur : l’application %1 n’est pas contractante (plus grande valeur singulière %2, rayon spectral %3). Réduisez-la, ou désactivez-la.</translation>
     </message>
     <message>
         <source>No attractor: the maps %1, one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas d’attracteur : les applications %1, l’une après l’autre, ne sont pas contractantes (plus grande valeur singulière %2, rayon spectral %3). Réduisez l’une d’elles, ou désactivez-la.</translation>
     </message>
     <message>
         <source>It is not settled whether this system has an attractor: map %1 stretches by %2. Points that run away are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>On n’a pas pu décider si ce système a un attracteur : l’application %1 étire d’un facteur %2. Les points qui s’échappent sont omis.</translation>
     </message>
     <message>
         <source>It is not settled whether this system has an attractor. Points that run away are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>On n’a pas pu décider si ce système a un attracteur. Les points qui s’échappent sont omis.</translation>
     </message>
     <message>
         <source>This entry is a system in space: not yet shown. It is kept as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée est un système de l’espace : pas encore affiché. Elle est conservée telle quelle.</translation>
     </message>
     <message>
         <source>This entry could not be read. Its text is kept as it is in the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée n’a pas pu être lue. Son texte est conservé tel qu’il est dans le fichier.</translation>
     </message>
     <message>
         <source>No map takes part, so there is nothing to draw. Add a map or switch one on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune application n’est active : il n’y a rien à dessiner. Ajoutez une application ou activez-en une.</translation>
     </message>
     <message>
         <source>This is as deep as the arithmetic reaches: zoom out a little for a true picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’arithmétique ne descend pas plus profond : faites un petit zoom arrière pour une image fidèle.</translation>
     </message>
     <message>
         <source>Drawn with fewer iterations than asked for: more would need more memory than allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessiné avec moins d’itérations que demandé : davantage exigerait plus de mémoire que permis.</translation>
     </message>
     <message>
         <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est plate, et l’image aussi. Tirez un sommet pour l’ouvrir : rien n’est perdu.</translation>
     </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
     <message>
         <source>Vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sommet %1</translation>
     </message>
     <message>
         <source>&amp;Coordinates…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Coordonnées…</translation>
     </message>
     <message>
         <source>Types the place of this vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Saisir la position de ce sommet</translation>
     </message>
     <message>
         <source>&amp;Reset This Vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Ré&amp;initialiser ce sommet</translation>
     </message>
     <message>
         <source>Puts this vertex back to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Remettre ce sommet au repos</translation>
     </message>
     <message>
         <source>Snap to &amp;Grid Point (%1, %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Accrocher au point de la &amp;grille (%1, %2)</translation>
     </message>
     <message>
         <source>Moves this vertex to the nearest point of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer ce sommet jusqu’au point de la grille le plus proche</translation>
     </message>
     <message>
         <source>Snap to the &amp;x Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Accrocher à l’axe des &amp;x</translation>
     </message>
     <message>
         <source>Moves this vertex straight to the x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Projeter ce sommet sur l’axe des x</translation>
     </message>
     <message>
         <source>Snap to the &amp;y Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Accrocher à l’axe des &amp;y</translation>
     </message>
     <message>
         <source>Moves this vertex straight to the y axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Projeter ce sommet sur l’axe des y</translation>
     </message>
     <message>
         <source>&amp;Delete This Vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Supprimer ce sommet</translation>
     </message>
     <message>
         <source>Takes this vertex out of the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirer ce sommet de la cage</translation>
     </message>
     <message>
         <source>Put the &amp;Pivot Here</source>
-        <translation type="unfinished"></translation>
+        <translation>Placer le &amp;pivot ici</translation>
     </message>
     <message>
         <source>Turns and scales the cage about this vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire tourner et redimensionner la cage autour de ce sommet</translation>
     </message>
     <message>
         <source>Edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Arête</translation>
     </message>
     <message>
         <source>&amp;Insert a Vertex Here</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Insérer un sommet ici</translation>
     </message>
     <message>
         <source>Puts one more vertex on this edge; a double click does the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettre un sommet de plus sur cette arête ; un double-clic fait de même</translation>
     </message>
     <message>
         <source>Rotate: Shift turns in steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotation : Maj tourne par pas de 15°</translation>
     </message>
     <message>
         <source>Scale: Shift keeps to x or y</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle : Maj s’en tient à x ou à y</translation>
     </message>
     <message>
         <source>Pivot</source>
-        <translation type="unfinished"></translation>
+        <translation>Pivot</translation>
     </message>
     <message>
         <source>Put the &amp;Pivot in the Middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Placer le &amp;pivot au milieu</translation>
     </message>
     <message>
         <source>Turns and scales the cage about its middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire tourner et redimensionner la cage autour de son milieu</translation>
     </message>
     <message>
         <source>Cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Cage</translation>
     </message>
     <message>
         <source>Fit &amp;Minimal Canonical Simplex</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuster le simplexe canonique &amp;minimal</translation>
     </message>
     <message>
         <source>Holds the picture by the smallest right-angled triangle around it</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenir l’image par le plus petit triangle rectangle isocèle qui la contient</translation>
     </message>
     <message>
         <source>&amp;Define Triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Définir un triangle</translation>
     </message>
     <message>
         <source>Holds the picture by three points that are clicked</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenir l’image par trois points choisis d’un clic</translation>
     </message>
     <message>
         <source>R&amp;eset Cage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Réinitialiser la cage</translation>
     </message>
     <message>
         <source>Puts every vertex back to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Remettre tous les sommets au repos</translation>
     </message>
     <message>
         <source>Make Re&amp;gular</source>
-        <translation type="unfinished"></translation>
+        <translation>Rendre régu&amp;lière</translation>
     </message>
     <message>
         <source>Puts the vertices on the regular polygon nearest to them</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettre les sommets sur le polygone régulier le plus proche</translation>
     </message>
     <message>
         <source>&amp;Bake Placement into the Code</source>
-        <translation type="unfinished"></translation>
+        <translation>In&amp;tégrer le placement au code</translation>
     </message>
     <message>
         <source>Rewrites the maps so that they draw what is shown, with the cage at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Réécrire les applications pour qu’elles dessinent ce qui est montré, la cage étant au repos</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Affichage</translation>
     </message>
     <message>
         <source>&amp;Fit	F</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;juster à la vue	F</translation>
     </message>
     <message>
         <source>Shows the whole picture and its cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer l’image entière et sa cage</translation>
     </message>
     <message>
         <source>&amp;100 %	1</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;100 %	1</translation>
     </message>
     <message>
         <source>Shows one unit of the plane as a hundred pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher une unité du plan sur cent pixels</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Grille</translation>
     </message>
     <message>
         <source>Shows or hides the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher ou masquer la grille</translation>
     </message>
     <message>
         <source>&amp;Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Axes</translation>
     </message>
     <message>
         <source>Shows or hides the axes and their numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher ou masquer les axes et leurs nombres</translation>
     </message>
     <message>
         <source>&amp;Y Axis Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Axe des &amp;y vers le bas</translation>
     </message>
     <message>
         <source>Turns the plane over, as on the screen of a computer</source>
-        <translation type="unfinished"></translation>
+        <translation>Retourner le plan, comme sur l’écran d’un ordinateur</translation>
     </message>
     <message>
         <source>&amp;Only the Picture	H</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Image seule	H</translation>
     </message>
     <message>
         <source>Hides the cage, the grid and the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Masquer la cage, la grille et les axes</translation>
     </message>
     <message>
         <source>&amp;Copy Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copier l’image</translation>
     </message>
     <message>
         <source>Copies the picture as it is seen, without the cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier l’image telle qu’on la voit, sans la cage</translation>
     </message>
     <message>
         <source>Canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone de dessin</translation>
     </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
     <message>
         <source>Vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sommet %1</translation>
     </message>
     <message>
         <source>Edge from vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Arête partant du sommet %1</translation>
     </message>
     <message>
         <source>The whole cage</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage entière</translation>
     </message>
     <message>
         <source>Pivot</source>
-        <translation type="unfinished"></translation>
+        <translation>Pivot</translation>
     </message>
     <message>
         <source>Rotate handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Poignée de rotation</translation>
     </message>
     <message>
         <source>Scale handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Poignée d’échelle</translation>
     </message>
     <message>
         <source>the arrow keys move both its ends</source>
-        <translation type="unfinished"></translation>
+        <translation>les touches fléchées déplacent ses deux extrémités</translation>
     </message>
     <message>
         <source>the arrow keys move it</source>
-        <translation type="unfinished"></translation>
+        <translation>les touches fléchées déplacent l’élément</translation>
     </message>
     <message>
         <source>the arrow keys turn the cage by one degree</source>
-        <translation type="unfinished"></translation>
+        <translation>les touches fléchées font tourner la cage d’un degré</translation>
     </message>
     <message>
         <source>the arrow keys scale the cage by one percent</source>
-        <translation type="unfinished"></translation>
+        <translation>les touches fléchées redimensionnent la cage d’un pour cent</translation>
     </message>
     <message>
         <source>Drag the pivot: the cage turns and scales about it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacez le pivot : la cage tourne et se redimensionne autour de lui.</translation>
     </message>
     <message>
         <source>Drag to turn the cage about the pivot; Shift: in steps of 15°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tirez pour faire tourner la cage autour du pivot ; Maj : par pas de 15°.</translation>
     </message>
     <message>
         <source>Drag to scale the cage about the pivot; Shift: along x or y only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tirez pour redimensionner la cage autour du pivot ; Maj : seulement selon x ou y.</translation>
     </message>
 </context>
 <context>
     <name>view::CanvasView</name>
     <message>
         <source>Canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone de dessin</translation>
     </message>
     <message>
         <source>The attractor and its control cage. Tab goes from handle to handle, the arrow keys move the one in focus, F6 leaves the canvas.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’attracteur et sa cage de contrôle. Tab passe d’une poignée à l’autre, les touches fléchées déplacent celle qui a le focus, F6 quitte la zone de dessin.</translation>
     </message>
     <message>
         <source>Define triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Définir un triangle</translation>
     </message>
     <message>
         <source>The cage is flat, so new vertices cannot be related to the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est plate : de nouveaux sommets ne peuvent pas être rapportés à l’image.</translation>
     </message>
     <message>
         <source>Put the cage back to rest first?</source>
-        <translation type="unfinished"></translation>
+        <translation>Remettre d’abord la cage au repos ?</translation>
     </message>
     <message>
         <source>Reset the Cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Réinitialiser la cage</translation>
     </message>
     <message>
         <source>Only the picture is shown. Press H to see the cage again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seule l’image est affichée. Appuyez sur H pour revoir la cage.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the plane. Tab goes from handle to handle, arrow keys move them, F6 leaves.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image et sa cage. Tirez un sommet, une arête ou l’intérieur de la cage ; Ctrl fait tourner, Alt redimensionne, Maj garde les directions. La molette zoome sur le pointeur, le bouton du milieu déplace le plan. Tab passe d’une poignée à l’autre, les touches fléchées les déplacent, F6 quitte la zone.</translation>
     </message>
 </context>
 <context>
@@ -3022,2262 +3041,2264 @@
     <message>
         <source>pasted</source>
         <comment>name of an entry made from a table</comment>
-        <translation type="unfinished"></translation>
+        <translation>collage</translation>
     </message>
 </context>
 <context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Thème : %1</translation>
     </message>
     <message>
         <source>%1, from %2, a favourite</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, de %2, en favori</translation>
     </message>
     <message>
         <source>%1, from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, de %2</translation>
     </message>
 </context>
 <context>
     <name>view::CollectionPanel</name>
     <message>
         <source>Collection</source>
-        <translation type="unfinished"></translation>
+        <translation>Collection</translation>
     </message>
     <message>
         <source>Search the collection</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechercher dans la collection</translation>
     </message>
     <message>
         <source>Show only fractals whose name, title, theme or source contains these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>N’afficher que les fractales dont le nom, le titre, le thème ou la source contient ces mots.</translation>
     </message>
     <message>
         <source>Fractals of the collection</source>
-        <translation type="unfinished"></translation>
+        <translation>Fractales de la collection</translation>
     </message>
     <message>
         <source>No favourites yet. Choose a fractal and press Ctrl+D.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas encore de favoris. Choisissez une fractale et appuyez sur Ctrl+D.</translation>
     </message>
     <message>
         <source>Nothing here has these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien ici ne contient ces mots.</translation>
     </message>
     <message>
         <source>&amp;Open</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ouvrir</translation>
     </message>
     <message>
         <source>Open the chosen fractal as a document of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir la fractale choisie dans un document à part.</translation>
     </message>
     <message>
         <source>&amp;Add to This File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ajouter à ce fichier</translation>
     </message>
     <message>
         <source>Add the chosen fractal to the open file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter la fractale choisie au fichier ouvert.</translation>
     </message>
     <message>
         <source>Fa&amp;vourite</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Favori</translation>
     </message>
     <message>
         <source>Mark the chosen fractal as one of your favourites.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettre la fractale choisie dans vos favoris.</translation>
     </message>
     <message>
         <source>Only Fa&amp;vourites</source>
-        <translation type="unfinished"></translation>
+        <translation>Fa&amp;voris seulement</translation>
     </message>
     <message>
         <source>Show nothing but your favourites.</source>
-        <translation type="unfinished"></translation>
+        <translation>N’afficher que vos favoris.</translation>
     </message>
     <message>
         <source>Add &amp;Folder…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter un &amp;dossier…</translation>
     </message>
     <message>
         <source>Show the .ifs files of a folder of yours here, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher ici aussi les fichiers .ifs d’un dossier à vous.</translation>
     </message>
     <message>
         <source>&amp;Remove Folder “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Retirer le dossier « %1 »</translation>
     </message>
     <message>
         <source>Show this folder here no more. Its files stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne plus afficher ce dossier ici. Ses fichiers restent tels quels.</translation>
     </message>
     <message>
         <source>Folder of .ifs Files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dossier de fichiers .ifs</translation>
     </message>
     <message>
         <source>Shows only the fractals whose name, theme or comment has these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>N’affiche que les fractales dont le nom, le thème ou le commentaire contient ces mots.</translation>
     </message>
     <message>
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des fractales pour commencer. Un double-clic ou Entrée en ouvre une dans cette fenêtre ; le menu du bouton droit permet plutôt de l’ajouter au fichier.</translation>
     </message>
 </context>
 <context>
     <name>view::ColourButton</name>
     <message>
         <source>transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>transparent</translation>
     </message>
     <message>
         <source>%1, %2 % opaque</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, opaque à %2 %</translation>
     </message>
     <message>
         <source>Click to choose another colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez pour choisir une autre couleur.</translation>
     </message>
 </context>
 <context>
     <name>view::CommandPalette</name>
     <message>
         <source>Command palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Palette de commandes</translation>
     </message>
     <message>
         <source>Type what you want to do</source>
-        <translation type="unfinished"></translation>
+        <translation>Tapez ce que vous voulez faire</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Commande</translation>
     </message>
     <message>
         <source>Matching commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Commandes correspondantes</translation>
     </message>
     <message>
         <source>Type some letters of what you want to do. Arrow keys choose, Enter does it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tapez quelques lettres de ce que vous voulez faire. Les touches fléchées choisissent, Entrée exécute.</translation>
     </message>
     <message>
         <source>The commands whose names have these letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les commandes dont le nom contient ces lettres.</translation>
     </message>
 </context>
 <context>
     <name>view::DefineTool</name>
     <message>
         <source>Click the first of the three vertices. The picture stays where it is; Esc leaves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez sur le premier des trois sommets. L’image reste où elle est ; Échap abandonne.</translation>
     </message>
     <message>
         <source>Click the second vertex. Backspace takes the first one back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez sur le deuxième sommet. Retour arrière annule le premier.</translation>
     </message>
     <message>
         <source>Click the third vertex. Backspace takes the second one back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez sur le troisième sommet. Retour arrière annule le deuxième.</translation>
     </message>
 </context>
 <context>
     <name>view::EntriesCommentDialog</name>
     <message>
         <source>Comment of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Commentaire de « %1 »</translation>
     </message>
     <message>
         <source>Comment behind the name</source>
-        <translation type="unfinished"></translation>
+        <translation>Commentaire à la suite du nom</translation>
     </message>
     <message>
         <source>Written on the first line of the entry, for example its title or author.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrit sur la première ligne de l’entrée : son titre ou son auteur, par exemple.</translation>
     </message>
     <message>
         <source>Comment lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Lignes de commentaire</translation>
     </message>
     <message>
         <source>Written as lines of their own below the name, each behind a semicolon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrites sur des lignes à part sous le nom, chacune après un point-virgule.</translation>
     </message>
     <message>
         <source>Reason why the comment cannot be kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Raison pour laquelle le commentaire ne peut pas être conservé</translation>
     </message>
     <message>
         <source>Keep or discard the comment</source>
-        <translation type="unfinished"></translation>
+        <translation>Conserver ou abandonner le commentaire</translation>
     </message>
     <message>
         <source>&amp;Behind the name:</source>
-        <translation type="unfinished"></translation>
+        <translation>À la &amp;suite du nom :</translation>
     </message>
     <message>
         <source>Comment &amp;lines:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lignes de commentaire :</translation>
     </message>
     <message>
         <source>A comment cannot begin with “barycage:”; such lines keep the cage and the colours.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un commentaire ne peut pas commencer par « barycage: » ; ces lignes conservent la cage et les couleurs.</translation>
     </message>
     <message>
         <source>A line holds at most %1 bytes; Fractint cuts longer ones. Break it in two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une ligne compte au plus %1 octets ; Fractint coupe les plus longues. Coupez-la en deux.</translation>
     </message>
 </context>
 <context>
     <name>view::EntriesDelegate</name>
     <message>
         <source>Name of the entry</source>
-        <translation type="unfinished"></translation>
+        <translation>Nom de l’entrée</translation>
     </message>
 </context>
 <context>
     <name>view::EntriesEdits</name>
     <message>
         <source>An entry needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une entrée a besoin d’un nom.</translation>
     </message>
     <message>
         <source>A name holds no blanks: Fractint would read its first word only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un nom ne contient pas d’espaces : Fractint n’en lirait que le premier mot.</translation>
     </message>
     <message>
         <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » ne peut pas figurer dans un nom, car il a un sens particulier dans les fichiers .ifs.</translation>
     </message>
     <message>
         <source>A name has at most %1 characters; Fractint ignores the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un nom a au plus %1 caractères ; Fractint ignore le reste.</translation>
     </message>
     <message>
         <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fractint ne liste pas une entrée nommée « %1 » ; choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Another entry is called “%1” (upper and lower case count as equal).</source>
-        <translation type="unfinished"></translation>
+        <translation>Une autre entrée se nomme « %1 » (majuscules et minuscules ne sont pas distinguées).</translation>
     </message>
 </context>
 <context>
     <name>view::EntriesModel</name>
     <message>
         <source>Rename “%1” to “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>Renommer « %1 » en « %2 »</translation>
     </message>
     <message>
         <source>3D: not yet shown</source>
-        <translation type="unfinished"></translation>
+        <translation>3D : pas encore affiché</translation>
     </message>
     <message>
         <source>could not be read</source>
-        <translation type="unfinished"></translation>
+        <translation>n’a pas pu être lue</translation>
     </message>
     <message>
         <source>1 map</source>
-        <translation type="unfinished"></translation>
+        <translation>1 application</translation>
     </message>
     <message numerus="yes">
         <source>%n maps</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n application</numerusform>
+            <numerusform>%n applications</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, no attractor</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, pas d’attracteur</translation>
     </message>
     <message>
         <source>Line %1, column %2: </source>
-        <translation type="unfinished"></translation>
+        <translation>Ligne %1, colonne %2 : </translation>
     </message>
     <message>
         <source>modified</source>
-        <translation type="unfinished"></translation>
+        <translation>modifiée</translation>
     </message>
     <message>
         <source>has errors</source>
-        <translation type="unfinished"></translation>
+        <translation>contient des erreurs</translation>
     </message>
     <message>
         <source>has warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>donne lieu à des avertissements</translation>
     </message>
 </context>
 <context>
     <name>view::EntriesPanel</name>
     <message>
         <source>Entries of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrées du fichier</translation>
     </message>
     <message>
         <source>Filter entries by name</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtrer les entrées par nom</translation>
     </message>
     <message>
         <source>Filter by name</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtrer par nom</translation>
     </message>
     <message>
         <source>Show only the entries whose name contains this text.</source>
-        <translation type="unfinished"></translation>
+        <translation>N’afficher que les entrées dont le nom contient ce texte.</translation>
     </message>
     <message>
         <source>Entries</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrées</translation>
     </message>
     <message>
         <source>This file holds no entries. Add one, or paste the text of an .ifs file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce fichier ne contient aucune entrée. Ajoutez-en une, ou collez le texte d’un fichier .ifs.</translation>
     </message>
     <message>
         <source>&amp;Add Entry</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ajouter une entrée</translation>
     </message>
     <message>
         <source>Add a Sierpiński triangle as a new entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter un triangle de Sierpiński comme nouvelle entrée.</translation>
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dupliquer</translation>
     </message>
     <message>
         <source>Add a copy of each selected entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter une copie de chaque entrée sélectionnée.</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Supprimer</translation>
     </message>
     <message>
         <source>Remove the selected entries from the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer du fichier les entrées sélectionnées.</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;nommer</translation>
     </message>
     <message>
         <source>Give the entry another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donner un autre nom à l’entrée.</translation>
     </message>
     <message>
         <source>Edit &amp;Comment…</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier le co&amp;mmentaire…</translation>
     </message>
     <message>
         <source>Edit the comment of the entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier le commentaire de l’entrée.</translation>
     </message>
     <message>
         <source>Move &amp;Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Mon&amp;ter</translation>
     </message>
     <message>
         <source>Move the selected entries towards the top of the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer les entrées sélectionnées vers le début du fichier.</translation>
     </message>
     <message>
         <source>Move &amp;Down</source>
-        <translation type="unfinished"></translation>
+        <translation>D&amp;escendre</translation>
     </message>
     <message>
         <source>Move the selected entries towards the end of the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer les entrées sélectionnées vers la fin du fichier.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copier</translation>
     </message>
     <message>
         <source>Copy the selected entries as .ifs text.</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier les entrées sélectionnées comme texte .ifs.</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;oller</translation>
     </message>
     <message>
         <source>Paste the entries of .ifs text behind the current entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coller les entrées d’un texte .ifs après l’entrée courante.</translation>
     </message>
     <message>
         <source>Add an entry</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter une entrée</translation>
     </message>
     <message>
         <source>Remove %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer %1</translation>
     </message>
     <message numerus="yes">
         <source>Remove %n entries</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Supprimer %n entrée</numerusform>
+            <numerusform>Supprimer %n entrées</numerusform>
         </translation>
     </message>
     <message>
         <source>An entry that could not be read cannot be duplicated: it would keep its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une entrée qui n’a pas pu être lue ne peut pas être dupliquée : sa copie garderait le même nom.</translation>
     </message>
     <message>
         <source>Duplicate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dupliquer %1</translation>
     </message>
     <message numerus="yes">
         <source>Duplicate %n entries</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Dupliquer %n entrée</numerusform>
+            <numerusform>Dupliquer %n entrées</numerusform>
         </translation>
     </message>
     <message>
         <source>Edit the comment of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier le commentaire de %1</translation>
     </message>
     <message>
         <source>There is no entry of an .ifs file in what was pasted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui a été collé ne contient aucune entrée de fichier .ifs.</translation>
     </message>
     <message>
         <source>Paste %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Coller %1</translation>
     </message>
     <message numerus="yes">
         <source>Paste %n entries</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Coller %n entrée</numerusform>
+            <numerusform>Coller %n entrées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n pasted entries could not be read; their text is kept as it is.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n entrée collée n’a pas pu être lue ; son texte est conservé tel quel.</numerusform>
+            <numerusform>%n entrées collées n’ont pas pu être lues ; leur texte est conservé tel quel.</numerusform>
         </translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer %1</translation>
     </message>
     <message numerus="yes">
         <source>Move %n entries</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Déplacer %n entrée</numerusform>
+            <numerusform>Déplacer %n entrées</numerusform>
         </translation>
     </message>
     <message>
         <source>No entry has “%1” in its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune entrée n’a « %1 » dans son nom.</translation>
     </message>
     <message>
         <source>Shows only the entries whose name has these letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>N’affiche que les entrées dont le nom contient ces lettres.</translation>
     </message>
     <message>
         <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les fractales du fichier. Cliquez sur l’une d’elles pour la modifier, faites-la glisser pour la changer de place, appuyez sur F2 pour la renommer.</translation>
     </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>
     <message>
         <source>Export Data of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter les données de « %1 »</translation>
     </message>
     <message>
         <source>What the file will hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que contiendra le fichier</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Résultat</translation>
     </message>
     <message>
         <source>Progress of the export</source>
-        <translation type="unfinished"></translation>
+        <translation>Progression de l’exportation</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exporter…</translation>
     </message>
     <message>
         <source>Copy &amp;Text</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier le &amp;texte</translation>
     </message>
     <message>
         <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
-        <translation type="unfinished"></translation>
+        <translation>Flamme : flam3, Apophysis, JWildfire, Fractorium</translation>
     </message>
     <message>
         <source>IFStile (.aifs)</source>
-        <translation type="unfinished"></translation>
+        <translation>IFStile (.aifs)</translation>
     </message>
     <message>
         <source>Table with commas (.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tableau avec virgules (.csv)</translation>
     </message>
     <message>
         <source>Table with tabs (.tsv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tableau avec tabulations (.tsv)</translation>
     </message>
     <message>
         <source>Points (.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Points (.csv)</translation>
     </message>
     <message>
         <source>Points, coloured (.ply)</source>
-        <translation type="unfinished"></translation>
+        <translation>Points en couleurs (.ply)</translation>
     </message>
     <message>
         <source>&amp;Turn y around, so that the flame is the same way up</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Retourner y, pour que la flamme soit dans le même sens</translation>
     </message>
     <message>
         <source>&amp;Bake the placement, so that the maps draw what is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Intégrer le placement, pour que les applications dessinent ce qui est montré</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Format :</translation>
     </message>
     <message>
         <source>&amp;Columns:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Colonnes :</translation>
     </message>
     <message>
         <source>&amp;Points:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Points :</translation>
     </message>
     <message>
         <source>Only the numbers of plane systems can be exported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seuls les nombres des systèmes du plan peuvent être exportés.</translation>
     </message>
     <message>
         <source>The points of the chaos game where they are shown, without the first 14.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les points du jeu du chaos là où ils sont affichés, sans les 14 premiers.</translation>
     </message>
     <message>
         <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichiers %1 (*.%2)</translation>
     </message>
     <message>
         <source>Export Data</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter les données</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Arrêter</translation>
     </message>
     <message>
         <source>The text is on the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le texte est dans le presse-papiers.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Fer&amp;mer</translation>
     </message>
     <message>
         <source>The export was stopped; nothing was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’exportation a été arrêtée ; rien n’a été écrit.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrit dans %1.</translation>
     </message>
     <message>
         <source>The beginning of the file as it will be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le début du fichier tel qu’il sera écrit.</translation>
     </message>
     <message>
         <source>For which program the data are: each format has what that program reads.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le programme auquel les données sont destinées : chaque format contient ce que ce programme lit.</translation>
     </message>
     <message>
         <source>The order in which each row has its coefficients; other programs expect other orders.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’ordre des coefficients dans chaque ligne ; d’autres programmes attendent d’autres ordres.</translation>
     </message>
     <message>
         <source>How many points of the chaos game are written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de points du jeu du chaos sont écrits.</translation>
     </message>
     <message>
         <source>Flame programs let y grow downwards. With this the flame looks as the fractal does here; without it the numbers are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les programmes de flammes font croître y vers le bas. Avec cette option, la flamme a la même allure que la fractale ici ; sans elle, les nombres sont les mêmes.</translation>
     </message>
     <message>
         <source>With this, the cage is made part of the maps. Without it, the maps are written as they stand in the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avec cette option, la cage est intégrée aux applications. Sans elle, les applications sont écrites telles qu’elles figurent dans le tableau.</translation>
     </message>
     <message>
         <source>Asks for the name of the file and writes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Demande le nom du fichier et l’écrit.</translation>
     </message>
     <message>
         <source>Copies the whole text to the clipboard instead of writing a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Copie le texte entier dans le presse-papiers au lieu d’écrire un fichier.</translation>
     </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
     <message>
         <source>Export “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter « %1 »</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exporter…</translation>
     </message>
     <message>
         <source>PNG: pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG : pixels</translation>
     </message>
     <message>
         <source>SVG: shapes for drawing programs</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG : formes pour logiciels de dessin</translation>
     </message>
     <message>
         <source>PDF: shapes for print</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF : formes pour l’impression</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>&amp;Transparent background</source>
-        <translation type="unfinished"></translation>
+        <translation>Fond &amp;transparent</translation>
     </message>
     <message>
         <source>Include the &amp;control triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Inclure le triangle de contrôle</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Format :</translation>
     </message>
     <message>
         <source>Size:</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille :</translation>
     </message>
     <message>
         <source>Draft: 25 samples a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Brouillon : 25 échantillons par pixel</translation>
     </message>
     <message>
         <source>Good: 100 samples a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Bonne : 100 échantillons par pixel</translation>
     </message>
     <message>
         <source>Fine: 400 samples a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Fine : 400 échantillons par pixel</translation>
     </message>
     <message>
         <source>Finest: 2000 samples a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Maximale : 2000 échantillons par pixel</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>Qualité</translation>
     </message>
     <message>
         <source>Cells along the side of a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cellules le long du côté d’un pixel</translation>
     </message>
     <message>
         <source>8 bits a channel</source>
-        <translation type="unfinished"></translation>
+        <translation>8 bits par canal</translation>
     </message>
     <message>
         <source>16 bits a channel, for further work on the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>16 bits par canal, pour retravailler l’image</translation>
     </message>
     <message>
         <source>Colour depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Profondeur de couleur</translation>
     </message>
     <message>
         <source>Memory needed</source>
-        <translation type="unfinished"></translation>
+        <translation>Mémoire nécessaire</translation>
     </message>
     <message>
         <source>&amp;Quality:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Qualité :</translation>
     </message>
     <message>
         <source>&amp;Supersampling:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Suréchantillonnage :</translation>
     </message>
     <message>
         <source>C&amp;olour depth:</source>
-        <translation type="unfinished"></translation>
+        <translation>Profondeur de &amp;couleur :</translation>
     </message>
     <message>
         <source>Memory:</source>
-        <translation type="unfinished"></translation>
+        <translation>Mémoire :</translation>
     </message>
     <message>
         <source>Copies of copies: a small file</source>
-        <translation type="unfinished"></translation>
+        <translation>Copies de copies : un petit fichier</translation>
     </message>
     <message>
         <source>Outline, for cutters and plotters</source>
-        <translation type="unfinished"></translation>
+        <translation>Contour, pour machines de découpe et traceurs</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Points</translation>
     </message>
     <message>
         <source>Kind of shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Type de formes</translation>
     </message>
     <message>
         <source>Number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de points</translation>
     </message>
     <message>
         <source>As deep as a pixel &amp;needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussi profond que &amp;le demande un pixel</translation>
     </message>
     <message>
         <source>Levels of copies</source>
-        <translation type="unfinished"></translation>
+        <translation>Niveaux de copies</translation>
     </message>
     <message>
         <source>What the picture will be like</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que sera l’image</translation>
     </message>
     <message>
         <source>S&amp;hapes:</source>
-        <translation type="unfinished"></translation>
+        <translation>F&amp;ormes :</translation>
     </message>
     <message>
         <source>&amp;Points:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Points :</translation>
     </message>
     <message>
         <source>&amp;Depth:</source>
-        <translation type="unfinished"></translation>
+        <translation>Profon&amp;deur :</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Résultat</translation>
     </message>
     <message>
         <source>Progress of the export</source>
-        <translation type="unfinished"></translation>
+        <translation>Progression de l’exportation</translation>
     </message>
     <message>
         <source>Only plane systems can be exported as a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seuls les systèmes du plan peuvent être exportés comme image.</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>environ %1</translation>
     </message>
     <message>
         <source>One dot for every point of the chaos game that is in view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un point dessiné pour chaque point visible du jeu du chaos.</translation>
     </message>
     <message>
         <source>%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 références (moins de 400 000 sont permises). Rien de ce qui est dessiné n’est à plus de %2 pixels de l’attracteur, et rien de celui-ci n’est plus loin de ce qui est dessiné.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
-        <translation type="unfinished"></translation>
+        <translation> La cage courbe l’image, ce que des copies ne peuvent pas suivre : c’est l’ajustement affine de la cage qui est écrit. Un PNG montre l’image courbée.</translation>
     </message>
     <message>
         <source>PDF documents (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Documents PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Scalable pictures (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Images vectorielles (*.svg)</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Images (*.png)</translation>
     </message>
     <message>
         <source>Export Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter l’image</translation>
     </message>
     <message>
         <source>The export was stopped; nothing was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’exportation a été arrêtée ; rien n’a été écrit.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrit dans %1.</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Arrêter</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Fer&amp;mer</translation>
     </message>
     <message>
         <source>PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une image PNG est faite de pixels ; SVG et PDF sont faits de formes, qui restent nettes à toutes les tailles.</translation>
     </message>
     <message>
         <source>The picture has no background and can be laid over another.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image n’a pas de fond et peut être superposée à une autre.</translation>
     </message>
     <message>
         <source>Draws the cage over the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessine la cage par-dessus l’image.</translation>
     </message>
     <message>
         <source>How many points are drawn for each pixel: more make a smoother picture and take longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de points sont dessinés par pixel : davantage de points donnent une image plus lisse et prennent plus de temps.</translation>
     </message>
     <message>
         <source>Every pixel is drawn from so many finer ones along its side: smoother edges, for more memory and time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque pixel est dessiné à partir d’autant de pixels plus fins le long de son côté : des bords plus lisses, pour plus de mémoire et de temps.</translation>
     </message>
     <message>
         <source>16 bits keep fine steps of brightness for later work in a picture editor; 8 bits are enough to look at.</source>
-        <translation type="unfinished"></translation>
+        <translation>16 bits conservent les fines nuances de luminosité pour un travail ultérieur dans un éditeur d’images ; 8 bits suffisent pour regarder.</translation>
     </message>
     <message>
         <source>Copies of copies make a small file that drawing programs can edit; the outline is one path; points are dots of the chaos game.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les copies de copies donnent un petit fichier que les logiciels de dessin savent modifier ; le contour est un seul tracé ; les points sont ceux du jeu du chaos.</translation>
     </message>
     <message>
         <source>How many dots of the chaos game are drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de points du jeu du chaos sont dessinés.</translation>
     </message>
     <message>
         <source>Copies are made smaller until no pixel of this size could tell the difference.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les copies sont réduites jusqu’à ce qu’aucun pixel de cette taille ne puisse montrer la différence.</translation>
     </message>
     <message>
         <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de niveaux de copies a l’image. Le fichier n’en grossit guère, mais la durée du dessin, elle, augmente.</translation>
     </message>
     <message>
         <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Demande le nom du fichier et l’écrit. La fenêtre reste utilisable pendant ce temps.</translation>
     </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur</translation>
     </message>
     <message>
         <source>pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>pixels</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>inches</source>
-        <translation type="unfinished"></translation>
+        <translation>pouces</translation>
     </message>
     <message>
         <source>Unit of length</source>
-        <translation type="unfinished"></translation>
+        <translation>Unité de longueur</translation>
     </message>
     <message>
         <source>As on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme à l’écran</translation>
     </message>
     <message>
         <source>%1 × the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × l’écran</translation>
     </message>
     <message>
         <source>Own size</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille au choix</translation>
     </message>
     <message>
         <source>Size relative to the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille par rapport à l’écran</translation>
     </message>
     <message>
         <source>Keep shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder les proportions</translation>
     </message>
     <message>
         <source>Keep the shape of the picture on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder les proportions de l’image à l’écran</translation>
     </message>
     <message>
         <source> dpi</source>
-        <translation type="unfinished"></translation>
+        <translation> ppp</translation>
     </message>
     <message>
         <source>Resolution in dots per inch</source>
-        <translation type="unfinished"></translation>
+        <translation>Résolution en points par pouce</translation>
     </message>
     <message>
         <source>A length in the unit chosen beside it. The other side follows while the shape is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une longueur dans l’unité choisie à côté. L’autre côté suit tant que les proportions sont gardées.</translation>
     </message>
     <message>
         <source>In pixels, or on paper at the resolution given.</source>
-        <translation type="unfinished"></translation>
+        <translation>En pixels, ou sur papier à la résolution indiquée.</translation>
     </message>
     <message>
         <source>The picture as on the screen or some times as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image comme à l’écran, ou plusieurs fois plus grande.</translation>
     </message>
     <message>
         <source>How many pixels go on an inch of paper: 300 is usual in print.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de pixels tiennent sur un pouce de papier : 300 est l’usage en imprimerie.</translation>
     </message>
 </context>
 <context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
-        <translation type="unfinished"></translation>
+        <translation>de cette fractale</translation>
     </message>
     <message>
         <source>%1 (of this fractal)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (de cette fractale)</translation>
     </message>
 </context>
 <context>
     <name>view::GradientEditor</name>
     <message>
         <source>Palette editor</source>
-        <translation type="unfinished"></translation>
+        <translation>Éditeur de palette</translation>
     </message>
     <message>
         <source>Colour of the stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleur du repère</translation>
     </message>
     <message>
         <source>Position of the stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Position du repère</translation>
     </message>
     <message>
         <source>Position of the stop, from 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Position du repère, de 0 à 1</translation>
     </message>
     <message>
         <source>Add Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter un repère</translation>
     </message>
     <message>
         <source>Add a stop after the chosen one</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter un repère après celui qui est choisi</translation>
     </message>
     <message>
         <source>Remove Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer le repère</translation>
     </message>
     <message>
         <source>Remove the chosen stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer le repère choisi</translation>
     </message>
     <message>
         <source>Reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>Inverser</translation>
     </message>
     <message>
         <source>Turn the palette round</source>
-        <translation type="unfinished"></translation>
+        <translation>Retourner la palette</translation>
     </message>
     <message>
         <source>Distribute</source>
-        <translation type="unfinished"></translation>
+        <translation>Répartir</translation>
     </message>
     <message>
         <source>Put the stops at equal distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettre les repères à distances égales</translation>
     </message>
     <message>
         <source>Load…</source>
-        <translation type="unfinished"></translation>
+        <translation>Charger…</translation>
     </message>
     <message>
         <source>Load a palette from a .gpl, .ugr or .map file</source>
-        <translation type="unfinished"></translation>
+        <translation>Charger une palette depuis un fichier .gpl, .ugr ou .map</translation>
     </message>
     <message>
         <source>Save As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer sous…</translation>
     </message>
     <message>
         <source>Save the palette as a .gpl file</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer la palette dans un fichier .gpl</translation>
     </message>
     <message>
         <source>Change a colour of the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer une couleur de la palette</translation>
     </message>
     <message>
         <source>Move a stop of the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer un repère de la palette</translation>
     </message>
     <message>
         <source>Save Palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer la palette</translation>
     </message>
     <message>
         <source>palette</source>
-        <translation type="unfinished"></translation>
+        <translation>palette</translation>
     </message>
     <message>
         <source>GIMP palettes (*.gpl)</source>
-        <translation type="unfinished"></translation>
+        <translation>Palettes GIMP (*.gpl)</translation>
     </message>
     <message>
         <source>Reverse the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Inverser la palette</translation>
     </message>
     <message>
         <source>Distribute the stops of the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Répartir les repères de la palette</translation>
     </message>
     <message>
         <source>Load Palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Charger une palette</translation>
     </message>
     <message>
         <source>Palettes (*.gpl *.ugr *.gradient *.map);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Palettes (*.gpl *.ugr *.gradient *.map);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>%1, line %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ligne %2 : %3</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>Load the palette %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Charger la palette %1</translation>
     </message>
     <message>
         <source>Palettes of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Palettes du fichier</translation>
     </message>
     <message>
         <source>Load a palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Charger une palette</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est enregistré.</translation>
     </message>
     <message>
         <source>The palettes that the file holds. Choose one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les palettes que contient le fichier. Choisissez-en une.</translation>
     </message>
 </context>
 <context>
     <name>view::GradientStrip</name>
     <message>
         <source>Stops of the gradient</source>
-        <translation type="unfinished"></translation>
+        <translation>Repères du dégradé</translation>
     </message>
     <message>
         <source>Double-click: new stop, or the colour of one. Drag: move. Del: remove.
 Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Double-clic : nouveau repère, ou couleur d’un repère. Glisser : déplacer. Suppr : supprimer.
+Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le déplacent, Inser en ajoute un, Entrée ouvre sa couleur.</translation>
     </message>
     <message>
         <source>Stop %1 of %2 at %3 %, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Repère %1 sur %2 à %3 %, %4</translation>
     </message>
     <message>
         <source>Add a stop to the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter un repère à la palette</translation>
     </message>
     <message>
         <source>Remove a stop of the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer un repère de la palette</translation>
     </message>
     <message>
         <source>Move a stop of the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer un repère de la palette</translation>
     </message>
 </context>
 <context>
     <name>view::Guide</name>
     <message>
         <source>User Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Guide d’utilisation</translation>
     </message>
     <message>
         <source>The user guide: what can be done here, in the order in which one needs it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le guide d’utilisation : ce que l’on peut faire ici, dans l’ordre où l’on en a besoin.</translation>
     </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Historique</translation>
     </message>
     <message>
         <source>Steps of the history</source>
-        <translation type="unfinished"></translation>
+        <translation>Étapes de l’historique</translation>
     </message>
     <message>
         <source>Choose a step to go back to it, or forward.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez une étape pour y revenir ou pour y avancer.</translation>
     </message>
     <message>
         <source>Choose a step to go back to it, or forward. The disk marks what is saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez une étape pour y revenir ou pour y avancer. La disquette marque ce qui est enregistré.</translation>
     </message>
     <message>
         <source>As opened</source>
-        <translation type="unfinished"></translation>
+        <translation>État à l’ouverture</translation>
     </message>
 </context>
 <context>
     <name>view::MapShapeEditor</name>
     <message>
         <source>Rotation °</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotation °</translation>
     </message>
     <message>
         <source>Angle in degrees, counter-clockwise with y up</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle en degrés, dans le sens direct quand y est vers le haut</translation>
     </message>
     <message>
         <source>Scale x</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle x</translation>
     </message>
     <message>
         <source>Length of the image of the x unit vector</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de l’image du vecteur unité de l’axe des x</translation>
     </message>
     <message>
         <source>Scale y</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle y</translation>
     </message>
     <message>
         <source>Scale across; negative when the map reflects</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle en travers ; négative quand l’application renverse l’orientation</translation>
     </message>
     <message>
         <source>Shear</source>
-        <translation type="unfinished"></translation>
+        <translation>Cisaillement</translation>
     </message>
     <message>
         <source>Shear along x, applied before everything else</source>
-        <translation type="unfinished"></translation>
+        <translation>Cisaillement selon x, appliqué avant tout le reste</translation>
     </message>
     <message>
         <source>Shift x</source>
-        <translation type="unfinished"></translation>
+        <translation>Translation x</translation>
     </message>
     <message>
         <source>Translation e, applied last</source>
-        <translation type="unfinished"></translation>
+        <translation>Translation e, appliquée en dernier</translation>
     </message>
     <message>
         <source>Shift y</source>
-        <translation type="unfinished"></translation>
+        <translation>Translation y</translation>
     </message>
     <message>
         <source>Translation f, applied last</source>
-        <translation type="unfinished"></translation>
+        <translation>Translation f, appliquée en dernier</translation>
     </message>
     <message>
         <source>No map is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune application n’est sélectionnée</translation>
     </message>
     <message>
         <source>Map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Application %1</translation>
     </message>
     <message>
         <source>Change the shape of map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier la forme de l’application %1</translation>
     </message>
 </context>
 <context>
     <name>view::MapsDelegate</name>
     <message>
         <source>%1 of map %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de l’application %2</translation>
     </message>
     <message>
         <source>%1 The cell keeps its value.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 La cellule garde sa valeur.</translation>
     </message>
 </context>
 <context>
     <name>view::MapsModel</name>
     <message>
         <source>similarity</source>
-        <translation type="unfinished"></translation>
+        <translation>similitude</translation>
     </message>
     <message>
         <source>reflected similarity</source>
-        <translation type="unfinished"></translation>
+        <translation>similitude indirecte</translation>
     </message>
     <message>
         <source>affine</source>
-        <translation type="unfinished"></translation>
+        <translation>affine</translation>
     </message>
     <message>
         <source>singular</source>
-        <translation type="unfinished"></translation>
+        <translation>singulière</translation>
     </message>
     <message>
         <source>constant</source>
-        <translation type="unfinished"></translation>
+        <translation>constante</translation>
     </message>
     <message>
         <source>A similarity keeps shapes: it turns, scales and shifts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une similitude conserve les formes : elle tourne, change l’échelle et translate.</translation>
     </message>
     <message>
         <source>A reflected similarity keeps shapes, as a mirror does, and scales and shifts them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une similitude indirecte conserve les formes à la manière d’un miroir, change l’échelle et translate.</translation>
     </message>
     <message>
         <source>An affine map keeps lines and parallels, not angles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une application affine conserve les droites et le parallélisme, mais pas les angles.</translation>
     </message>
     <message>
         <source>A singular map takes the plane to a line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une application singulière envoie le plan dans une droite.</translation>
     </message>
     <message>
         <source>A constant map takes the plane to one point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une application constante envoie le plan sur un seul point.</translation>
     </message>
     <message>
         <source>On</source>
-        <translation type="unfinished"></translation>
+        <translation>Active</translation>
     </message>
     <message>
         <source>p</source>
-        <translation type="unfinished"></translation>
+        <translation>p</translation>
     </message>
     <message>
         <source>det</source>
-        <translation type="unfinished"></translation>
+        <translation>det</translation>
     </message>
     <message>
         <source>‖A‖</source>
-        <translation type="unfinished"></translation>
+        <translation>‖A‖</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Nature</translation>
     </message>
     <message>
         <source>The map takes (x, y) to (a x + b y + e, c x + d y + f).</source>
-        <translation type="unfinished"></translation>
+        <translation>L’application envoie (x, y) sur (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
         <source>Effective code: the map as it acts on the picture under the current cage. Bake makes it the code.</source>
-        <translation type="unfinished"></translation>
+        <translation>Code effectif : l’application telle qu’elle agit sur l’image sous la cage actuelle. « Intégrer » en fait le code.</translation>
     </message>
     <message>
         <source>Whether the map takes part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si l’application est active.</translation>
     </message>
     <message>
         <source>Colour of the map, used when the picture is coloured by map.</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleur de l’application, utilisée quand l’image est colorée selon les applications.</translation>
     </message>
     <message>
         <source>Weight as given: how often the chaos game takes the map. The weights need not sum to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids tel qu’il est donné : la fréquence à laquelle le jeu du chaos choisit l’application. La somme des poids n’est pas forcément 1.</translation>
     </message>
     <message>
         <source>Determinant ad − bc: the factor of areas; negative when the map reflects.</source>
-        <translation type="unfinished"></translation>
+        <translation>Déterminant ad − bc : le facteur des aires ; négatif quand l’application renverse l’orientation.</translation>
     </message>
     <message>
         <source>Contraction factor ‖A‖, the largest singular value: the most by which distances grow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Facteur de contraction ‖A‖, la plus grande valeur singulière : le plus grand facteur dont les distances augmentent.</translation>
     </message>
     <message>
         <source>What the map is geometrically.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu’est l’application géométriquement.</translation>
     </message>
     <message>
         <source>Map %1 takes part.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’application %1 est active.</translation>
     </message>
     <message>
         <source>Map %1 is switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’application %1 est désactivée.</translation>
     </message>
     <message>
         <source>Colour of map %1. Press Space or double-click to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleur de l’application %1. Appuyez sur Espace ou double-cliquez pour la changer.</translation>
     </message>
     <message>
         <source>The cage is flat or bent: there is no effective code.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cage est plate ou courbe l’image : il n’y a pas de code effectif.</translation>
     </message>
     <message>
         <source>No weight is given; the determinant rule makes the probability %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun poids n’est donné ; selon la règle des déterminants, la probabilité est %1.</translation>
     </message>
     <message>
         <source>Weight %1: a weight that is not positive switches the map off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids %1 : un poids qui n’est pas strictement positif désactive l’application.</translation>
     </message>
     <message>
         <source>Weight %1, probability %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids %1, probabilité %2.</translation>
     </message>
     <message>
         <source>%1, not contracting</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, non contractante</translation>
     </message>
     <message>
         <source>colour %1</source>
-        <translation type="unfinished"></translation>
+        <translation>couleur %1</translation>
     </message>
     <message>
         <source>Map %1 does not contract: it stretches by up to %2. The system may still have an attractor if longer words contract.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’application %1 n’est pas contractante : elle étire d’un facteur pouvant atteindre %2. Le système peut tout de même avoir un attracteur si des mots plus longs sont contractants.</translation>
     </message>
     <message>
         <source>Map %1. Drag to reorder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Application %1. Faites glisser pour changer l’ordre.</translation>
     </message>
     <message>
         <source>Change weight of map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier le poids de l’application %1</translation>
     </message>
     <message>
         <source>Change %1 of map %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier %1 de l’application %2</translation>
     </message>
     <message>
         <source>Switch map %1 on</source>
-        <translation type="unfinished"></translation>
+        <translation>Activer l’application %1</translation>
     </message>
     <message>
         <source>Switch map %1 off</source>
-        <translation type="unfinished"></translation>
+        <translation>Désactiver l’application %1</translation>
     </message>
     <message>
         <source>Change colour of map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Changer la couleur de l’application %1</translation>
     </message>
 </context>
 <context>
     <name>view::MapsPanel</name>
     <message>
         <source>Maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Applications</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter</translation>
     </message>
     <message>
         <source>Add a map of half the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter une application réduisant de moitié</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Dupliquer</translation>
     </message>
     <message>
         <source>Duplicate the selected maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Dupliquer les applications sélectionnées</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Delete the selected maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer les applications sélectionnées</translation>
     </message>
     <message>
         <source>Move Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Monter</translation>
     </message>
     <message>
         <source>Move the selected maps up</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer les applications sélectionnées vers le haut</translation>
     </message>
     <message>
         <source>Move Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Descendre</translation>
     </message>
     <message>
         <source>Move the selected maps down</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer les applications sélectionnées vers le bas</translation>
     </message>
     <message>
         <source>Copy Rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier les lignes</translation>
     </message>
     <message>
         <source>Copy the selected maps as rows a b c d e f p, separated by tabs</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier les applications sélectionnées en lignes a b c d e f p, séparées par des tabulations</translation>
     </message>
     <message>
         <source>Paste in Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Coller sur place</translation>
     </message>
     <message>
         <source>Replace the selected maps by rows of 6 or 7 numbers from the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer les applications sélectionnées par des lignes de 6 ou 7 nombres du presse-papiers</translation>
     </message>
     <message>
         <source>Paste as New Maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Coller comme nouvelles applications</translation>
     </message>
     <message>
         <source>Add rows of 6 or 7 numbers from the clipboard as new maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter des lignes de 6 ou 7 nombres du presse-papiers comme nouvelles applications</translation>
     </message>
     <message>
         <source>Bake</source>
-        <translation type="unfinished"></translation>
+        <translation>Intégrer</translation>
     </message>
     <message>
         <source>Make the effective code the code; the cage then rests</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire du code effectif le code ; la cage est ensuite au repos</translation>
     </message>
     <message>
         <source>By |Determinant|</source>
-        <translation type="unfinished"></translation>
+        <translation>Selon |déterminant|</translation>
     </message>
     <message>
         <source>Weights in proportion to the areas of the images, so that the picture is even</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids proportionnels aux aires des images, pour une image uniforme</translation>
     </message>
     <message>
         <source>Equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Égaux</translation>
     </message>
     <message>
         <source>The same weight for every map</source>
-        <translation type="unfinished"></translation>
+        <translation>Le même poids pour toutes les applications</translation>
     </message>
     <message>
         <source>By Dimension</source>
-        <translation type="unfinished"></translation>
+        <translation>Selon la dimension</translation>
     </message>
     <message>
         <source>Weights for an even cover of the attractor at its own dimension</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids couvrant uniformément l’attracteur dans sa propre dimension</translation>
     </message>
     <message>
         <source>Normalise</source>
-        <translation type="unfinished"></translation>
+        <translation>Normaliser</translation>
     </message>
     <message>
         <source>The same proportions, with the sum 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Les mêmes proportions, avec la somme 1</translation>
     </message>
     <message>
         <source>Weights</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids</translation>
     </message>
     <message>
         <source>Weights of all maps that are on, by a rule</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids de toutes les applications actives, selon une règle</translation>
     </message>
     <message>
         <source>Show columns: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Colonnes affichées : %1</translation>
     </message>
     <message>
         <source>Code</source>
-        <translation type="unfinished"></translation>
+        <translation>Code</translation>
     </message>
     <message>
         <source>Show the coefficients a … f</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher les coefficients a … f</translation>
     </message>
     <message>
         <source>Facts</source>
-        <translation type="unfinished"></translation>
+        <translation>Propriétés</translation>
     </message>
     <message>
         <source>Show determinant, contraction factor and kind of each map</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher le déterminant, le facteur de contraction et la nature de chaque application</translation>
     </message>
     <message>
         <source>Effective code</source>
-        <translation type="unfinished"></translation>
+        <translation>Code effectif</translation>
     </message>
     <message>
         <source>Show the maps as they act on the picture under the current cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher les applications telles qu’elles agissent sur l’image sous la cage actuelle</translation>
     </message>
     <message>
         <source>Table of maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Tableau des applications</translation>
     </message>
     <message>
         <source>No maps: add one, or paste rows of 6 or 7 numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune application : ajoutez-en une, ou collez des lignes de 6 ou 7 nombres.</translation>
     </message>
     <message>
         <source>3D: not yet shown.
 The entry is kept as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D : pas encore affiché.
+L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>This entry could not be read. It is kept as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée n’a pas pu être lue. Elle est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Line %1, column %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Ligne %1, colonne %2 : %3</translation>
     </message>
     <message>
         <source>Add a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter une application</translation>
     </message>
     <message>
         <source>Duplicate a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Dupliquer une application</translation>
     </message>
     <message>
         <source>Duplicate %1 maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Dupliquer %1 applications</translation>
     </message>
     <message>
         <source>Delete a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer une application</translation>
     </message>
     <message>
         <source>Delete %1 maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer %1 applications</translation>
     </message>
     <message>
         <source>Reorder maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Réordonner les applications</translation>
     </message>
     <message>
         <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien n’a été collé. Ligne %1 du presse-papiers : %2</translation>
     </message>
     <message>
         <source>Nothing was pasted. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien n’a été collé. %1</translation>
     </message>
     <message>
         <source>Nothing was pasted: the clipboard holds no rows of 6 or 7 numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien n’a été collé : le presse-papiers ne contient pas de lignes de 6 ou 7 nombres.</translation>
     </message>
     <message>
         <source>Paste a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Coller une application</translation>
     </message>
     <message>
         <source>Paste %1 maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Coller %1 applications</translation>
     </message>
     <message>
         <source>Maps added: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Applications ajoutées : %1.</translation>
     </message>
     <message>
         <source>The selected maps were replaced; maps pasted: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les applications sélectionnées ont été remplacées ; applications collées : %1.</translation>
     </message>
     <message>
         <source>Set the weights</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixer les poids</translation>
     </message>
     <message>
         <source>Bake the cage into the code</source>
-        <translation type="unfinished"></translation>
+        <translation>Intégrer la cage au code</translation>
     </message>
     <message>
         <source>Colour of map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleur de l’application %1</translation>
     </message>
     <message>
         <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque ligne est une application : (x, y) devient (a x + b y + e, c x + d y + f), aussi souvent que le dit son poids p. Double-cliquez sur un nombre, ou commencez à taper, pour le modifier ; l’image suit chaque frappe. Faites glisser le numéro d’une ligne pour la déplacer.</translation>
     </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
     <message>
         <source>Numbers of the maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Numéros des applications</translation>
     </message>
     <message>
         <source>Drag a number to put the map elsewhere. A mark warns of a map that does not contract.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faites glisser un numéro pour placer l’application ailleurs. Une marque signale une application qui n’est pas contractante.</translation>
     </message>
 </context>
 <context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Variations de « %1 »</translation>
     </message>
     <message>
         <source>Fractals by Chance</source>
-        <translation type="unfinished"></translation>
+        <translation>Fractales au hasard</translation>
     </message>
     <message>
         <source>Variations</source>
-        <translation type="unfinished"></translation>
+        <translation>Variations</translation>
     </message>
     <message>
         <source>&amp;Use This One</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Utiliser celle-ci</translation>
     </message>
     <message>
         <source>&amp;Add to the File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ajouter au fichier</translation>
     </message>
     <message>
         <source>&amp;Vary This One</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire &amp;varier celle-ci</translation>
     </message>
     <message>
         <source>Make the chosen one what the variations start from</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire de celle qui est choisie le point de départ des variations</translation>
     </message>
     <message>
         <source>How different the variations are</source>
-        <translation type="unfinished"></translation>
+        <translation>À quel point les variations diffèrent</translation>
     </message>
     <message>
         <source>Seed of the random numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Graine des nombres aléatoires</translation>
     </message>
     <message>
         <source>The same seed gives the same sheet again</source>
-        <translation type="unfinished"></translation>
+        <translation>La même graine redonne la même planche</translation>
     </message>
     <message>
         <source>&amp;Others</source>
-        <translation type="unfinished"></translation>
+        <translation>Au&amp;tres</translation>
     </message>
     <message>
         <source>Another sheet: the next seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Une autre planche : la graine suivante</translation>
     </message>
     <message>
         <source>&amp;Difference:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Différence :</translation>
     </message>
     <message>
         <source>&amp;Seed:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Graine :</translation>
     </message>
     <message>
         <source>Variation %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Variation %1</translation>
     </message>
     <message>
         <source>Mutate</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire muter</translation>
     </message>
     <message>
         <source>Add Random Fractal</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter une fractale aléatoire</translation>
     </message>
     <message>
         <source>Choose one and press OK, or double-click it: it takes the place of the fractal, as one step that can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez-en une et appuyez sur OK, ou double-cliquez dessus : elle prend la place de la fractale, en une seule étape annulable.</translation>
     </message>
     <message>
         <source>To the left the variations are much like what they start from, to the right they are wild.</source>
-        <translation type="unfinished"></translation>
+        <translation>À gauche, les variations ressemblent beaucoup à leur point de départ ; à droite, elles sont débridées.</translation>
     </message>
     <message>
         <source>Takes the chosen one, as one step that can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prend celle qui est choisie, en une seule étape annulable.</translation>
     </message>
 </context>
 <context>
     <name>view::NumberField</name>
     <message>
         <source>A number, with a decimal point or comma. Arrow keys and the wheel change it: with Shift ten times as fast, with Alt a tenth. Esc takes back what was typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un nombre, avec un point ou une virgule décimale. Les touches fléchées et la molette le modifient : avec Maj, dix fois plus vite ; avec Alt, dix fois moins. Échap annule la saisie.</translation>
     </message>
 </context>
 <context>
     <name>view::PasteTableDialog</name>
     <message>
         <source>Paste maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Coller des applications</translation>
     </message>
     <message>
         <source>Paste a Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Coller un tableau</translation>
     </message>
     <message>
         <source>Order of the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordre des colonnes</translation>
     </message>
     <message>
         <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les lignes ne disent pas à quoi correspond chaque colonne, et les programmes diffèrent. Choisissez l’ordre pour lequel l’image derrière ce dialogue est celle que vous attendez.</translation>
     </message>
     <message>
         <source>The maps as they will be pasted</source>
-        <translation type="unfinished"></translation>
+        <translation>Les applications telles qu’elles seront collées</translation>
     </message>
     <message>
         <source>The maps in the order chosen: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
-        <translation type="unfinished"></translation>
+        <translation>Les applications dans l’ordre choisi : (x, y) devient (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
         <source>What the maps do</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que font les applications</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;oller</translation>
     </message>
     <message>
         <source>&amp;Columns:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Colonnes :</translation>
     </message>
     <message>
         <source>There are no rows of 6 or 7 numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de lignes de 6 ou 7 nombres.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ligne %1 : %2</translation>
     </message>
     <message>
         <source>In this order every map contracts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dans cet ordre, toutes les applications sont contractantes.</translation>
     </message>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dans cet ordre, ces applications ne sont pas contractantes : %1. Peut-être les colonnes signifient-elles autre chose.</translation>
     </message>
 </context>
 <context>
     <name>view::PreferencesDialog</name>
     <message>
         <source>The language changes when Barycage is started again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La langue changera au prochain démarrage de Barycage.</translation>
     </message>
     <message>
         <source>&amp;Open the files of last time at the start</source>
-        <translation type="unfinished"></translation>
+        <translation>R&amp;ouvrir au démarrage les fichiers de la dernière fois</translation>
     </message>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Préférences</translation>
     </message>
     <message>
         <source>That of the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Celle du bureau</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Langue</translation>
     </message>
     <message>
         <source>The language of menus and messages. Files and numbers are the same in every language.</source>
-        <translation type="unfinished"></translation>
+        <translation>La langue des menus et des messages. Les fichiers et les nombres sont les mêmes dans toutes les langues.</translation>
     </message>
     <message>
         <source>As the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme le bureau</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Clair</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Sombre</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Thème</translation>
     </message>
     <message>
         <source>The colours of windows and panels. The picture keeps its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les couleurs des fenêtres et des panneaux. L’image garde les siennes.</translation>
     </message>
     <message>
         <source>Draft: 50 million points</source>
-        <translation type="unfinished"></translation>
+        <translation>Brouillon : 50 millions de points</translation>
     </message>
     <message>
         <source>Good: 200 million points</source>
-        <translation type="unfinished"></translation>
+        <translation>Bonne : 200 millions de points</translation>
     </message>
     <message>
         <source>Fine: 1000 million points</source>
-        <translation type="unfinished"></translation>
+        <translation>Fine : 1 milliard de points</translation>
     </message>
     <message>
         <source>Picture at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Image au repos</translation>
     </message>
     <message>
         <source>How many points are drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de points sont dessinés tant que rien ne bouge. Davantage de points donnent une image plus lisse et occupent le processeur plus longtemps.</translation>
     </message>
     <message>
         <source>When on, Barycage opens the files that were open when it was closed, a window each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si cette case est cochée, Barycage ouvre les fichiers qui étaient ouverts à sa fermeture, chacun dans sa fenêtre.</translation>
     </message>
     <message>
         <source>&amp;Language:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Langue :</translation>
     </message>
     <message>
         <source>&amp;Theme:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Thème :</translation>
     </message>
     <message>
         <source>&amp;Picture at rest:</source>
-        <translation type="unfinished"></translation>
+        <translation>Image au &amp;repos :</translation>
     </message>
     <message>
         <source>Puts every choice of this dialog back to what it is at first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ramène tous les choix de ce dialogue à leur valeur initiale.</translation>
     </message>
 </context>
 <context>
     <name>view::ProblemsModel</name>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>Avertissement</translation>
     </message>
     <message>
         <source>Line:column</source>
-        <translation type="unfinished"></translation>
+        <translation>Ligne:colonne</translation>
     </message>
     <message>
         <source>Entry</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrée</translation>
     </message>
     <message>
         <source>What was found</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui a été trouvé</translation>
     </message>
 </context>
 <context>
     <name>view::ProblemsPanel</name>
     <message>
         <source>file</source>
-        <translation type="unfinished"></translation>
+        <translation>fichier</translation>
     </message>
     <message>
         <source>Problems found while reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Problèmes trouvés à la lecture</translation>
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Problèmes</translation>
     </message>
     <message>
         <source>Choose a line to show the entry it concerns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez une ligne pour afficher l’entrée concernée.</translation>
     </message>
     <message>
         <source>Number of problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de problèmes</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copier</translation>
     </message>
     <message>
         <source>Copy the selected problems as text.</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier les problèmes sélectionnés sous forme de texte.</translation>
     </message>
     <message>
         <source>Select &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tout sélectionner</translation>
     </message>
     <message>
         <source>Select all problems.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionner tous les problèmes.</translation>
     </message>
     <message>
         <source>1 problem was found while reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 problème a été trouvé à la lecture.</translation>
     </message>
     <message numerus="yes">
         <source>%n problems were found while reading.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n problème a été trouvé à la lecture.</numerusform>
+            <numerusform>%n problèmes ont été trouvés à la lecture.</numerusform>
         </translation>
     </message>
     <message>
         <source>What could not be read is kept as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui n’a pas pu être lu est conservé tel quel.</translation>
     </message>
     <message>
         <source>Nothing to report: every entry was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien à signaler : toutes les entrées ont été lues.</translation>
     </message>
     <message>
         <source>What the reader of the file remarked, with line and column. Double-click a line to go to its entry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui a été remarqué à la lecture du fichier, avec la ligne et la colonne. Double-cliquez sur une ligne pour aller à son entrée.</translation>
     </message>
 </context>
 <context>
     <name>view::ShortcutsDialog</name>
     <message>
         <source>On the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Dans la zone de dessin</translation>
     </message>
     <message>
         <source>Move a vertex, an edge, the whole cage</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer un sommet, une arête, la cage entière</translation>
     </message>
     <message>
         <source>drag it</source>
-        <translation type="unfinished"></translation>
+        <translation>les faire glisser</translation>
     </message>
     <message>
         <source>Rotate about the pivot</source>
-        <translation type="unfinished"></translation>
+        <translation>Tourner autour du pivot</translation>
     </message>
     <message>
         <source>Ctrl + drag, or the round handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl + glisser, ou la poignée ronde</translation>
     </message>
     <message>
         <source>Scale about the pivot</source>
-        <translation type="unfinished"></translation>
+        <translation>Redimensionner autour du pivot</translation>
     </message>
     <message>
         <source>Alt + drag, or the square handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt + glisser, ou la poignée carrée</translation>
     </message>
     <message>
         <source>Move or scale along one axis, turn in steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer ou redimensionner selon un axe, tourner par pas de 15°</translation>
     </message>
     <message>
         <source>Shift while dragging</source>
-        <translation type="unfinished"></translation>
+        <translation>Maj en glissant</translation>
     </message>
     <message>
         <source>Take the drag back</source>
-        <translation type="unfinished"></translation>
+        <translation>Annuler le geste en cours</translation>
     </message>
     <message>
         <source>Esc while dragging</source>
-        <translation type="unfinished"></translation>
+        <translation>Échap en glissant</translation>
     </message>
     <message>
         <source>Next or previous handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Poignée suivante ou précédente</translation>
     </message>
     <message>
         <source>Tab, Shift+Tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Tab, Maj+Tab</translation>
     </message>
     <message>
         <source>Nudge the handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer un peu la poignée</translation>
     </message>
     <message>
         <source>arrow keys; Shift ×10, Alt ×0.1</source>
-        <translation type="unfinished"></translation>
+        <translation>touches fléchées ; Maj ×10, Alt ×0,1</translation>
     </message>
     <message>
         <source>Leave the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitter la zone de dessin</translation>
     </message>
     <message>
         <source>F6</source>
-        <translation type="unfinished"></translation>
+        <translation>F6</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomer sur le pointeur</translation>
     </message>
     <message>
         <source>wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>molette</translation>
     </message>
     <message>
         <source>Pan</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer la vue</translation>
     </message>
     <message>
         <source>middle drag, or Space + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>glisser avec le bouton du milieu, ou Espace + glisser</translation>
     </message>
     <message>
         <source>Keyboard and Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Clavier et souris</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechercher</translation>
     </message>
     <message>
         <source>Search the shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechercher dans les raccourcis</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccourcis</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation type="unfinished"></translation>
+        <translation>Effet</translation>
     </message>
     <message>
         <source>How</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment</translation>
     </message>
     <message>
         <source>Shows only the lines that have these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>N’affiche que les lignes qui contiennent ces mots.</translation>
     </message>
     <message>
         <source>What every key and every movement of the mouse does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que fait chaque touche et chaque mouvement de la souris.</translation>
     </message>
 </context>
 <context>
     <name>view::TransformDialog</name>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>Transform by Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Transformer par valeurs numériques</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation type="unfinished"></translation>
+        <translation>Effet</translation>
     </message>
     <message>
         <source>About</source>
-        <translation type="unfinished"></translation>
+        <translation>Autour de</translation>
     </message>
     <message>
         <source>x of the fixed point</source>
-        <translation type="unfinished"></translation>
+        <translation>x du point fixe</translation>
     </message>
     <message>
         <source>y of the fixed point</source>
-        <translation type="unfinished"></translation>
+        <translation>y du point fixe</translation>
     </message>
     <message>
         <source>Reflect</source>
-        <translation type="unfinished"></translation>
+        <translation>Symétrie</translation>
     </message>
     <message>
         <source>Shear</source>
-        <translation type="unfinished"></translation>
+        <translation>Cisaillement</translation>
     </message>
     <message>
         <source>Shear along x</source>
-        <translation type="unfinished"></translation>
+        <translation>Cisaillement selon x</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle</translation>
     </message>
     <message>
         <source>Scale in x</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle en x</translation>
     </message>
     <message>
         <source>Scale in y</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle en y</translation>
     </message>
     <message>
         <source>Same in x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>Identique en x et en y</translation>
     </message>
     <message>
         <source>Rotate °</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotation °</translation>
     </message>
     <message>
         <source>Rotation in degrees, counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotation en degrés, dans le sens direct</translation>
     </message>
     <message>
         <source>Translate</source>
-        <translation type="unfinished"></translation>
+        <translation>Translation</translation>
     </message>
     <message>
         <source>Translation in x</source>
-        <translation type="unfinished"></translation>
+        <translation>Translation en x</translation>
     </message>
     <message>
         <source>Translation in y</source>
-        <translation type="unfinished"></translation>
+        <translation>Translation en y</translation>
     </message>
     <message>
         <source>Done in this order, from top to bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Effectué dans cet ordre, de haut en bas.</translation>
     </message>
     <message>
         <source>Problem</source>
-        <translation type="unfinished"></translation>
+        <translation>Problème</translation>
     </message>
     <message>
         <source>Start Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Recommencer</translation>
     </message>
     <message>
         <source>All values as they were when the dialog opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les valeurs comme à l’ouverture du dialogue</translation>
     </message>
     <message>
         <source>Place the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Placer l’image</translation>
     </message>
     <message>
         <source>The code stays; the cage moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Le code reste ; la cage se déplace</translation>
     </message>
     <message>
         <source>Rewrite the code</source>
-        <translation type="unfinished"></translation>
+        <translation>Réécrire le code</translation>
     </message>
     <message>
         <source>Every map w becomes T∘w∘T⁻¹; the cage follows</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque application w devient T∘w∘T⁻¹ ; la cage suit</translation>
     </message>
     <message>
         <source>The point that stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Le point qui reste fixe</translation>
     </message>
     <message>
         <source>the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>l’origine</translation>
     </message>
     <message>
         <source>the middle of the picture&apos;s box</source>
-        <translation type="unfinished"></translation>
+        <translation>le centre de la boîte englobante de l’image</translation>
     </message>
     <message>
         <source>the mean of the invariant measure</source>
-        <translation type="unfinished"></translation>
+        <translation>la moyenne de la mesure invariante</translation>
     </message>
     <message>
         <source>a typed point</source>
-        <translation type="unfinished"></translation>
+        <translation>un point saisi</translation>
     </message>
     <message>
         <source>in the line at the angle °</source>
-        <translation type="unfinished"></translation>
+        <translation>par rapport à la droite d’angle °</translation>
     </message>
     <message>
         <source>Angle of the mirror line in degrees: 0 is horizontal, 90 vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle de l’axe de symétrie en degrés : 0 pour l’horizontale, 90 pour la verticale</translation>
     </message>
     <message>
         <source>This entry has no maps of the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entrée n’a pas d’applications du plan.</translation>
     </message>
     <message>
         <source>This transformation is too flat to be undone, so it cannot be written into the code. Choose other scales, or place the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette transformation est trop plate pour que l’on puisse l’inverser ; elle ne peut donc pas être inscrite dans le code. Choisissez d’autres échelles, ou placez l’image.</translation>
     </message>
     <message>
         <source>Transform the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Transformer l’image</translation>
     </message>
     <message>
         <source>Transform the code</source>
-        <translation type="unfinished"></translation>
+        <translation>Transformer le code</translation>
     </message>
     <message>
         <source>Keeps the factor in y equal to that in x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maintient le facteur en y égal à celui en x.</translation>
     </message>
     <message>
         <source>About which point the fractal is turned, scaled and reflected: it stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le point autour duquel on tourne, redimensionne et réfléchit la fractale : il reste où il est.</translation>
     </message>
     <message>
         <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Symétrie par rapport à une droite passant par le point fixe ; l’angle se compte depuis l’axe des x.</translation>
     </message>
 </context>
 <context>
     <name>view::VertexDialog</name>
     <message>
         <source>Move vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer le sommet %1</translation>
     </message>
     <message>
         <source>Vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sommet %1</translation>
     </message>
     <message>
         <source>x of the vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>x du sommet</translation>
     </message>
     <message>
         <source>y of the vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>y du sommet</translation>
     </message>
     <message>
         <source>What is wrong with the numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui ne va pas dans les nombres</translation>
     </message>
     <message>
         <source>&amp;x</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;x</translation>
     </message>
     <message>
         <source>&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;y</translation>
     </message>
     <message>
         <source>“%1” is not a number. Write it with a decimal point, for example -0.25.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un nombre. Écrivez-le avec un point décimal, par exemple -0.25.</translation>
     </message>
     <message>
         <source>A coordinate of the vertex, with a decimal point or comma. The picture follows as you type.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une coordonnée du sommet, avec un point ou une virgule décimale. L’image suit la saisie.</translation>
     </message>
 </context>
 </TS>

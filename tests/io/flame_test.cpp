@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "ifs/canonical_systems.h"
 #include "io/flame.h"
+#include "io/png_export.h"
 
 #include <QFile>
+#include <QImage>
+#include <QProcess>
 #include <QRandomGenerator>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 
 using document::System2;
@@ -19,6 +26,8 @@ private slots:
     void oneBadFlameDoesNotStopTheOthers();
     void writesWhatFlamesExpect();
     void roundTripIsExact();
+    void flam3DrawsTheSame_data();
+    void flam3DrawsTheSame();
     void weightsComeBackAsTheyWere();
     void survivesDamage();
 };
@@ -131,6 +140,87 @@ void FlameTest::writesWhatFlamesExpect() {
     QVERIFY(bytes.contains("linear=\"1\""));
     QVERIFY(bytes.contains("count=\"256\""));
     QVERIFY(io::looksLikeFlame(bytes));
+}
+
+void FlameTest::flam3DrawsTheSame_data() {
+    QTest::addColumn<int>("index");
+    QTest::newRow("maple") << 0;
+    QTest::newRow("fern") << 1;
+    QTest::newRow("sierpinski") << 2;
+}
+
+// The same way up, in the same place: what one draws, the other draws beside it at most.
+void FlameTest::flam3DrawsTheSame() {
+    if (!qEnvironmentVariableIsSet("BARYCAGE_OTHER_PROGRAMS"))
+        QSKIP("./dev test --programs asks other programs");
+    QFETCH(int, index);
+    const QString program = QStandardPaths::findExecutable(QStringLiteral("flam3-render"));
+    if (program.isEmpty()) QSKIP("flam3-render is not installed (package flam3-utils)");
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("both");
+    System2 system;
+    for (const auto& map : index == 0   ? canonical::maple()
+                           : index == 1 ? canonical::fern()
+                                        : canonical::sierpinskiRight())
+        ifs::append(system, map);
+    fractal.system = system;
+    fractal.appearance.colourBy = attractor::ColourBy::Plain;
+    fractal.appearance.plain = {255, 255, 255, 255};
+    fractal.appearance.background = {0, 0, 0, 255};
+    fractal.appearance.brightness = 1000;
+    QString text = QString::fromUtf8(io::writeFlame({std::make_shared<const document::Fractal>(fractal)}));
+    const auto attribute = [&](const char* name) {
+        const QRegularExpression value(QStringLiteral("%1=\"([^\"]*)\"").arg(QLatin1String(name)));
+        return value.match(text).captured(1).split(u' ');
+    };
+    constexpr double part = 0.2; // of the size that the flame says
+    attractor::Camera camera;
+    camera.width = int(attribute("size")[0].toDouble() * part);
+    camera.height = int(attribute("size")[1].toDouble() * part);
+    camera.pixelsPerUnit = attribute("scale")[0].toDouble() * part;
+    camera.centre = {attribute("center")[0].toDouble(), -attribute("center")[1].toDouble()};
+    // Neither smoothed nor dim.
+    text.replace(QStringLiteral("<flame "), QStringLiteral("<flame estimator_radius=\"0\" filter=\"0.3\" "
+                                                           "quality=\"1000\" brightness=\"30\" "));
+
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("in.flame")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text.toUtf8());
+    file.close();
+    QProcess flam3;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("in"), file.fileName());
+    environment.insert(QStringLiteral("out"), folder.filePath(QStringLiteral("out.png")));
+    environment.insert(QStringLiteral("ss"), QString::number(part));
+    environment.insert(QStringLiteral("isaac_seed"), QStringLiteral("7"));
+    flam3.setProcessEnvironment(environment);
+    flam3.start(program, QStringList());
+    QVERIFY(flam3.waitForFinished(120'000));
+    const QImage theirs(folder.filePath(QStringLiteral("out.png")));
+    QCOMPARE(theirs.size(), QSize(camera.width, camera.height));
+
+    io::PngExport png{fractal, document::renderRequest(fractal, camera), {}};
+    png.request.samples = 20'000'000;
+    const QImage ours = io::drawPicture(png).image;
+    const auto missing = [](const QImage& a, const QImage& b) {
+        constexpr int drawn = 120;
+        constexpr int traced = 12;
+        int count = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x) {
+                if (qGray(a.pixel(x, y)) < drawn) continue;
+                bool found = false;
+                for (int dy = -1; dy <= 1 && !found; ++dy)
+                    for (int dx = -1; dx <= 1 && !found; ++dx)
+                        found = b.valid(x + dx, y + dy) && qGray(b.pixel(x + dx, y + dy)) > traced;
+                count += !found;
+            }
+        return count;
+    };
+    QCOMPARE(missing(theirs, ours), 0);
+    QCOMPARE(missing(ours, theirs), 0);
+    QVERIFY(missing(ours, theirs.mirrored()) > 100); // it could fail
 }
 
 void FlameTest::roundTripIsExact() {

@@ -15,8 +15,12 @@
 
 #include <cmath>
 
-// Scalable pictures as other programs draw them (librsvg, poppler), against each other and against the
-// points.
+namespace {
+constexpr int side = 200;
+}
+
+// Scalable pictures as other programs draw them (librsvg, poppler, Inkscape, Chromium), against each other
+// and against the points.
 class ShapesTest : public QObject {
     Q_OBJECT
 
@@ -26,6 +30,8 @@ private slots:
     void librsvgDrawsTheAttractor();
     void outlineEnclosesWhatTheCopiesFill_data() { pictures(); }
     void outlineEnclosesWhatTheCopiesFill();
+    void inkscapeAndChromiumDrawTheSame_data();
+    void inkscapeAndChromiumDrawTheSame();
     void pdfLooksLikeSvg_data() { pictures(); }
     void pdfLooksLikeSvg();
     void pdfGrowsLinearly();
@@ -43,6 +49,23 @@ private:
                        {QStringLiteral("IN"), QStringLiteral("-o"), QStringLiteral("OUT")},
                        QStringLiteral("svg"), svg);
     }
+    QImage inkscapeImage(const QByteArray& bytes, const QString& suffix) {
+        return drawnBy(QStringLiteral("inkscape"),
+                       {QStringLiteral("--export-type=png"), QStringLiteral("--export-area-page"),
+                        QStringLiteral("--export-dpi=96"), QStringLiteral("--export-filename=OUT"),
+                        QStringLiteral("IN")},
+                       suffix, bytes);
+    }
+    QImage chromiumImage(const QByteArray& svg) {
+        const QImage window = drawnBy(
+            QStringLiteral("chromium"),
+            {QStringLiteral("--headless"), QStringLiteral("--no-sandbox"), QStringLiteral("--disable-gpu"),
+             QStringLiteral("--hide-scrollbars"), QStringLiteral("--window-size=600,600"),
+             QStringLiteral("--user-data-dir=") + m_folder.filePath(QStringLiteral("chromium")),
+             QStringLiteral("--screenshot=OUT"), QStringLiteral("file://IN")},
+            QStringLiteral("svg"), svg);
+        return window.isNull() ? window : window.copy(0, 0, side, side);
+    }
     QImage pdfImage(const QByteArray& pdf) {
         return drawnBy(QStringLiteral("pdftocairo"),
                        {QStringLiteral("-png"), QStringLiteral("-singlefile"), QStringLiteral("-r"),
@@ -54,8 +77,6 @@ private:
 };
 
 namespace {
-
-constexpr int side = 200;
 
 document::Fractal fractalOf(const canonical::Maps2& maps) {
     document::Fractal fractal;
@@ -196,6 +217,46 @@ void ShapesTest::outlineEnclosesWhatTheCopiesFill() {
     const QImage outline = filled(rings);
     QCOMPARE(missing(outline, svg, 1), 0);
     QCOMPARE(missing(svg, outline, 1), 0);
+}
+
+void ShapesTest::inkscapeAndChromiumDrawTheSame_data() {
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<int>("index");
+    QTest::addColumn<int>("style");
+    for (const char* program : {"inkscape", "chromium", "inkscape, of the PDF"})
+        for (const int index : {0, 3})
+            for (const auto style :
+                 {io::ShapeStyle::Structured, io::ShapeStyle::Outline, io::ShapeStyle::Points})
+                QTest::addRow("%s, %s, style %d", program, index == 0 ? "maple" : "sierpinski", int(style))
+                    << QString::fromLatin1(program) << index << int(style);
+}
+
+// To the depth that a pixel needs: what one draws, the other draws, both ways.
+void ShapesTest::inkscapeAndChromiumDrawTheSame() {
+    if (!qEnvironmentVariableIsSet("BARYCAGE_OTHER_PROGRAMS"))
+        QSKIP("./dev test --programs asks other programs");
+    QFETCH(QString, program);
+    QFETCH(int, index);
+    QFETCH(int, style);
+    const document::Fractal fractal = fractalOf(index);
+    const attractor::Camera camera = cameraFor(fractal);
+    io::SvgFormat format;
+    format.style = io::ShapeStyle(style);
+    format.points = 3000;
+    // Inkscape takes a PDF apart into all its copies, minutes for as many as a pixel needs.
+    if (program != u"inkscape" && program != u"chromium")
+        format.depth = std::max(0, io::svgPlan(fractal, camera, format).depth - 6);
+    const QByteArray bytes = io::svgPicture(fractal, camera, format).bytes;
+    const QImage svg = svgImage(bytes);
+    const QImage other =
+        program == u"inkscape" ? inkscapeImage(bytes, QStringLiteral("svg"))
+        : program == u"chromium"
+            ? chromiumImage(bytes)
+            : inkscapeImage(io::pdfPicture({{fractal, camera, format}}).bytes, QStringLiteral("pdf"));
+    if (svg.isNull() || other.isNull()) QSKIP(qPrintable(program + QStringLiteral(" is not installed")));
+    QVERIFY(std::abs(other.width() - side) <= 1 && std::abs(other.height() - side) <= 1);
+    QCOMPARE(missing(svg, other, 1), 0);
+    QCOMPARE(missing(other, svg, 1), 0);
 }
 
 void ShapesTest::pdfLooksLikeSvg() {

@@ -326,6 +326,24 @@ private slots:
         QCOMPARE(canvas->indexOfChild(canvas->child(2)), 2);
     }
 
+    void screenReadersMoveTheHandles() {
+        QAccessibleInterface* canvas = QAccessible::queryAccessibleInterface(m_canvas.get());
+        QVERIFY(canvas);
+        QAccessibleActionInterface* actions = canvas->child(1)->actionInterface();
+        QVERIFY(actions);
+        QCOMPARE(actions->actionNames().size(), 5);
+        const QPoint before = vertex(1);
+        actions->doAction(QAccessibleActionInterface::setFocusAction());
+        QVERIFY(canvas->child(1)->state().focused);
+        QCOMPARE(vertex(1), before);
+        for (int i = 0; i < 8; ++i)
+            actions->doAction(QStringLiteral("moveLeft"));
+        QVERIFY(vertex(1).x() < before.x());
+        QCOMPARE(vertex(1).y(), before.y());
+        QVERIFY(steps() >= 1);
+        QCOMPARE(actions->localizedActionName(QStringLiteral("moveUp")), QStringLiteral("Move up"));
+    }
+
     void threeClicksDefineTheTriangle() {
         drag(vertex(2), {40, 10});
         QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);

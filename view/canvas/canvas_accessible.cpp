@@ -6,9 +6,13 @@
 
 #include <QAccessible>
 #include <QAccessibleWidget>
+#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QPointer>
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
 
 namespace view {
 
@@ -20,7 +24,26 @@ int childIndex(const CanvasScene& scene, const CanvasPart& part) {
     return found == handles.end() ? -1 : int(found - handles.begin());
 }
 
-class AccessibleHandle final : public QAccessibleInterface {
+// What the arrow keys do, for clients that press no keys.
+struct Move {
+    Q_DECLARE_TR_FUNCTIONS(AccessibleHandle)
+public:
+    const char* name;
+    const char* text;
+    int key;
+};
+constexpr Move moves[] = {{"moveLeft", QT_TRANSLATE_NOOP("AccessibleHandle", "Move left"), Qt::Key_Left},
+                          {"moveRight", QT_TRANSLATE_NOOP("AccessibleHandle", "Move right"), Qt::Key_Right},
+                          {"moveUp", QT_TRANSLATE_NOOP("AccessibleHandle", "Move up"), Qt::Key_Up},
+                          {"moveDown", QT_TRANSLATE_NOOP("AccessibleHandle", "Move down"), Qt::Key_Down}};
+
+const Move* moveCalled(const QString& name) {
+    const auto* found =
+        std::ranges::find_if(moves, [&](const Move& move) { return name == QLatin1String(move.name); });
+    return found == std::end(moves) ? nullptr : found;
+}
+
+class AccessibleHandle final : public QAccessibleInterface, public QAccessibleActionInterface {
 public:
     AccessibleHandle(CanvasView* canvas, int index) : m_canvas(canvas), m_index(index) {}
 
@@ -33,7 +56,37 @@ public:
     int childCount() const override { return 0; }
     int indexOfChild(const QAccessibleInterface*) const override { return -1; }
     void setText(QAccessible::Text, const QString&) override {}
-    QAccessible::Role role() const override { return QAccessible::Grip; }
+    // Not Grip, which the accessibility bus of Linux knows as “unknown”.
+    QAccessible::Role role() const override { return QAccessible::Graphic; }
+    void* interface_cast(QAccessible::InterfaceType type) override {
+        return type == QAccessible::ActionInterface ? static_cast<QAccessibleActionInterface*>(this)
+                                                    : nullptr;
+    }
+
+    QStringList actionNames() const override {
+        QStringList names{setFocusAction()};
+        for (const Move& move : moves)
+            names << QLatin1String(move.name);
+        return names;
+    }
+    QString localizedActionName(const QString& name) const override {
+        const Move* move = moveCalled(name);
+        return move ? Move::tr(move->text) : QAccessibleActionInterface::localizedActionName(name);
+    }
+    QStringList keyBindingsForAction(const QString& name) const override {
+        const Move* move = moveCalled(name);
+        return move ? QStringList(QKeySequence(move->key).toString(QKeySequence::NativeText)) : QStringList();
+    }
+    void doAction(const QString& name) override {
+        if (!isValid()) return;
+        m_canvas->focusOn(part());
+        const Move* move = moveCalled(name);
+        if (!move) return;
+        QKeyEvent press(QEvent::KeyPress, move->key, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_canvas, &press);
+        QKeyEvent release(QEvent::KeyRelease, move->key, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_canvas, &release);
+    }
 
     QString text(QAccessible::Text kind) const override {
         if (!isValid()) return {};

@@ -610,6 +610,11 @@ bool CanvasView::canvasKey(const QKeyEvent& event) {
     }
 }
 
+void CanvasView::focusOn(const CanvasPart& part) {
+    setFocus(Qt::TabFocusReason);
+    m_scene->setFocused(part);
+}
+
 void CanvasView::keyReleaseEvent(QKeyEvent* event) {
     if (const Qt::KeyboardModifier modifier = modifierOf(event->key()); modifier != Qt::NoModifier)
         updateModifiers(event->modifiers() & ~Qt::KeyboardModifiers(modifier));

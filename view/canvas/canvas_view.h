@@ -74,6 +74,8 @@ public:
 
     const CanvasScene& canvas() const { return *m_scene; }
 
+    void focusOn(const CanvasPart& part); // as Tab does
+
     void insertVertexAt(int edge, const QPointF& position); // pixels
 
 signals:
