@@ -154,7 +154,7 @@ private:
             total /= size;
         }
         const double mean = total.trace() / 2;
-        const double discriminant = mean * mean - total.determinant();
+        const double discriminant = mean * mean - determinant<2>(total);
         constexpr double Nothing = 1e-12;
         if ((total - mean * Matrix<2>::Identity()).norm() <= Nothing)
             return mean > 0 ? std::vector{direction} : std::vector<Vector<2>>{};

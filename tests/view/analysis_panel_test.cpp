@@ -9,9 +9,11 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QImage>
 #include <QLabel>
 #include <QPainter>
 
+#include <algorithm>
 #include <memory>
 
 using namespace maps_support;
@@ -87,7 +89,7 @@ private slots:
         view::AnalysisPanel panel(&document, &bridge);
         panel.show();
         QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Hull area")), QStringLiteral("35.7549"));
-        document::EditGesture gesture(&document, QStringLiteral("drag"));
+        document::EditGesture gesture(document, QStringLiteral("drag"));
         document::Fractal moved = document.fractal();
         moved.cage->current = {{-3, -3}, {13, -3}, {-3, 6}}; // twice as wide
         gesture.preview(moved);
