@@ -93,6 +93,14 @@ public:
         return std::nullopt;
     }
 
+    // A corner where others accumulate is farthest in one direction alone, which only its map knows.
+    std::optional<PeriodicPoint> fixedAt(const Vector<2>& corner, const Vector<2>& direction) const {
+        for (std::size_t i = 0; i < m_maps.size(); ++i)
+            if (const auto fixed = fixedPoint(m_maps[i]); fixed && (*fixed - corner).norm() <= 1e-12 * m_size)
+                if (auto found = settled({{}, {int(i)}, *fixed}, direction)) return found;
+        return std::nullopt;
+    }
+
 private:
     // Of length 1 again, for only the direction counts; 0 when the map leaves none.
     Vector<2> transposed(int symbol, const Vector<2>& v) const {
@@ -257,7 +265,9 @@ std::vector<std::optional<PeriodicPoint>> periodicExtremePoints(const SupportFun
     const Corners corners(hull.vertices);
     const double near = 4 * (hull.error + fine.error);
     for (std::size_t k = 0; k < hull.vertices.size(); ++k) {
-        result[k] = itineraries.through(corners.middle(k));
+        const Vector<2> direction = corners.middle(k);
+        result[k] = itineraries.fixedAt(hull.vertices[k], direction);
+        if (!result[k]) result[k] = itineraries.through(direction);
         if (result[k] && (result[k]->point - hull.vertices[k]).norm() > near) result[k].reset();
     }
     return result;

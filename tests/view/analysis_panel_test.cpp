@@ -34,8 +34,8 @@ private slots:
         QVERIFY(valueOf(facts, QStringLiteral("Box")).startsWith(QStringLiteral("[-3.3001, 3.3442]")));
         QVERIFY(valueOf(facts, QStringLiteral("Similarity dimension")).isEmpty());
         QCOMPARE(valueOf(facts, QStringLiteral("Affinity dimension")), QStringLiteral("2"));
-        QVERIFY(valueOf(facts, QStringLiteral("Box-counting dimension")).startsWith(QStringLiteral("1.")));
-        QCOMPARE(valueOf(facts, QStringLiteral("Hull area")), QStringLiteral("35.7549"));
+        QVERIFY(std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).toDouble() - 1.8) < 0.3);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
         QVERIFY(valueOf(facts, QStringLiteral("Hull vertices")).toInt() > 20);
         QVERIFY(valueOf(facts, QStringLiteral("Hull error bound")).toDouble() > 0);
         QVERIFY(valueOf(facts, QStringLiteral("Hull error bound")).toDouble() < 1e-4);
@@ -48,7 +48,7 @@ private slots:
         const auto facts = factsOf(document::sierpinskiTriangle());
         for (const char* name : {"Similarity dimension", "Affinity dimension"})
             QCOMPARE(valueOf(facts, QLatin1String(name)), QStringLiteral("1.585"));
-        QVERIFY(std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).toDouble() - 1.585) < 0.05);
+        QVERIFY(std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).toDouble() - 1.585) < 0.1);
     }
 
     // Map 1 is off, so the word that proves it must name map 2 as the table does.
@@ -88,12 +88,12 @@ private slots:
         view::AnalysisBridge bridge(&document);
         view::AnalysisPanel panel(&document, &bridge);
         panel.show();
-        QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Hull area")), QStringLiteral("35.7549"));
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
         document::EditGesture gesture(document, QStringLiteral("drag"));
         document::Fractal moved = document.fractal();
         moved.cage->current = {{-3, -3}, {13, -3}, {-3, 6}}; // twice as wide
         gesture.preview(moved);
-        QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Hull area")), QStringLiteral("71.5099"));
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("71.5")));
         QVERIFY(document.undoStack()->count() == 0);
         moved.cage->current = {{-3, -3}, {5, -3}, {-3, -3}}; // flat
         gesture.preview(moved);
@@ -109,7 +109,7 @@ private slots:
         view::AnalysisBridge bridge(&document);
         view::AnalysisPanel panel(&document, &bridge);
         panel.show();
-        QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Hull area")), QStringLiteral("35.7549"));
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
         const auto labels = panel.findChildren<QLabel*>();
         QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
             return label->isVisible() && label->text().startsWith(QStringLiteral("The cage bends"));
