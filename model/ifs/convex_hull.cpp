@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace ifs {
 
@@ -113,6 +114,25 @@ double escape(const Polygon& polygon, const std::vector<AffineMap<2>>& maps) {
     return result;
 }
 
+// Vertices that accumulate at the fixed point of a map come so near to the edge between it and a farther one
+// that rounding cannot tell which of them are corners. The fixed point is: it takes the place of its
+// neighbour wherever that changes the polygon by no more than `slack`.
+void preferFixedPoints(Polygon& polygon, const std::vector<AffineMap<2>>& maps, const Vector<2>& centre,
+                       double slack) {
+    if (polygon.size() < 3) return;
+    for (const auto& map : maps) {
+        const auto fixed = fixedPoint(map);
+        if (!fixed) continue;
+        const Vector<2> point = *fixed - centre;
+        if (distanceToConvex(polygon, point) > slack) continue;
+        Polygon changed = polygon;
+        auto& nearest = *std::ranges::min_element(
+            changed, {}, [&](const Vector<2>& vertex) { return (vertex - point).norm(); });
+        const Vector<2> left = std::exchange(nearest, point);
+        if (distanceToConvex(changed, left) <= slack) polygon = std::move(changed);
+    }
+}
+
 } // namespace
 
 ConvexHull convexHull(const SupportFunction<2>& support, double tolerance) {
@@ -121,6 +141,8 @@ ConvexHull convexHull(const SupportFunction<2>& support, double tolerance) {
     sandwich.settleCorners(convexHull(sandwich.points(), flatness));
     ConvexHull hull;
     hull.vertices = convexHull(sandwich.points(), flatness);
+    const double slack = 4 * flatness;
+    preferFixedPoints(hull.vertices, support.maps(), support.centre(), slack);
     for (auto& vertex : hull.vertices)
         vertex += support.centre();
     hull.area = area(hull.vertices);
@@ -128,7 +150,7 @@ ConvexHull convexHull(const SupportFunction<2>& support, double tolerance) {
     const double invariant =
         support.normEquivalence() * escape(hull.vertices, support.maps()) / (1 - support.contractivity()) +
         support.roundingError(64);
-    hull.error = std::min(sandwich.error() + flatness, invariant);
+    hull.error = std::min(sandwich.error() + flatness + slack, invariant);
     return hull;
 }
 
