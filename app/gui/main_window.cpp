@@ -29,6 +29,7 @@
 #include <QResizeEvent>
 #include <QScreen>
 #include <QSettings>
+#include <QToolBar>
 
 namespace {
 
@@ -73,6 +74,7 @@ MainWindow::MainWindow(QWidget* parent)
     createToolBar();
     connectDocument();
     restoreLayout();
+    m_branchBar->hide();
     m_canvas->setFocus();
 }
 
@@ -119,6 +121,13 @@ void MainWindow::createPanels() {
         dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
     problemsDock->hide();
 
+    // The rows of the table and the maps on the canvas are selected together.
+    connect(maps, &view::MapsPanel::selectionChanged, m_canvas,
+            [this, maps] { m_canvas->selectMaps(maps->selectedMaps()); });
+    connect(m_canvas, &view::CanvasView::selectedMapsChanged, maps, [this, maps] {
+        if (maps->selectedMaps() != m_canvas->selectedMaps()) maps->selectMaps(m_canvas->selectedMaps());
+    });
+    m_canvas->selectMaps(maps->selectedMaps());
     connect(entries, &view::EntriesPanel::message, this, &MainWindow::say);
     connect(maps, &view::MapsPanel::message, this, &MainWindow::say);
     connect(cage, &view::CagePanel::message, this, &MainWindow::say);
