@@ -32,6 +32,7 @@
 #include <QResizeEvent>
 #include <QScreen>
 #include <QSettings>
+#include <QToolBar>
 
 namespace {
 
@@ -80,6 +81,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectDocument();
     view::explainByTips(this);
     restoreLayout();
+    m_branchBar->hide();
     m_canvas->setFocus();
 }
 
@@ -126,6 +128,13 @@ void MainWindow::createPanels() {
         dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
     problemsDock->hide();
 
+    // The rows of the table and the maps on the canvas are selected together.
+    connect(maps, &view::MapsPanel::selectionChanged, m_canvas,
+            [this, maps] { m_canvas->selectMaps(maps->selectedMaps()); });
+    connect(m_canvas, &view::CanvasView::selectedMapsChanged, maps, [this, maps] {
+        if (maps->selectedMaps() != m_canvas->selectedMaps()) maps->selectMaps(m_canvas->selectedMaps());
+    });
+    m_canvas->selectMaps(maps->selectedMaps());
     connect(entries, &view::EntriesPanel::message, this, &MainWindow::say);
     connect(maps, &view::MapsPanel::message, this, &MainWindow::say);
     connect(cage, &view::CagePanel::message, this, &MainWindow::say);

@@ -17,6 +17,7 @@
 
 class QActionGroup;
 class QMenu;
+class QToolBar;
 class StatusLine;
 
 // A document, its canvas and its panels. Owns them all; deletes itself when closed.
@@ -55,6 +56,7 @@ private:
     void createViewActions();
     void createHelpActions();
     QAction* createArisingBar();
+    void createBranchBar();
     void createToolBar();
     void connectDocument();
 
@@ -98,5 +100,6 @@ private:
     QMenu* m_panelMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QActionGroup* m_tools = nullptr;
+    QToolBar* m_branchBar = nullptr; // under the canvas while maps or branches are dragged
     QList<QAction*> m_toolBarActions; // a null pointer is a separator
 };

@@ -13,6 +13,7 @@
 #include "icon.h"
 #include "main_window.h"
 #include "panels/arising_bar.h"
+#include "panels/branch_bar.h"
 #include "session.h"
 #include "theme.h"
 #include "tour.h"
@@ -154,6 +155,10 @@ void MainWindow::createEditActions() {
             tr("Pick one of many fractals made by chance, and add it to the file"),
             [pick] { pick(view::MutateDialog::Source::Chance); });
     m_editMenu->addSeparator();
+    toggle(m_editMenu, {}, tr("Allow Systems &without an Attractor"), {},
+           tr("Let maps be dragged to where they no longer contract; otherwise the drag stops there"),
+           QStringLiteral("edit/allowNoAttractor"), false,
+           [this](bool on) { m_canvas->setAllowsNoAttractor(on); });
     command(m_editMenu, QStringLiteral("settings"), tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
             tr("Language, theme, quality of the picture at rest, what is opened at the start"),
             [this] { showPreferences(); });
@@ -188,6 +193,12 @@ void MainWindow::createCageActions() {
     };
     QAction* drag = tool(QStringLiteral("cage"), tr("&Drag the Cage"), QKeySequence(tr("C")),
                          tr("Take the fractal by the vertices of its control triangle"), Tool::Cage);
+    QAction* maps =
+        tool(QStringLiteral("maps"), tr("Drag the &Maps"), QKeySequence(tr("M")),
+             tr("Show the maps as images of the cage and take them by their corners"), Tool::Maps);
+    QAction* branch =
+        tool(QStringLiteral("branch"), tr("Drag a &Branch"), QKeySequence(tr("B")),
+             tr("Click a point of the attractor and take the branch that it belongs to"), Tool::Branch);
     QAction* define = tool(QStringLiteral("define"), tr("De&fine Triangle"), QKeySequence(tr("D")),
                            tr("Define the control triangle by three clicks"), Tool::DefineTriangle);
     m_cageMenu->addSeparator();
@@ -235,8 +246,8 @@ void MainWindow::createCageActions() {
                           tr("Moving the cage moves the picture; the code stays"), document::CageMode::Place);
     QAction* rewrite = mode(QStringLiteral("rewrite"), tr("Re&write"),
                             tr("Moving the cage rewrites the code"), document::CageMode::Rewrite);
-    m_toolBarActions << drag << define << fitSimplex << reset << bake << nullptr << place << rewrite
-                     << nullptr;
+    m_toolBarActions << drag << maps << branch << define << fitSimplex << reset << bake << nullptr << place
+                     << rewrite << nullptr;
 }
 
 void MainWindow::createViewActions() {
@@ -292,6 +303,7 @@ void MainWindow::createViewActions() {
     connect(full, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     m_toolBarActions << fit << in << out << nullptr << createArisingBar();
+    createBranchBar();
 }
 
 QAction* MainWindow::createArisingBar() {
@@ -314,6 +326,19 @@ QAction* MainWindow::createArisingBar() {
         if (!on) m_arising->setMode(view::Arising::Mode::Density);
     });
     return shown;
+}
+
+void MainWindow::createBranchBar() {
+    m_branchBar = new QToolBar(tr("Maps and Branches"), this);
+    m_branchBar->setObjectName(QStringLiteral("branches"));
+    m_branchBar->setMovable(false);
+    m_branchBar->addWidget(new view::BranchBar(&m_document, m_canvas));
+    m_branchBar->toggleViewAction()->setVisible(false); // it comes and goes with the tools
+    addToolBar(Qt::BottomToolBarArea, m_branchBar);
+    connect(m_canvas, &view::CanvasView::toolChanged, m_branchBar, [this](view::CanvasView::Tool tool) {
+        m_branchBar->setVisible(tool == view::CanvasView::Tool::Maps ||
+                                tool == view::CanvasView::Tool::Branch);
+    });
 }
 
 void MainWindow::createHelpActions() {

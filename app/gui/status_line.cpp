@@ -58,7 +58,10 @@ QString verdictText(const ifs::Existence& existence) {
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent),
-      m_pointer(label(tr("Pointer position"), tr("World and barycentric coordinates of the pointer"))),
+      m_pointer(label(
+          tr("Pointer position"),
+          tr("World and barycentric coordinates of the pointer; the address of the point of the attractor "
+             "under it, outermost map first, and the fixed point of its first map"))),
       m_verdict(label(tr("Verdict"),
                       tr("Whether the system has an attractor, and the factor by which it contracts"))),
       m_frame(label(tr("Picture"), tr("Points drawn so far and the time of the last pass"))) {
@@ -69,6 +72,7 @@ StatusLine::StatusLine(QWidget* parent)
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
     m_frame->setContentsMargins(12, 0, 0, 0);
+    m_pointer->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long address needs no window
     addWidget(m_pointer, 1);
     addPermanentWidget(m_verdict);
     addPermanentWidget(m_frame);
@@ -81,6 +85,14 @@ void StatusLine::showPointer(const view::PointerPosition& position) {
         for (double coordinate : *position.barycentric)
             coordinates << QString::number(coordinate, 'f', 3);
         text += tr("  barycentric (%1)").arg(coordinates.join(QStringLiteral(", ")));
+    }
+    if (!position.address.empty()) {
+        text += tr("  address %1").arg(document::addressText(position.address, 8));
+        if (position.fixedPoint)
+            text +=
+                tr("  fixed point of %1 (%2, %3)")
+                    .arg(document::addressText(position.address, position.fixedLength).remove(u'…').trimmed(),
+                         fixed(position.fixedPoint->x()), fixed(position.fixedPoint->y()));
     }
     m_pointer->setText(text);
 }

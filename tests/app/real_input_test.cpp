@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/camera.h"
 #include "canvas/canvas_scene.h"
+#include "panels/maps_panel.h"
 #include "support/window_on_x.h"
 
 #include <QDialog>
@@ -39,6 +40,7 @@ private slots:
     void squeezedFlatAndReopenedIsExactlyTheSame();
     void flatAndMirroredPicturesAreSavedAndOpened();
     void threeClicksDefineTheTriangle();
+    void mapsAreDragged();
     void theWheelZoomsAtThePointer();
     void thePlaneIsPanned();
     void draggedFractalSavesAndReopens();
@@ -392,6 +394,28 @@ void RealInputTest::threeClicksDefineTheTriangle() {
     hand().key("Escape");
     QTRY_COMPARE(canvas().tool(), view::CanvasView::Tool::Cage);
     QCOMPARE(steps(), 1);
+}
+
+void RealInputTest::mapsAreDragged() {
+    hand().key("m");
+    QTRY_COMPARE(canvas().tool(), view::CanvasView::Tool::Maps);
+    const ifs::AffineMap<2> before = document::system2(fractal())->maps[2].map;
+    const Vector<2> vertex = cage().rest[1];
+    hand().moveTo(handle({Kind::Vertex, 1, 2}));
+    QTRY_COMPARE(canvas().viewport()->cursor().shape(), Qt::OpenHandCursor);
+    dragBy(handle({Kind::Vertex, 1, 2}), {14, -11});
+    QTRY_COMPARE(steps(), 1);
+    const auto& maps = document::system2(fractal())->maps;
+    QVERIFY(offsetInPixels(maps[2].map(vertex), before(vertex), {14, -11}) < 1e-6);
+    QCOMPARE(canvas().selectedMaps(), std::vector<ifs::MapId>{maps[2].id});
+    const auto* table = window().findChild<view::MapsPanel*>();
+    QVERIFY(table->selectedMaps() == canvas().selectedMaps());
+    photograph(QStringLiteral("maps"));
+
+    hand().key("Control+z");
+    QTRY_VERIFY(document::system2(fractal())->maps[2].map == before);
+    hand().key("c");
+    QTRY_COMPARE(canvas().tool(), view::CanvasView::Tool::Cage);
 }
 
 void RealInputTest::theWheelZoomsAtThePointer() {

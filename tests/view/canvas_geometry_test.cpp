@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "canvas/cage_drag.h"
 #include "canvas/canvas_geometry.h"
 #include "canvas/gizmo_item.h"
 #include "canvas/grid_spacing.h"
 #include "canvas/pinch_gesture.h"
+#include "canvas/polygon_drag.h"
 #include "canvas/snapping.h"
 
 #include <QRandomGenerator>
@@ -22,11 +22,11 @@ attractor::Camera camera(double pixelsPerUnit, Vector<2> centre = Vector<2>::Zer
     return {centre, pixelsPerUnit, 640, 480, yAxis};
 }
 
-CageDrag drag(CageDrag::Mode mode, std::vector<int> vertices, Vector<2> press) {
-    CageDrag result;
+PolygonDrag drag(PolygonDrag::Mode mode, std::vector<int> vertices, Vector<2> press) {
+    PolygonDrag result;
     result.mode = mode;
     result.vertices = std::move(vertices);
-    result.cage = ifs::cageAtRest<2>({Vector<2>(0.1, 0.2), Vector<2>(1.3, 0.1), Vector<2>(0.2, 1.7)});
+    result.points = {Vector<2>(0.1, 0.2), Vector<2>(1.3, 0.1), Vector<2>(0.2, 1.7)};
     result.pivot = {0.5, 0.7};
     result.press = press;
     result.snapVertex = result.vertices.front();
@@ -116,48 +116,51 @@ private slots:
 
     void noOffsetIsExactlyNoChange() {
         const SnapTargets targets{SnapTo::Grid | SnapTo::Vertices | SnapTo::Axes, camera(100), {{0.1, 0.2}}};
-        for (const auto mode : {CageDrag::Mode::Move, CageDrag::Mode::Rotate, CageDrag::Mode::Scale})
+        for (const auto mode : {PolygonDrag::Mode::Move, PolygonDrag::Mode::Rotate, PolygonDrag::Mode::Scale})
             for (const auto constraint : {Constraint::Free, Constraint::Constrained})
                 for (const Vector<2>& press : {Vector<2>(0.9, 0.4), Vector<2>(0.5, 0.7)}) {
-                    const CageDrag start = drag(mode, {0, 1, 2}, press);
-                    QVERIFY(dragged(start, Vector<2>::Zero(), constraint, targets).cage == start.cage);
+                    const PolygonDrag start = drag(mode, {0, 1, 2}, press);
+                    const DragResult result = dragged(start, Vector<2>::Zero(), constraint, targets);
+                    QVERIFY(result.points == start.points);
+                    QVERIFY(result.change == ifs::AffineMap<2>{});
                 }
     }
 
     void rotatesAboutThePivotInSteps() {
         const SnapTargets targets{{}, camera(100), {}};
-        const CageDrag start = drag(CageDrag::Mode::Rotate, {0, 1, 2}, {1.5, 0.7});
+        const PolygonDrag start = drag(PolygonDrag::Mode::Rotate, {0, 1, 2}, {1.5, 0.7});
         // A quarter turn and a little more, from the right of the pivot to above it.
         const Vector<2> offset = Vector<2>(0.45, 1.75) - start.press;
-        const auto free = dragged(start, offset, Constraint::Free, targets).cage;
-        const auto stepped = dragged(start, offset, Constraint::Constrained, targets).cage;
+        const auto free = dragged(start, offset, Constraint::Free, targets);
+        const auto stepped = dragged(start, offset, Constraint::Constrained, targets);
         for (std::size_t i = 0; i < 3; ++i) {
-            const Vector<2> arm = start.cage.current[i] - start.pivot;
-            QVERIFY(isNear(stepped.current[i], start.pivot + Vector<2>(-arm.y(), arm.x()), 1e-12));
-            QVERIFY(std::abs((free.current[i] - start.pivot).norm() - arm.norm()) < 1e-12);
-            QCOMPARE(stepped.rest[i], start.cage.rest[i]);
+            const Vector<2> arm = start.points[i] - start.pivot;
+            QVERIFY(isNear(stepped.points[i], start.pivot + Vector<2>(-arm.y(), arm.x()), 1e-12));
+            QVERIFY(std::abs((free.points[i] - start.pivot).norm() - arm.norm()) < 1e-12);
+            QVERIFY(isNear(stepped.change(start.points[i]), stepped.points[i], 1e-12));
         }
-        QVERIFY(!isNear(free.current[0], stepped.current[0], 1e-3));
+        QVERIFY(!isNear(free.points[0], stepped.points[0], 1e-3));
     }
 
     void scalesAboutThePivot() {
         const SnapTargets targets{{}, camera(100), {}};
-        const CageDrag start = drag(CageDrag::Mode::Scale, {0, 1, 2}, {1.5, 1.7});
-        const auto across = dragged(start, {1, 0}, Constraint::Constrained, targets).cage;
-        const auto both = dragged(start, {1, 1}, Constraint::Free, targets).cage;
+        const PolygonDrag start = drag(PolygonDrag::Mode::Scale, {0, 1, 2}, {1.5, 1.7});
+        const auto across = dragged(start, {1, 0}, Constraint::Constrained, targets);
+        const auto both = dragged(start, {1, 1}, Constraint::Free, targets);
         for (std::size_t i = 0; i < 3; ++i) {
-            const Vector<2> arm = start.cage.current[i] - start.pivot;
-            QVERIFY(isNear(across.current[i], start.pivot + Vector<2>(2 * arm.x(), arm.y()), 1e-12));
-            QVERIFY(isNear(both.current[i], start.pivot + 2 * arm, 1e-12));
+            const Vector<2> arm = start.points[i] - start.pivot;
+            QVERIFY(isNear(across.points[i], start.pivot + Vector<2>(2 * arm.x(), arm.y()), 1e-12));
+            QVERIFY(isNear(both.points[i], start.pivot + 2 * arm, 1e-12));
+            QVERIFY(isNear(both.change(start.points[i]), both.points[i], 1e-12));
         }
     }
 
     void shiftKeepsADirection() {
         const SnapTargets targets{{}, camera(100), {}};
-        const CageDrag start = drag(CageDrag::Mode::Move, {1}, {1.3, 0.1});
-        const auto moved = dragged(start, {0.3, 0.1}, Constraint::Constrained, targets).cage;
-        QCOMPARE(moved.current[1], Vector<2>(1.3 + 0.3, 0.1));
-        QCOMPARE(moved.current[0], start.cage.current[0]);
+        const PolygonDrag start = drag(PolygonDrag::Mode::Move, {1}, {1.3, 0.1});
+        const auto moved = dragged(start, {0.3, 0.1}, Constraint::Constrained, targets);
+        QCOMPARE(moved.points[1], Vector<2>(1.3 + 0.3, 0.1));
+        QCOMPARE(moved.points[0], start.points[0]);
     }
 
     void twoFingersHoldThePlane() {

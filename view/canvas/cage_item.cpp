@@ -19,6 +19,7 @@ void CageItem::setPolygon(const QPolygonF& polygon) {
     while (int(m_handles.size()) < polygon.size()) {
         m_handles.push_back(std::make_unique<VertexHandle>(int(m_handles.size()) + 1, this));
         m_handles.back()->setStyle(m_style);
+        m_handles.back()->setVisible(!m_quiet);
     }
     for (std::size_t i = 0; i < m_handles.size(); ++i)
         m_handles[i]->setPos(polygon[int(i)]);
@@ -44,6 +45,14 @@ void CageItem::setStyle(const OverlayStyle& style) {
     m_style = style;
     for (const auto& handle : m_handles)
         handle->setStyle(style);
+    update();
+}
+
+void CageItem::setQuiet(bool quiet) {
+    m_quiet = quiet;
+    setOpacity(quiet ? 0.5 : 1);
+    for (const auto& handle : m_handles)
+        handle->setVisible(!quiet);
     update();
 }
 

@@ -23,6 +23,7 @@ public:
     void setPolygon(const QPolygonF& polygon); // pixels of the view
     void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused);
     void setStyle(const OverlayStyle& style);
+    void setQuiet(bool quiet); // pale and without handles: something else is taken
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -30,6 +31,7 @@ public:
 private:
     QPolygonF m_polygon;
     std::vector<std::unique_ptr<VertexHandle>> m_handles;
+    bool m_quiet = false;
     CanvasPart m_hovered;
     CanvasPart m_pressed;
     CanvasPart m_focused;

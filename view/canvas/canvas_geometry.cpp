@@ -15,6 +15,13 @@ ifs::Vector<2> toVector(const QPointF& p) {
     return {p.x(), p.y()};
 }
 
+double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
+    const QPointF along = b - a;
+    const double squared = QPointF::dotProduct(along, along);
+    const double t = squared > 0 ? std::clamp(QPointF::dotProduct(p - a, along) / squared, 0.0, 1.0) : 0;
+    return QLineF(p, a + t * along).length();
+}
+
 QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world) {
     return toPoint(attractor::toPixel(camera, world));
 }

@@ -12,6 +12,8 @@ namespace view {
 QPointF toPoint(const ifs::Vector<2>& v);
 ifs::Vector<2> toVector(const QPointF& p);
 
+double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b);
+
 QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world);
 ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel);
 // What a motion by `pixels` is in the plane; exactly zero for no motion.

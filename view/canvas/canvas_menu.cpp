@@ -7,6 +7,7 @@
 #include "canvas/canvas_view.h"
 #include "canvas/vertex_dialog.h"
 #include "document/fractal.h"
+#include "panels/maps_edits.h"
 
 #include <QCoreApplication>
 #include <QMenu>
@@ -53,7 +54,7 @@ void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
     add(menu, Menu::tr("&Reset This Vertex"), Menu::tr("Puts this vertex back to rest"),
         attempt(context, [&document, index] { return resetVertex(document, index); }))
         ->setEnabled(position != rest);
-    SnapTargets targets = context.scene.snapTargets({index});
+    SnapTargets targets = context.scene.snapTargets({Kind::Vertex, index}, {index});
     targets.snapping = SnapTo::Grid;
     const double step = gridSpacing(targets.camera.pixelsPerUnit).minor;
     const ifs::Vector<2> onGrid(gridLabel(step, std::round(position.x() / step)).toDouble(),
@@ -79,6 +80,26 @@ void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
         ->setEnabled(cage.rest.size() > 3);
     add(menu, Menu::tr("Put the &Pivot Here"), Menu::tr("Turns and scales the cage about this vertex"),
         [context, position] { context.scene.setPivot(position); });
+}
+
+void addMapActions(QMenu& menu, const MenuContext& context, int place) {
+    document::Document& document = context.document;
+    const auto edit = [&document](const QString& text, const document::Fractal& after) {
+        return [&document, text, after] { document.edit(text, after); };
+    };
+    const document::Fractal& fractal = document.fractal();
+    const QString number = QString::number(place + 1);
+    menu.addSection(Menu::tr("Map %1").arg(number));
+    document::Fractal switched = fractal;
+    bool& enabled = document::system2(switched)->maps[std::size_t(place)].enabled;
+    enabled = !enabled;
+    add(menu, enabled ? Menu::tr("&Switch On") : Menu::tr("&Switch Off"),
+        Menu::tr("Lets this map take part, or not"),
+        edit((enabled ? Menu::tr("Switch on map %1") : Menu::tr("Switch off map %1")).arg(number), switched));
+    add(menu, Menu::tr("D&uplicate"), Menu::tr("Puts a copy of this map beside it"),
+        edit(Menu::tr("Duplicate map %1").arg(number), withDuplicates(fractal, {place}).fractal));
+    add(menu, Menu::tr("&Delete"), Menu::tr("Takes this map out of the system"),
+        edit(Menu::tr("Delete map %1").arg(number), withoutMaps(fractal, {place}).fractal));
 }
 
 void addEdgeActions(QMenu& menu, const MenuContext& context, int edge, const QPoint& global) {
@@ -160,7 +181,9 @@ void popUpCanvasMenu(const MenuContext& context, const CanvasPart& part, const Q
     menu->setAccessibleName(Menu::tr("Canvas"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     if (context.scene.cage()) {
-        if (part.kind == Kind::Vertex) addVertexActions(*menu, context, part.index);
+        if (part.map >= 0 && context.scene.taken() == CanvasScene::Taken::Maps)
+            addMapActions(*menu, context, part.map);
+        if (part.map < 0 && part.kind == Kind::Vertex) addVertexActions(*menu, context, part.index);
         if (part.kind == Kind::Edge) addEdgeActions(*menu, context, part.index, global);
         if (part.kind == Kind::Pivot || part.kind == Kind::Rotate || part.kind == Kind::Scale)
             addPivotActions(*menu, context, part.kind);

@@ -3,10 +3,14 @@
 
 #include "cage_edits.h"
 #include "ifs/attractor_existence.h"
+#include "ifs/branch.h"
 #include "ifs/iterated_function_system.h"
 
 #include <QCoreApplication>
 #include <QStringList>
+
+#include <algorithm>
+#include <span>
 
 namespace view {
 
@@ -20,24 +24,34 @@ QString number(double value) {
     return QString::number(value, 'g', 4);
 }
 
-QString noAttractor(const ifs::ActiveMaps<2>& active, const std::vector<int>& witness) {
-    ifs::AffineMap<2> word;
+// The witness of a verdict, in the numbers that the user counts by.
+struct Witness {
+    QString word;
+    QString stretch; // its largest singular value
+    QString radius;  // its spectral radius
+};
+
+Witness described(std::span<const ifs::AffineMap<2>> maps, const std::vector<std::size_t>& index,
+                  const std::vector<int>& word) {
+    const ifs::AffineMap<2> map = ifs::composed<2>(maps, word);
     QStringList address;
-    for (const int letter : witness) {
-        word = word * active.maps[std::size_t(letter)];
-        address << QString::number(active.index[std::size_t(letter)] + 1);
-    }
-    const QString stretch = number(ifs::spectralNorm(word.linear));
-    const QString radius = number(ifs::spectralRadius(word.linear));
+    for (const int letter : word)
+        address << QString::number(index[std::size_t(letter)] + 1);
+    return {address.join(QLatin1Char(' ')), number(ifs::spectralNorm(map.linear)),
+            number(ifs::spectralRadius(map.linear))};
+}
+
+QString noAttractor(const ifs::ActiveMaps<2>& active, const std::vector<int>& witness) {
+    const auto [word, stretch, radius] = described(active.maps, active.index, witness);
     if (witness.size() == 1)
         return Notes::tr(
                    "No attractor: map %1 does not contract (largest singular value %2, spectral radius %3). "
                    "Make it smaller, or switch it off.")
-            .arg(address.front(), stretch, radius);
+            .arg(word, stretch, radius);
     return Notes::tr(
                "No attractor: the maps %1, one after the other, do not contract (largest singular value %2, "
                "spectral radius %3). Make one of them smaller, or switch it off.")
-        .arg(address.join(QLatin1Char(' ')), stretch, radius);
+        .arg(word, stretch, radius);
 }
 
 // The renderer only says that the picture is not to be trusted; the reason is looked for here.
@@ -60,6 +74,28 @@ QString doubtful(const document::System2& system) {
 }
 
 } // namespace
+
+QString stopNote(const document::System2& system, const ifs::SafeWay& way) {
+    const std::vector<std::size_t> index = ifs::activeMaps(system).index;
+    if (way.verdict.verdict == ifs::Verdict::None) {
+        const auto [word, stretch, radius] = described(way.past, index, way.verdict.witness);
+        const QString sentence =
+            way.verdict.witness.size() == 1
+                ? Notes::tr("Stopped: any farther, map %1 would not contract (largest singular value %2, "
+                            "spectral radius %3), and there would be no attractor.")
+                : Notes::tr("Stopped: any farther, the maps %1, one after the other, would not contract "
+                            "(largest singular value %2, spectral radius %3), and there would be no "
+                            "attractor.");
+        return sentence.arg(word, stretch, radius);
+    }
+    const auto largest = std::ranges::max_element(
+        way.past, {}, [](const ifs::AffineMap<2>& map) { return ifs::spectralNorm(map.linear); });
+    return Notes::tr(
+               "Stopped: any farther, it is not settled whether there would be an attractor (map %1 has "
+               "the largest singular value, %2).")
+        .arg(index[std::size_t(largest - way.past.begin())] + 1)
+        .arg(number(ifs::spectralNorm(largest->linear)));
+}
 
 QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     const document::System2* system = document::system2(fractal);

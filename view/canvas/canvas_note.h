@@ -3,6 +3,7 @@
 
 #include "attractor/renderer.h"
 #include "document/fractal.h"
+#include "ifs/map_handles.h"
 
 #include <QString>
 
@@ -10,5 +11,9 @@ namespace view {
 
 // Why the canvas does not show what one would expect, as whole sentences; empty when it does.
 QString noteOn(const document::Fractal& fractal, attractor::RenderNote note);
+
+// Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the
+// same maps taking part as those of `way`.
+QString stopNote(const document::System2& system, const ifs::SafeWay& way);
 
 } // namespace view

@@ -8,6 +8,7 @@
 #include "canvas/canvas_marks.h"
 #include "canvas/canvas_note.h"
 #include "canvas/grid_item.h"
+#include "canvas/map_frames_item.h"
 #include "canvas/note_item.h"
 #include "canvas/trail_item.h"
 
@@ -39,13 +40,6 @@ QString coordinates(const attractor::Camera& camera, const ifs::Vector<2>& point
     return QStringLiteral("x %1, y %2").arg(point.x(), 0, 'f', digits).arg(point.y(), 0, 'f', digits);
 }
 
-double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
-    const QPointF along = b - a;
-    const double squared = QPointF::dotProduct(along, along);
-    const double t = squared > 0 ? std::clamp(QPointF::dotProduct(p - a, along) / squared, 0.0, 1.0) : 0;
-    return QLineF(p, a + t * along).length();
-}
-
 } // namespace
 
 CanvasScene::CanvasScene(document::Document* document, QObject* parent)
@@ -55,6 +49,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_grid(std::make_unique<GridItem>()),
       m_analysisItem(std::make_unique<AnalysisItem>()),
       m_cageItem(std::make_unique<CageItem>()),
+      m_mapFrames(std::make_unique<MapFramesItem>()),
       m_gizmo(std::make_unique<GizmoItem>()),
       m_snapMark(std::make_unique<SnapMark>()),
       m_trailItem(std::make_unique<TrailItem>()),
@@ -75,8 +70,8 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
 CanvasScene::~CanvasScene() = default;
 
 std::vector<QGraphicsItem*> CanvasScene::overlays() const {
-    return {m_grid.get(),   m_analysisItem.get(), m_trailItem.get(), m_gizmo.get(),     m_cageItem.get(),
-            m_rubber.get(), m_snapMark.get(),     m_noteItem.get(),  m_promptItem.get()};
+    return {m_grid.get(),  m_analysisItem.get(), m_trailItem.get(), m_cageItem.get(), m_mapFrames.get(),
+            m_gizmo.get(), m_rubber.get(),       m_snapMark.get(),  m_noteItem.get(), m_promptItem.get()};
 }
 
 void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRatio) {
@@ -112,16 +107,26 @@ void CanvasScene::follow(const document::Change& change) {
     if (change.parts & (Change::Current | Change::File)) {
         m_pivot.reset();
         setFocused({});
+        setSelectedMaps({});
     }
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         m_cage = document::system2(fractal) ? std::optional(document::effectiveCage(fractal)) : std::nullopt;
+        m_handles =
+            m_cage ? std::optional<document::MapHandles>(std::in_place, fractal, *m_cage) : std::nullopt;
+        setSelectedMaps(m_selectedMaps); // those that are left
+        takeBranch();
+        m_addresses.reset();
+        if (m_focused.map >= childCount()) setFocused({});
         place();
     }
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         m_noteStale = true;
         updateNote();
     }
-    if (change.parts & (Change::Appearance | Change::Current | Change::File)) restyle();
+    if (change.parts & (Change::Appearance | Change::Current | Change::File)) {
+        restyle();
+        placeMaps(); // their colours
+    }
 }
 
 QPolygonF CanvasScene::cagePolygon() const {
@@ -133,11 +138,12 @@ QPolygonF CanvasScene::cagePolygon() const {
 }
 
 ifs::Vector<2> CanvasScene::pivot() const {
-    if (m_pivot || !m_cage || m_cage->current.empty()) return m_pivot.value_or(ifs::Vector<2>::Zero());
+    const std::vector<ifs::Vector<2>> points = m_pivot ? std::vector<ifs::Vector<2>>() : takenPoints();
+    if (points.empty()) return m_pivot.value_or(ifs::Vector<2>::Zero());
     ifs::Vector<2> sum = ifs::Vector<2>::Zero();
-    for (const ifs::Vector<2>& vertex : m_cage->current)
-        sum += vertex;
-    return sum / double(m_cage->current.size());
+    for (const ifs::Vector<2>& point : points)
+        sum += point;
+    return sum / double(points.size());
 }
 
 void CanvasScene::setPivot(const std::optional<ifs::Vector<2>>& pivot) {
@@ -158,9 +164,19 @@ CanvasPart CanvasScene::partAt(const QPointF& position, Reach reach) const {
             nearest = {kind, index};
         }
     };
-    consider(Kind::Pivot, 0, m_gizmoLayout.pivot);
-    consider(Kind::Scale, 0, m_gizmoLayout.scale);
-    consider(Kind::Rotate, 0, m_gizmoLayout.rotate);
+    if (anythingTaken()) {
+        consider(Kind::Pivot, 0, m_gizmoLayout.pivot);
+        consider(Kind::Scale, 0, m_gizmoLayout.scale);
+        consider(Kind::Rotate, 0, m_gizmoLayout.rotate);
+    }
+    if (m_taken != Taken::Cage) {
+        // A corner comes before the pivot under it, as a vertex of the cage does.
+        const CanvasPart part = framePartAt(m_mapFrames->frames(), position, handle, edge);
+        return nearest.kind == Kind::None ||
+                       (part.kind == Kind::Vertex && distance(positionOf(part)) <= least)
+                   ? part
+                   : nearest;
+    }
     for (int i = 0; i < polygon.size(); ++i)
         consider(Kind::Vertex, i, polygon[i]);
     if (nearest.kind != Kind::None) return nearest;
@@ -178,6 +194,15 @@ CanvasPart CanvasScene::partAt(const QPointF& position, Reach reach) const {
 }
 
 QPointF CanvasScene::positionOf(const CanvasPart& part) const {
+    if (part.map >= 0) {
+        if (part.map >= int(m_mapFrames->frames().size())) return {};
+        const QPolygonF& corners = m_mapFrames->frames()[std::size_t(part.map)].corners;
+        if (part.kind == Kind::Vertex) return corners.value(part.index);
+        QPointF sum;
+        for (const QPointF& corner : corners)
+            sum += corner;
+        return sum / double(std::max<qsizetype>(1, corners.size()));
+    }
     const QPolygonF polygon = cagePolygon();
     switch (part.kind) {
     case Kind::Vertex:
@@ -200,14 +225,27 @@ QPointF CanvasScene::positionOf(const CanvasPart& part) const {
 std::vector<CanvasPart> CanvasScene::handles() const {
     std::vector<CanvasPart> parts;
     if (!m_cage) return parts;
-    for (std::size_t i = 0; i < m_cage->current.size(); ++i)
-        parts.push_back({Kind::Vertex, int(i)});
-    for (const Kind kind : {Kind::Inside, Kind::Pivot, Kind::Rotate, Kind::Scale})
+    const int corners = int(m_cage->current.size());
+    for (int child = 0; child < childCount(); ++child) {
+        parts.push_back({Kind::Inside, 0, child});
+        for (int i = 0; i < corners; ++i)
+            parts.push_back({Kind::Vertex, i, child});
+    }
+    for (int i = 0; m_taken == Taken::Cage && i < corners; ++i)
+        parts.push_back({Kind::Vertex, i});
+    if (m_taken == Taken::Cage) parts.push_back({Kind::Inside, 0});
+    for (const Kind kind : {Kind::Pivot, Kind::Rotate, Kind::Scale})
         parts.push_back({kind, 0});
     return parts;
 }
 
 QString CanvasScene::nameOf(const CanvasPart& part) const {
+    if (part.map >= 0) {
+        const QString name = m_taken == Taken::Branch
+                                 ? tr("Branch %1").arg(document::addressText(m_branch, m_branch.size()))
+                                 : tr("Map %1").arg(part.map + 1);
+        return part.kind == Kind::Vertex ? tr("%1, corner %2").arg(name).arg(part.index + 1) : name;
+    }
     switch (part.kind) {
     case Kind::None:
         break;
@@ -230,6 +268,7 @@ QString CanvasScene::nameOf(const CanvasPart& part) const {
 QString CanvasScene::placeOf(const CanvasPart& part) const {
     switch (part.kind) {
     case Kind::Vertex:
+        if (part.map >= 0) return coordinates(m_camera, childCorners(part.map)[std::size_t(part.index)]);
         return m_cage ? coordinates(m_camera, m_cage->current[std::size_t(part.index)]) : QString();
     case Kind::Pivot:
         return coordinates(m_camera, pivot());
@@ -238,9 +277,9 @@ QString CanvasScene::placeOf(const CanvasPart& part) const {
     case Kind::Inside:
         return tr("the arrow keys move it");
     case Kind::Rotate:
-        return tr("the arrow keys turn the cage by one degree");
+        return tr("the arrow keys turn by one degree");
     case Kind::Scale:
-        return tr("the arrow keys scale the cage by one percent");
+        return tr("the arrow keys scale by one percent");
     case Kind::None:
         break;
     }
@@ -250,11 +289,11 @@ QString CanvasScene::placeOf(const CanvasPart& part) const {
 QString CanvasScene::useOf(const CanvasPart& part) const {
     switch (part.kind) {
     case Kind::Pivot:
-        return tr("Drag the pivot: the cage turns and scales about it.");
+        return tr("Drag the pivot: turning and scaling are about it.");
     case Kind::Rotate:
-        return tr("Drag to turn the cage about the pivot; Shift: in steps of 15°.");
+        return tr("Drag to turn about the pivot; Shift: in steps of 15°.");
     case Kind::Scale:
-        return tr("Drag to scale the cage about the pivot; Shift: along x or y only.");
+        return tr("Drag to scale about the pivot; Shift: along x or y only.");
     case Kind::None:
     case Kind::Vertex:
     case Kind::Edge:
@@ -286,12 +325,20 @@ void CanvasScene::holdKnobAt(const std::optional<QPointF>& position) {
     place();
 }
 
-SnapTargets CanvasScene::snapTargets(const std::vector<int>& moving) const {
+SnapTargets CanvasScene::snapTargets(const CanvasPart& part, const std::vector<int>& moving) const {
     SnapTargets targets{m_snapping, m_camera, {}};
     if (!m_cage) return targets;
-    targets.vertices = m_cage->rest;
-    for (std::size_t i = 0; i < m_cage->current.size(); ++i)
-        if (std::ranges::find(moving, int(i)) == moving.end()) targets.vertices.push_back(m_cage->current[i]);
+    const auto addStill = [&](const std::vector<ifs::Vector<2>>& points, bool anyMoves) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (!anyMoves || std::ranges::find(moving, int(i)) == moving.end())
+                targets.vertices.push_back(points[i]);
+    };
+    if (m_taken == Taken::Cage) targets.vertices = m_cage->rest;
+    addStill(m_cage->current, m_taken == Taken::Cage);
+    for (int child = 0; child < childCount(); ++child) {
+        const bool whole = part.kind != Kind::Vertex && isChildSelected(child) && !moving.empty();
+        if (!whole) addStill(childCorners(child), child == part.map);
+    }
     return targets;
 }
 
@@ -310,8 +357,12 @@ void CanvasScene::showRubber(const std::vector<ifs::Vector<2>>& clicked,
 void CanvasScene::place() {
     const QPolygonF polygon = cagePolygon();
     m_cageItem->setPolygon(polygon);
+    placeMaps();
     if (m_cage) {
-        m_gizmoLayout = gizmoLayout(polygon, pixelOf(m_camera, pivot()), sceneRect());
+        QPolygonF points;
+        for (const ifs::Vector<2>& point : takenPoints())
+            points.append(pixelOf(m_camera, point));
+        m_gizmoLayout = gizmoLayout(points, pixelOf(m_camera, pivot()), sceneRect());
         if (m_heldKnob && m_pressed.kind == Kind::Rotate) m_gizmoLayout.rotate = *m_heldKnob;
         if (m_heldKnob && m_pressed.kind == Kind::Scale) m_gizmoLayout.scale = *m_heldKnob;
         m_gizmo->setLayout(m_gizmoLayout);
@@ -329,8 +380,134 @@ void CanvasScene::place() {
     updateVisibility();
 }
 
+void CanvasScene::placeMaps() {
+    std::vector<MapFrame> frames;
+    const auto inPixels = [this](const std::vector<ifs::Vector<2>>& points) {
+        QPolygonF polygon;
+        for (const ifs::Vector<2>& point : points)
+            polygon.append(pixelOf(m_camera, point));
+        return polygon;
+    };
+    const attractor::Appearance& appearance = m_document->fractal().appearance;
+    const auto add = [&](const document::MapHandles& handles, std::size_t place, int child,
+                         const attractor::Rgba& colour, bool selected) {
+        frames.push_back({child, inPixels(handles.corners(place)), inPixels(handles.outline(place)),
+                          QColor(colour.red, colour.green, colour.blue), selected,
+                          handles.maps()[place].enabled});
+    };
+    if (m_taken == Taken::Branch && m_branchHandles) {
+        const auto first = std::size_t(m_branch.front());
+        add(m_branchHandles->handles, m_branchHandles->place, 0,
+            attractor::mapColour(appearance, m_handles->maps()[first].id, first), true);
+    }
+    for (int place = 0; m_taken != Taken::Branch && place < mapCount(); ++place) {
+        if (m_taken != Taken::Maps && !isSelected(place)) continue;
+        const auto index = std::size_t(place);
+        add(*m_handles, index, place, attractor::mapColour(appearance, m_handles->maps()[index].id, index),
+            isSelected(place));
+    }
+    m_mapFrames->setFrames(std::move(frames),
+                           m_taken == Taken::Cage ? MapFramesItem::Mode::Hint : MapFramesItem::Mode::Held);
+}
+
+int CanvasScene::childCount() const {
+    if (m_taken == Taken::Branch) return m_branchHandles ? 1 : 0;
+    return m_taken == Taken::Maps ? mapCount() : 0;
+}
+
+std::vector<ifs::Vector<2>> CanvasScene::childCorners(int child) const {
+    if (m_taken == Taken::Branch) return m_branchHandles->handles.corners(m_branchHandles->place);
+    return m_handles->corners(std::size_t(child));
+}
+
+void CanvasScene::takeBranch() {
+    m_branchHandles.reset();
+    if (m_cage && !m_branch.empty())
+        m_branchHandles = document::branchHandles(m_document->fractal(), *m_cage, m_branch, m_branchEdit);
+}
+
+void CanvasScene::setBranch(const ifs::Word& branch) {
+    if (branch == m_branch) return;
+    m_branch = branch;
+    takeBranch();
+    if (m_taken == Taken::Branch) {
+        if (m_pressed.kind == Kind::None) m_pivot.reset();
+        if (m_focused.map >= childCount()) setFocused({});
+    }
+    place();
+}
+
+void CanvasScene::setBranchEdit(document::BranchEdit edit) {
+    m_branchEdit = edit;
+    takeBranch();
+    place();
+}
+
+const document::Addresses& CanvasScene::addresses() {
+    if (!m_addresses) m_addresses.emplace(m_document->fractal());
+    return *m_addresses;
+}
+
+ifs::Word CanvasScene::addressAt(const QPointF& position) {
+    if (!m_cage) return {};
+    return addresses().at(worldAt(m_camera, position), 1 / m_camera.pixelsPerUnit);
+}
+
+std::vector<ifs::Vector<2>> CanvasScene::takenPoints() const {
+    if (!m_cage) return {};
+    if (m_taken == Taken::Cage) return m_cage->current;
+    std::vector<ifs::Vector<2>> points;
+    for (int child = 0; child < childCount(); ++child)
+        if (isChildSelected(child))
+            for (const ifs::Vector<2>& corner : childCorners(child))
+                points.push_back(corner);
+    return points;
+}
+
+void CanvasScene::setTaken(Taken taken) {
+    if (taken == m_taken) return;
+    m_taken = taken;
+    m_pivot.reset();
+    m_hovered = {};
+    setFocused({});
+    m_cageItem->setQuiet(taken != Taken::Cage);
+    place();
+}
+
+void CanvasScene::setSelectedMaps(const std::vector<ifs::MapId>& maps) {
+    std::vector<std::size_t> places;
+    for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)
+        if (std::ranges::find(maps, m_handles->maps()[place].id) != maps.end()) places.push_back(place);
+    setSelectedPlaces(places);
+}
+
+void CanvasScene::setSelectedPlaces(const std::vector<std::size_t>& places) {
+    std::vector<ifs::MapId> selected;
+    for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)
+        if (std::ranges::find(places, place) != places.end()) selected.push_back(m_handles->maps()[place].id);
+    if (selected == m_selectedMaps) return;
+    m_selectedMaps = std::move(selected);
+    if (m_taken == Taken::Maps) m_pivot.reset();
+    place();
+    emit selectedMapsChanged();
+}
+
+std::vector<std::size_t> CanvasScene::selectedPlaces() const {
+    std::vector<std::size_t> places;
+    for (int place = 0; place < mapCount(); ++place)
+        if (isSelected(place)) places.push_back(std::size_t(place));
+    return places;
+}
+
+bool CanvasScene::isSelected(int place) const {
+    return place >= 0 && place < mapCount() &&
+           std::ranges::find(m_selectedMaps, m_handles->maps()[std::size_t(place)].id) !=
+               m_selectedMaps.end();
+}
+
 void CanvasScene::mark() {
     m_cageItem->setMarks(m_hovered, m_pressed, m_focused);
+    m_mapFrames->setMarks(m_hovered, m_pressed, m_focused);
     m_gizmo->setMarks(m_hovered, m_pressed, m_focused);
 }
 
@@ -349,6 +526,7 @@ void CanvasScene::restyle() {
     m_grid->setStyle(style);
     m_analysisItem->setStyle(style);
     m_cageItem->setStyle(style);
+    m_mapFrames->setStyle(style);
     m_gizmo->setStyle(style);
     m_snapMark->setStyle(style);
     m_rubber->setStyle(style);
@@ -410,7 +588,8 @@ void CanvasScene::updateVisibility() {
         item->setVisible(m_overlaysVisible);
     const bool cage = m_overlaysVisible && m_cageVisible && m_cage;
     m_cageItem->setVisible(cage);
-    m_gizmo->setVisible(cage);
+    m_mapFrames->setVisible(cage);
+    m_gizmo->setVisible(cage && anythingTaken());
 }
 
 } // namespace view

@@ -6,7 +6,9 @@
 #include "canvas/gizmo_item.h"
 #include "canvas/overlay_style.h"
 #include "canvas/snapping.h"
+#include "document/addresses.h"
 #include "document/document.h"
+#include "document/map_handles.h"
 #include "ifs/control_cage.h"
 
 #include <QGraphicsScene>
@@ -25,6 +27,7 @@ class AnalysisItem;
 class AttractorItem;
 class CageItem;
 class GridItem;
+class MapFramesItem;
 class NoteItem;
 class RubberItem;
 class SnapMark;
@@ -49,7 +52,29 @@ public:
     const std::optional<ifs::ControlCage<2>>& cage() const { return m_cage; }
     QPolygonF cagePolygon() const;
 
-    // About which the cage turns and scales: the mean of its vertices until it is put elsewhere.
+    // What the handles take hold of: the cage, or the maps as its images. Of those that are not taken the
+    // selected ones are hinted at.
+    enum class Taken { Cage, Maps, Branch };
+    Taken taken() const { return m_taken; }
+    void setTaken(Taken taken);
+    int mapCount() const { return m_handles ? int(m_handles->count()) : 0; }
+    const std::vector<ifs::MapId>& selectedMaps() const { return m_selectedMaps; } // in the system's order
+    void setSelectedMaps(const std::vector<ifs::MapId>& maps);
+    std::vector<std::size_t> selectedPlaces() const;
+    void setSelectedPlaces(const std::vector<std::size_t>& places);
+    bool isSelected(int place) const;
+
+    // The branch that is taken, by places in the system; empty: none.
+    const ifs::Word& branch() const { return m_branch; }
+    void setBranch(const ifs::Word& branch);
+    document::BranchEdit branchEdit() const { return m_branchEdit; }
+    void setBranchEdit(document::BranchEdit edit);
+    const std::optional<document::BranchHandles>& branchHandles() const { return m_branchHandles; }
+    // Addresses of what is displayed; made when first asked for.
+    const document::Addresses& addresses();
+    ifs::Word addressAt(const QPointF& position);
+
+    // About which what is taken turns and scales: the mean of its vertices until it is put elsewhere.
     ifs::Vector<2> pivot() const;
     void setPivot(const std::optional<ifs::Vector<2>>& pivot); // nullopt: the mean again
     bool hasOwnPivot() const { return m_pivot.has_value(); }
@@ -73,7 +98,8 @@ public:
 
     Snapping snapping() const { return m_snapping; }
     void setSnapping(Snapping snapping) { m_snapping = snapping; }
-    SnapTargets snapTargets(const std::vector<int>& moving = {}) const; // without the vertices that move
+    // Without those vertices of the part that move.
+    SnapTargets snapTargets(const CanvasPart& part = {}, const std::vector<int>& moving = {}) const;
     void showSnap(const std::optional<Snapped>& snap);
     void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
 
@@ -95,10 +121,19 @@ public:
 signals:
     void focusChanged();
     void focusMoved(); // the part in focus is elsewhere
+    void selectedMapsChanged();
 
 private:
     void follow(const document::Change& change);
     void place(); // everything that depends on camera and cage
+    void placeMaps();
+    // The polygons that are taken when the cage is not: of the maps, or of the branch.
+    int childCount() const;
+    std::vector<ifs::Vector<2>> childCorners(int child) const;
+    bool isChildSelected(int child) const { return m_taken == Taken::Branch || isSelected(child); }
+    bool anythingTaken() const { return m_taken == Taken::Cage || !takenPoints().empty(); }
+    void takeBranch();
+    std::vector<ifs::Vector<2>> takenPoints() const;
     void mark();
     void restyle();
     void updateNote();
@@ -109,6 +144,13 @@ private:
     attractor::Camera m_camera;
     std::shared_ptr<const attractor::Frame> m_frame;
     std::optional<ifs::ControlCage<2>> m_cage;
+    std::optional<document::MapHandles> m_handles;
+    Taken m_taken = Taken::Cage;
+    std::vector<ifs::MapId> m_selectedMaps;
+    ifs::Word m_branch;
+    document::BranchEdit m_branchEdit = document::BranchEdit::OwnMap;
+    std::optional<document::BranchHandles> m_branchHandles;
+    std::optional<document::Addresses> m_addresses;
     std::optional<ifs::Vector<2>> m_pivot;
     std::optional<QPointF> m_heldKnob;
     std::optional<Snapped> m_snap;
@@ -132,6 +174,7 @@ private:
     std::unique_ptr<GridItem> m_grid;
     std::unique_ptr<AnalysisItem> m_analysisItem;
     std::unique_ptr<CageItem> m_cageItem;
+    std::unique_ptr<MapFramesItem> m_mapFrames;
     std::unique_ptr<GizmoItem> m_gizmo;
     std::unique_ptr<SnapMark> m_snapMark;
     std::unique_ptr<TrailItem> m_trailItem;

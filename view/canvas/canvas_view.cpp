@@ -2,6 +2,7 @@
 #include "canvas/canvas_view.h"
 
 #include "canvas/attractor_item.h"
+#include "canvas/branch_tool.h"
 #include "canvas/cage_actions.h"
 #include "canvas/cage_tool.h"
 #include "canvas/canvas_accessible.h"
@@ -9,6 +10,7 @@
 #include "canvas/canvas_menu.h"
 #include "canvas/canvas_scene.h"
 #include "canvas/define_tool.h"
+#include "canvas/maps_tool.h"
 #include "document/analysis.h"
 #include "document/fractal.h"
 #include "io/number.h"
@@ -40,6 +42,7 @@ constexpr double keyZoom = 1.25;
 constexpr double keyPan = 40; // pixels
 constexpr double fitMargin = 0.09;
 constexpr int longestHold = 33; // milliseconds
+constexpr int notch = 120;      // of a wheel, in eighths of a degree
 
 double wheelFactor(const QWheelEvent& event) {
     // A touchpad reports pixels, a wheel eighths of a degree: one notch is 120 of them, fine wheels send
@@ -86,6 +89,8 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
       m_bridge(bridge),
       m_scene(new CanvasScene(document, this)),
       m_cageTool(new CageTool(m_scene)),
+      m_mapsTool(new MapsTool(m_scene)),
+      m_branchTool(new BranchTool(m_scene)),
       m_defineTool(new DefineTool(m_scene)) {
     installCanvasAccessibility();
     setScene(m_scene);
@@ -131,39 +136,81 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
         describeFocus();
         announceMotion(*this);
     });
-    for (CanvasTool* tool : {static_cast<CanvasTool*>(m_cageTool), static_cast<CanvasTool*>(m_defineTool)}) {
+    connect(m_branchTool, &BranchTool::changed, this, &CanvasView::branchChanged);
+    connect(m_scene, &CanvasScene::selectedMapsChanged, this, &CanvasView::selectedMapsChanged);
+    for (CanvasTool* tool :
+         {static_cast<CanvasTool*>(m_cageTool), static_cast<CanvasTool*>(m_mapsTool),
+          static_cast<CanvasTool*>(m_branchTool), static_cast<CanvasTool*>(m_defineTool)}) {
         connect(tool, &CanvasTool::message, this, &CanvasView::message);
         connect(tool, &CanvasTool::cursorChanged, this, &CanvasView::refreshCursor);
         connect(tool, &CanvasTool::finished, this, &CanvasView::finishTool);
     }
-    connect(m_cageTool, &CageTool::grasped, this, [this] {
-        if (m_hint.isEmpty()) return;
-        setHint({});
-        emit hintDismissed();
-    });
+    for (PolygonTool* tool : {static_cast<PolygonTool*>(m_cageTool), static_cast<PolygonTool*>(m_mapsTool),
+                              static_cast<PolygonTool*>(m_branchTool)})
+        connect(tool, &PolygonTool::grasped, this, [this] {
+            if (m_hint.isEmpty()) return;
+            setHint({});
+            emit hintDismissed();
+        });
     m_scene->setFrame(bridge->frame());
 }
 
-CanvasView::~CanvasView() = default;
+CanvasView::~CanvasView() {
+    active().stop(); // what is held is let go while there is a scene
+}
 
 CanvasTool& CanvasView::active() const {
-    return m_tool == Tool::Cage ? static_cast<CanvasTool&>(*m_cageTool) : *m_defineTool;
+    if (PolygonTool* tool = taking()) return *tool;
+    return *m_defineTool;
+}
+
+PolygonTool* CanvasView::taking() const {
+    if (m_tool == Tool::Maps) return m_mapsTool;
+    if (m_tool == Tool::Branch) return m_branchTool;
+    return m_tool == Tool::Cage ? m_cageTool : nullptr;
+}
+
+const std::vector<ifs::MapId>& CanvasView::selectedMaps() const {
+    return m_scene->selectedMaps();
+}
+
+void CanvasView::selectMaps(const std::vector<ifs::MapId>& maps) {
+    m_scene->setSelectedMaps(maps);
+}
+
+void CanvasView::setAllowsNoAttractor(bool allows) {
+    m_mapsTool->setAllowsNoAttractor(allows);
+    m_branchTool->setAllowsNoAttractor(allows);
+}
+
+const ifs::Word& CanvasView::branchAddress() const {
+    return m_branchTool->address();
+}
+
+int CanvasView::branchDepth() const {
+    return m_branchTool->depth();
+}
+
+void CanvasView::setBranchDepth(int depth) {
+    m_branchTool->setDepth(depth);
+}
+
+void CanvasView::setBranchEdit(document::BranchEdit edit) {
+    m_branchTool->setEdit(edit);
 }
 
 void CanvasView::setTool(Tool tool) {
     if (tool == m_tool) return;
-    if (tool == Tool::DefineTriangle) {
-        if (!document::system2(m_document->fractal())) {
-            emit message(m_scene->note());
-            emit toolChanged(m_tool); // a button that was pressed goes back
-            return;
-        }
-        if (offerReset()) {
-            emit toolChanged(m_tool);
-            return;
-        }
-        setOverlaysVisible(true);
+    if (tool != Tool::Cage && !document::system2(m_document->fractal())) {
+        emit message(m_scene->note());
+        emit toolChanged(m_tool); // a button that was pressed goes back
+        return;
     }
+    if (tool == Tool::DefineTriangle && offerReset()) {
+        emit toolChanged(m_tool);
+        return;
+    }
+    if (tool != Tool::Cage) setOverlaysVisible(true);
     active().stop();
     m_tool = tool;
     active().start();
@@ -199,7 +246,7 @@ bool CanvasView::cancelGesture() {
         refreshCursor();
         return true;
     }
-    if (!active().isBusy() && m_tool == Tool::Cage) return false;
+    if (!active().isBusy() && taking()) return false;
     return active().cancel();
 }
 
@@ -404,7 +451,7 @@ bool CanvasView::touch(const QTouchEvent& event) {
     const QList<QEventPoint>& points = event.points();
     m_pointer = {points.front().position(), event.modifiers(), Reach::Touch};
     if (points.size() >= 2 && !m_pinch.isActive()) {
-        if (m_tool == Tool::Cage) active().cancel();
+        if (taking()) active().cancel();
         m_pinch.press(camera(), points[0].position(), points[1].position());
         return true;
     }
@@ -423,7 +470,7 @@ bool CanvasView::touch(const QTouchEvent& event) {
         }
         break;
     case QEvent::TouchCancel:
-        if (m_tool == Tool::Cage) active().cancel();
+        if (taking()) active().cancel();
         [[fallthrough]];
     default:
         m_pinch.release();
@@ -454,6 +501,13 @@ void CanvasView::changeEvent(QEvent* event) {
 }
 
 void CanvasView::wheelEvent(QWheelEvent* event) {
+    if (m_tool == Tool::Branch && event->modifiers().testFlag(Qt::ShiftModifier)) {
+        m_wheelTurned += event->angleDelta().y() + event->angleDelta().x();
+        setBranchDepth(branchDepth() + m_wheelTurned / notch);
+        m_wheelTurned %= notch;
+        event->accept();
+        return;
+    }
     zoomAt(event->position(), wheelFactor(*event));
     event->accept();
 }
@@ -465,7 +519,15 @@ void CanvasView::report(const QPointF& position) {
         if (ifs::isAffineBasis<2>(triangle))
             pointer.barycentric = ifs::barycentric<2>(triangle, pointer.world);
     }
+    if (m_holding == Holding::Nothing) findAddress(pointer);
     emit pointerMoved(pointer);
+}
+
+void CanvasView::findAddress(PointerPosition& pointer) {
+    pointer.address = m_scene->addressAt(pixelOf(camera(), pointer.world));
+    pointer.fixedLength = std::min(std::size_t(branchDepth()), pointer.address.size());
+    const auto end = pointer.address.begin() + std::ptrdiff_t(pointer.fixedLength);
+    pointer.fixedPoint = m_scene->addresses().fixedPoint({pointer.address.begin(), end});
 }
 
 void CanvasView::refreshCursor() {
@@ -637,9 +699,8 @@ void CanvasView::focusOutEvent(QFocusEvent* event) {
 }
 
 bool CanvasView::focusNextPrevChild(bool next) {
-    if (m_tool != Tool::Cage || !m_scene->cage() || !overlaysVisible())
-        return QGraphicsView::focusNextPrevChild(next);
-    m_cageTool->walk(next ? 1 : -1);
+    if (!taking() || !m_scene->cage() || !overlaysVisible()) return QGraphicsView::focusNextPrevChild(next);
+    taking()->walk(next ? 1 : -1);
     return true;
 }
 

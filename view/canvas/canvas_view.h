@@ -7,6 +7,7 @@
 #include "canvas/pinch_gesture.h"
 #include "canvas/snapping.h"
 #include "document/document.h"
+#include "document/map_handles.h"
 #include "ifs/barycentric.h"
 
 #include <QGraphicsView>
@@ -24,15 +25,23 @@ struct OutlineShape;
 
 namespace view {
 
+class BranchTool;
 class CageTool;
 class CanvasScene;
 class DefineTool;
+class MapsTool;
+class PolygonTool;
 class RenderBridge;
 
 struct PointerPosition {
     ifs::Vector<2> world = ifs::Vector<2>::Zero();
     // With respect to the first three vertices of the current cage; nullopt while they lie on one line.
     std::optional<ifs::Barycentric<2>> barycentric;
+    // Of the point of the attractor under the pointer, by places in the system; empty where there is none and
+    // while something is dragged. The fixed point, displayed, is that of its first `fixedLength` maps.
+    ifs::Word address{};
+    std::size_t fixedLength = 0;
+    std::optional<ifs::Vector<2>> fixedPoint{};
 };
 
 // The window onto the plane. The scene is in device-independent pixels of the viewport and the view's own
@@ -42,7 +51,7 @@ class CanvasView : public QGraphicsView {
     Q_OBJECT
 
 public:
-    enum class Tool { Cage, DefineTriangle };
+    enum class Tool { Cage, Maps, Branch, DefineTriangle };
 
     CanvasView(document::Document* document, RenderBridge* bridge, QWidget* parent = nullptr);
     ~CanvasView() override;
@@ -51,6 +60,19 @@ public:
     void setTool(Tool tool);
     Tool tool() const { return m_tool; }
     bool cancelGesture(); // false when none was under way
+
+    // The maps that are selected, in the order of the system.
+    const std::vector<ifs::MapId>& selectedMaps() const;
+    void selectMaps(const std::vector<ifs::MapId>& maps);
+    // Whether dragging a map may lead where there is no attractor; else the drag stops there.
+    void setAllowsNoAttractor(bool allows);
+
+    // The branch that is selected with the tool Branch: the beginning, `branchDepth` maps long, of the
+    // address of the point that was clicked. Words are of places in the system.
+    const ifs::Word& branchAddress() const;
+    int branchDepth() const;
+    void setBranchDepth(int depth);
+    void setBranchEdit(document::BranchEdit edit);
 
     void fit();                 // picture and cage into the view
     void zoomBy(double factor); // about the middle
@@ -85,6 +107,8 @@ public:
 
 signals:
     void toolChanged(view::CanvasView::Tool tool);
+    void selectedMapsChanged();
+    void branchChanged(); // address or depth
     void pointerMoved(const view::PointerPosition& position);
     void pointerLeft();
     void message(const QString& sentence); // for the status bar
@@ -117,6 +141,7 @@ private:
     enum class Holding { Nothing, Tool, Plane }; // by a button that is down
 
     CanvasTool& active() const;
+    PolygonTool* taking() const; // the tool in use when it takes polygons, else null
     void setCamera(attractor::Camera camera);
     void adoptViewport(); // its size and pixel ratio
     void followDocument(const document::Change& change);
@@ -127,6 +152,7 @@ private:
     bool canvasKey(const QKeyEvent& event);
     void pan(const QPointF& pixels);
     void report(const QPointF& position);
+    void findAddress(PointerPosition& pointer);
     void refreshCursor();
     void updateModifiers(Qt::KeyboardModifiers modifiers);
     void describeFocus();
@@ -137,6 +163,8 @@ private:
     RenderBridge* m_bridge;
     CanvasScene* m_scene;
     CageTool* m_cageTool;
+    MapsTool* m_mapsTool;
+    BranchTool* m_branchTool;
     DefineTool* m_defineTool;
     Tool m_tool = Tool::Cage;
     Holding m_holding = Holding::Nothing;
@@ -145,6 +173,7 @@ private:
     Pointer m_pointer;
     QTimer m_hold; // runs while painting waits for a frame
     bool m_spaceHeld = false;
+    int m_wheelTurned = 0; // of a notch that is not complete
     bool m_fitted = true;  // follows the size of the window until the user moves the view
     bool m_placed = false; // has been shown once
     QString m_hint;

@@ -15,7 +15,8 @@
 namespace view {
 namespace {
 
-// What the index of the bundled collection says, for the translators.
+// What the index of the bundled collection says, for the translators; long sentences are in two parts.
+// NOLINTBEGIN(bugprone-suspicious-missing-comma)
 [[maybe_unused]] constexpr const char* indexTexts[] = {
     QT_TRANSLATE_NOOP("Collection", "From the paper"),
     QT_TRANSLATE_NOOP("Collection",
@@ -54,6 +55,7 @@ namespace {
     QT_TRANSLATE_NOOP("Collection",
                       "Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes."),
 };
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 QString translated(const QJsonValue& text) {
     return QCoreApplication::translate("Collection", text.toString().toUtf8().constData());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "canvas/cage_drag.h"
+#include "canvas/polygon_drag.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,12 @@ namespace {
 constexpr double shortestArm = 40; // pixels; a press nearer to the pivot acts as one at this distance
 
 // v + D(v − pivot): exactly v where the difference D of the transformation from the identity is zero.
-ifs::ControlCage<2> transformed(ifs::ControlCage<2> cage, const ifs::Vector<2>& pivot,
-                                const ifs::Matrix<2>& difference) {
-    for (ifs::Vector<2>& vertex : cage.current)
-        vertex += difference * (vertex - pivot);
-    return cage;
+DragResult transformed(const PolygonDrag& drag, const ifs::Matrix<2>& difference) {
+    DragResult result{
+        drag.points, {ifs::Matrix<2>::Identity() + difference, -difference * drag.pivot}, {drag.pivot}};
+    for (ifs::Vector<2>& point : result.points)
+        point += difference * (point - drag.pivot);
+    return result;
 }
 
 double constrainedAngle(double angle, Constraint constraint) {
@@ -24,7 +25,7 @@ double constrainedAngle(double angle, Constraint constraint) {
     return constraint == Constraint::Constrained ? std::round(angle / step) * step : angle;
 }
 
-double angleOf(const CageDrag& drag, const ifs::Vector<2>& offset, double pixelsPerUnit) {
+double angleOf(const PolygonDrag& drag, const ifs::Vector<2>& offset, double pixelsPerUnit) {
     constexpr double tooNear = 4; // pixels: a press without a direction
     constexpr double perPixel = std::numbers::pi / 360;
     const ifs::Vector<2> from = drag.press - drag.pivot;
@@ -35,7 +36,7 @@ double angleOf(const CageDrag& drag, const ifs::Vector<2>& offset, double pixels
 
 // The same factor both ways, by how far the pointer is from the pivot; constrained, along the axis on which
 // it has moved farther.
-ifs::Vector<2> factorsOf(const CageDrag& drag, const ifs::Vector<2>& offset, Constraint constraint,
+ifs::Vector<2> factorsOf(const PolygonDrag& drag, const ifs::Vector<2>& offset, Constraint constraint,
                          double pixelsPerUnit) {
     const double shortest = shortestArm / pixelsPerUnit;
     const ifs::Vector<2> arm = drag.press - drag.pivot;
@@ -50,57 +51,62 @@ ifs::Vector<2> factorsOf(const CageDrag& drag, const ifs::Vector<2>& offset, Con
     return factors;
 }
 
-DragResult moved(const CageDrag& drag, ifs::Vector<2> offset, Constraint constraint,
-                 const SnapTargets& targets) {
+DragResult snapping(const PolygonDrag& drag, ifs::Vector<2> offset, Constraint constraint,
+                    const SnapTargets& targets) {
     if (constraint == Constraint::Constrained)
         (std::abs(offset.x()) < std::abs(offset.y()) ? offset.x() : offset.y()) = 0;
+    if (offset.isZero(0)) return moved(drag, offset);
     const auto place = static_cast<std::size_t>(drag.snapVertex);
-    const ifs::Vector<2> start = drag.cage.current[place];
-    DragResult result{drag.cage, {start + offset}};
-    if (!offset.isZero(0)) result.snap = snapped(targets, start + offset);
+    const ifs::Vector<2> start = drag.points[place];
+    Snapped snap = snapped(targets, start + offset);
     // The direction that Shift keeps is kept by the snap too.
-    if (constraint == Constraint::Constrained && (result.snap.x || result.snap.y)) {
+    if (constraint == Constraint::Constrained && (snap.x || snap.y)) {
         const int fixed = offset.x() == 0 ? 0 : 1;
-        result.snap.point[fixed] = start[fixed];
-        (fixed == 0 ? result.snap.x : result.snap.y) = false;
-        result.snap.vertex = false;
+        snap.point[fixed] = start[fixed];
+        (fixed == 0 ? snap.x : snap.y) = false;
+        snap.vertex = false;
     }
-    for (const int vertex : drag.vertices)
-        result.cage.current[static_cast<std::size_t>(vertex)] += result.snap.point - start;
-    if (!offset.isZero(0) && std::ranges::find(drag.vertices, drag.snapVertex) != drag.vertices.end())
-        result.cage.current[place] = result.snap.point;
+    DragResult result = moved(drag, snap.point - start);
+    if (std::ranges::find(drag.vertices, drag.snapVertex) != drag.vertices.end())
+        result.points[place] = snap.point;
+    result.snap = snap;
     return result;
 }
 
 } // namespace
 
-ifs::ControlCage<2> rotated(ifs::ControlCage<2> cage, const ifs::Vector<2>& pivot, double angle) {
+DragResult moved(const PolygonDrag& drag, const ifs::Vector<2>& offset) {
+    DragResult result{drag.points, {ifs::Matrix<2>::Identity(), offset}, {}};
+    for (const int vertex : drag.vertices)
+        result.points[static_cast<std::size_t>(vertex)] += offset;
+    result.snap.point = result.points[static_cast<std::size_t>(drag.snapVertex)];
+    return result;
+}
+
+DragResult rotated(const PolygonDrag& drag, double angle) {
     ifs::Matrix<2> difference;
     difference << std::cos(angle) - 1, -std::sin(angle), std::sin(angle), std::cos(angle) - 1;
-    return transformed(std::move(cage), pivot, difference);
+    return transformed(drag, difference);
 }
 
-ifs::ControlCage<2> scaled(ifs::ControlCage<2> cage, const ifs::Vector<2>& pivot,
-                           const ifs::Vector<2>& factors) {
+DragResult scaled(const PolygonDrag& drag, const ifs::Vector<2>& factors) {
     ifs::Matrix<2> difference;
     difference << factors.x() - 1, 0, 0, factors.y() - 1;
-    return transformed(std::move(cage), pivot, difference);
+    return transformed(drag, difference);
 }
 
-DragResult dragged(const CageDrag& drag, const ifs::Vector<2>& offset, Constraint constraint,
+DragResult dragged(const PolygonDrag& drag, const ifs::Vector<2>& offset, Constraint constraint,
                    const SnapTargets& targets) {
     const double pixelsPerUnit = targets.camera.pixelsPerUnit;
     switch (drag.mode) {
-    case CageDrag::Mode::Move:
-        return moved(drag, offset, constraint, targets);
-    case CageDrag::Mode::Rotate:
-        return {rotated(drag.cage, drag.pivot,
-                        constrainedAngle(angleOf(drag, offset, pixelsPerUnit), constraint)),
-                {drag.pivot}};
-    case CageDrag::Mode::Scale:
+    case PolygonDrag::Mode::Move:
+        return snapping(drag, offset, constraint, targets);
+    case PolygonDrag::Mode::Rotate:
+        return rotated(drag, constrainedAngle(angleOf(drag, offset, pixelsPerUnit), constraint));
+    case PolygonDrag::Mode::Scale:
         break;
     }
-    return {scaled(drag.cage, drag.pivot, factorsOf(drag, offset, constraint, pixelsPerUnit)), {drag.pivot}};
+    return scaled(drag, factorsOf(drag, offset, constraint, pixelsPerUnit));
 }
 
 } // namespace view

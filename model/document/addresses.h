@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "ifs/branch.h"
+#include "ifs/support_function.h"
+
+#include <optional>
+
+namespace document {
+
+// Addresses of the points of what is displayed. Words name maps by their places in the system, outermost
+// first.
+class Addresses {
+public:
+    explicit Addresses(const Fractal& fractal);
+
+    // Of the point of the attractor nearest to `displayed`, as far as it can be told apart at `pixel`, the
+    // size of one in the plane; empty when none is within a few pixels.
+    ifs::Word at(const ifs::Vector<2>& displayed, double pixel) const;
+
+    // Where the point whose address repeats the word is displayed; nullopt for the empty word.
+    std::optional<ifs::Vector<2>> fixedPoint(const ifs::Word& word) const;
+
+private:
+    ifs::ActiveMaps<2> m_active;
+    std::optional<ifs::SupportFunction<2>> m_attractor;
+    ifs::Placement m_placement;
+};
+
+// "3 2 3 2 …": the numbers that the user counts maps by, at most `longest` of them.
+QString addressText(const ifs::Word& word, std::size_t longest);
+
+} // namespace document

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "document/map_handles.h"
+
+#include "ifs/map_handles.h"
+#include "ifs/support_function.h"
+#include "ifs/weaving.h"
+
+#include <algorithm>
+
+namespace document {
+
+using ifs::AffineMap;
+using ifs::Vector;
+
+MapHandles::MapHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage, const AffineMap<2>& within)
+    : m_fractal(fractal), m_cage(cage), m_placement(placement(fractal)), m_within(within) {}
+
+std::vector<Vector<2>> MapHandles::corners(std::size_t place) const {
+    std::vector<Vector<2>> result;
+    for (const Vector<2>& vertex : m_cage.rest)
+        result.push_back(m_placement(m_within(maps()[place].map(vertex))));
+    return result;
+}
+
+std::vector<Vector<2>> MapHandles::outline(std::size_t place) const {
+    if (m_placement.bend() == nullptr) return corners(place);
+    constexpr int parts = 12; // of an edge
+    std::vector<Vector<2>> result;
+    for (std::size_t i = 0; i < m_cage.rest.size(); ++i) {
+        const Vector<2>& from = m_cage.rest[i];
+        const Vector<2> edge = m_cage.rest[(i + 1) % m_cage.rest.size()] - from;
+        for (int k = 0; k < parts; ++k)
+            result.push_back(m_placement(m_within(maps()[place].map(from + edge * (double(k) / parts)))));
+    }
+    return result;
+}
+
+bool MapHandles::canBeTaken() const {
+    return (m_placement.bend() != nullptr || ifs::isInvertible(m_cage)) && ifs::inverse(m_within);
+}
+
+AffineMap<2> MapHandles::around(std::size_t place) const {
+    Vector<2> middle = Vector<2>::Zero();
+    for (const Vector<2>& vertex : m_cage.rest)
+        middle += m_within(maps()[place].map(vertex)) / double(m_cage.rest.size());
+    return ifs::firstOrder(m_placement, middle) * m_within;
+}
+
+Fractal MapHandles::changed() const {
+    Fractal fractal = m_fractal;
+    fractal.cage = m_cage;
+    return fractal;
+}
+
+Fractal MapHandles::withCornerMoved(std::size_t place, std::size_t corner, const Vector<2>& offset) const {
+    const auto inCode = ifs::inverse(around(place));
+    const auto outOf = ifs::inverse(m_within);
+    if (offset.isZero(0) || !inCode || !outOf) return m_fractal;
+    const Vector<2> held = maps()[place].map(m_cage.rest[corner]);
+    const Vector<2> seen = m_within(held);
+    const auto target = ifs::preimage(m_placement, m_placement(seen) + offset, seen);
+    Fractal fractal = changed();
+    AffineMap<2>& map = system2(fractal)->maps[place].map;
+    Vector<2> moved = inCode->linear * offset;
+    if (target) moved = outOf->linear * (*target - seen);
+    map = ifs::withHandleMoved(map, m_cage.rest, corner, moved);
+    return fractal;
+}
+
+Fractal MapHandles::withMapsMoved(std::span<const std::size_t> places, const Vector<2>& offset) const {
+    if (offset.isZero(0)) return m_fractal;
+    Fractal fractal = changed();
+    for (const std::size_t place : places)
+        if (const auto inCode = ifs::inverse(around(place)))
+            system2(fractal)->maps[place].map.translation += inCode->linear * offset;
+    return fractal;
+}
+
+void MapHandles::change(ifs::WeightedMap<2>& map, std::size_t place, const AffineMap<2>& displayed) const {
+    const auto back = ifs::inverse(around(place));
+    if (const auto inCode = back ? ifs::conjugate(*back, displayed) : std::nullopt)
+        map.map = *inCode * map.map;
+}
+
+Fractal MapHandles::withMapsChanged(std::span<const std::size_t> places, const AffineMap<2>& change) const {
+    if (change == AffineMap<2>{}) return m_fractal;
+    Fractal fractal = changed();
+    for (const std::size_t place : places)
+        this->change(system2(fractal)->maps[place], place, change);
+    return fractal;
+}
+
+Fractal MapHandles::withMapsSwung(std::span<const std::size_t> places, const Vector<2>& root,
+                                  double angle) const {
+    if (angle == 0) return m_fractal;
+    Fractal fractal = changed();
+    for (const std::size_t place : places)
+        change(system2(fractal)->maps[place], place,
+               ifs::swung({}, m_placement(m_within(maps()[place].map(root))), angle));
+    return fractal;
+}
+
+namespace {
+
+// The system over the cut set of the branch, whose maps have the colours of the maps they begin with. Maps
+// that take no part stay, at the end.
+Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
+    const System2& before = *system2(fractal);
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(before);
+    Fractal result = fractal;
+    System2 system = ifs::withBranchChanged<2>(before, letters, {});
+    result.appearance.mapColours.clear();
+    const auto keepColour = [&](ifs::MapId id, std::size_t place) {
+        result.appearance.mapColours[id] =
+            attractor::mapColour(fractal.appearance, before.maps[place].id, place);
+    };
+    const std::vector<ifs::Word> words = ifs::cutSet(letters, active.maps.size());
+    for (std::size_t i = 0; i < words.size(); ++i)
+        keepColour(system.maps[i].id, active.index[std::size_t(words[i].front())]);
+    for (std::size_t place = 0; place < before.maps.size(); ++place) {
+        if (std::ranges::find(active.index, place) != active.index.end()) continue;
+        const ifs::WeightedMap<2>& idle = before.maps[place];
+        keepColour(ifs::append(system, idle.map, idle.weight), place);
+        system.maps.back().enabled = idle.enabled;
+    }
+    result.system = std::move(system);
+    return result;
+}
+
+} // namespace
+
+std::optional<BranchHandles> branchHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage,
+                                           const ifs::Word& branch, BranchEdit edit) {
+    if (branch.empty() || system2(fractal) == nullptr) return std::nullopt;
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(fractal));
+    ifs::Word letters;
+    for (const int place : branch) {
+        const auto letter = std::ranges::find(active.index, std::size_t(place));
+        if (letter == active.index.end()) return std::nullopt;
+        letters.push_back(int(letter - active.index.begin()));
+    }
+    if (branch.size() == 1) return BranchHandles{{fractal, cage}, std::size_t(branch.front())};
+    if (edit == BranchEdit::OwnMap) return BranchHandles{{withBranchAsMap(fractal, letters), cage}, 0};
+    letters.pop_back();
+    return BranchHandles{{fractal, cage, ifs::composed<2>(active.maps, letters)}, std::size_t(branch.back())};
+}
+
+std::optional<Vector<2>> root(const Fractal& fractal) {
+    const System2* system = system2(fractal);
+    if (system == nullptr) return std::nullopt;
+    const auto attractor = ifs::SupportFunction<2>::of(ifs::activeMaps(*system).maps);
+    if (!attractor) return std::nullopt;
+    const AffineMap<2> seen = ifs::firstOrder(placement(fractal), attractor->centre());
+    const Vector<2> down = seen.linear.transpose() * Vector<2>(0, -1);
+    return (*attractor)(down, 1e-9 * attractor->radius() * down.norm()).point;
+}
+
+} // namespace document

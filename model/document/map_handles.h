@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "ifs/branch.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace document {
+
+// The maps of a fractal as the images of its cage, taken by hand. Everything is in displayed coordinates and
+// counted from the fractal as given, so that nothing accumulates and the way back is exact. The results hold
+// the cage in force, so that it stays while the code changes under it.
+class MapHandles {
+public:
+    // The fractal must be a system of the plane and `cage` its effective one. The maps are shown and taken as
+    // they are seen inside the piece that `within` makes of the attractor.
+    MapHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage, const ifs::AffineMap<2>& within = {});
+
+    std::size_t count() const { return maps().size(); }
+    const std::vector<ifs::WeightedMap<2>>& maps() const { return system2(m_fractal)->maps; }
+    std::vector<ifs::Vector<2>> corners(std::size_t place) const; // images of the cage's vertices
+    std::vector<ifs::Vector<2>> outline(std::size_t place) const; // the same polygon, bent with the cage
+
+    // Maps can be taken unless the placement, or the piece, is flat.
+    bool canBeTaken() const;
+
+    // One corner elsewhere: a change of rank one.
+    Fractal withCornerMoved(std::size_t place, std::size_t corner, const ifs::Vector<2>& offset) const;
+    // Where the cage bends, the two below are of first order in the middle of each map.
+    Fractal withMapsMoved(std::span<const std::size_t> places, const ifs::Vector<2>& offset) const;
+    Fractal withMapsChanged(std::span<const std::size_t> places, const ifs::AffineMap<2>& change) const;
+    // Each map turned about the image of `root`, a point in coordinates of the code: branches that swing.
+    Fractal withMapsSwung(std::span<const std::size_t> places, const ifs::Vector<2>& root,
+                          double angle) const;
+
+private:
+    ifs::AffineMap<2> around(std::size_t place) const; // what displays a map, to first order
+    void change(ifs::WeightedMap<2>& map, std::size_t place, const ifs::AffineMap<2>& displayed) const;
+    Fractal changed() const; // with the cage as it is
+
+    Fractal m_fractal;
+    ifs::ControlCage<2> m_cage;
+    ifs::Placement m_placement;
+    ifs::AffineMap<2> m_within;
+};
+
+// What a change of a branch is made a change of.
+enum class BranchEdit {
+    OwnMap,  // the system over the cut set of its address, in which the branch is the first map
+    LastMap, // the last map of its address, as it is seen there: all branches that it makes change alike
+};
+
+// A branch σ, a word of places in the system, as a map that can be taken.
+struct BranchHandles {
+    MapHandles handles;
+    std::size_t place = 0;
+};
+// nullopt when the word is empty or names a map that takes no part.
+std::optional<BranchHandles> branchHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage,
+                                           const ifs::Word& branch, BranchEdit edit);
+
+// The lowest point of what is displayed, in coordinates of the code: where a plant stands.
+std::optional<ifs::Vector<2>> root(const Fractal& fractal);
+
+} // namespace document

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/address_search.h"
+
+#include <algorithm>
+#include <queue>
+#include <vector>
+
+namespace ifs {
+
+namespace {
+
+struct Node {
+    double nearest = 0; // no point of the piece is nearer than this to x
+    double radius = 0;  // of the ball around the piece
+    AffineMap<2> map;
+    int parent = -1;
+    int symbol = 0;
+    int length = 0;
+};
+
+// The nearest first; of those that may be equally near, the longest, so that ties do not widen the search.
+struct Later {
+    const std::vector<Node>& nodes;
+    bool operator()(int a, int b) const {
+        const Node &p = nodes[std::size_t(a)], &q = nodes[std::size_t(b)];
+        if (p.nearest != q.nearest) return p.nearest > q.nearest;
+        return p.length != q.length ? p.length < q.length : a > b;
+    }
+};
+
+Word spelled(const std::vector<Node>& nodes, int node) {
+    Word word;
+    for (; nodes[std::size_t(node)].parent >= 0; node = nodes[std::size_t(node)].parent)
+        word.push_back(nodes[std::size_t(node)].symbol);
+    std::ranges::reverse(word);
+    return word;
+}
+
+} // namespace
+
+std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const Vector<2>& x, double reach,
+                                     double width, int maxNodes) {
+    const std::vector<AffineMap<2>>& maps = attractor.maps();
+    std::vector<Node> nodes{{.radius = attractor.radius(), .map = {}}};
+    std::priority_queue<int, std::vector<int>, Later> open(Later{nodes});
+    open.push(0);
+    while (!open.empty()) {
+        const int top = open.top();
+        open.pop();
+        const Node node = nodes[std::size_t(top)];
+        if (node.nearest > reach) return std::nullopt;
+        if (node.length > 0 && 2 * node.radius <= width) {
+            const double distance = (node.map(attractor.pointOfAttractor()) - x).norm();
+            return Addressed{spelled(nodes, top), distance};
+        }
+        if (nodes.size() + maps.size() > std::size_t(maxNodes)) return std::nullopt;
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+            const AffineMap<2> map = node.map * maps[i];
+            const double radius = spectralNorm<2>(map.linear) * attractor.radius();
+            const double nearest = std::max(node.nearest, (x - map(attractor.centre())).norm() - radius);
+            nodes.push_back({nearest, radius, map, top, int(i), node.length + 1});
+            open.push(int(nodes.size()) - 1);
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace ifs

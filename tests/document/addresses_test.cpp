@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "document/addresses.h"
+
+#include <QTest>
+
+using namespace document;
+using ifs::Vector;
+using ifs::Word;
+
+class AddressesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // The maps keep their numbers when one of them is off, and the cage takes the points along.
+    void numbersAreThoseOfTheTable() {
+        Fractal fractal = sierpinskiTriangle();
+        System2& system = *system2(fractal);
+        system.maps[0].enabled = false;
+        fractal.cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{2, 1}, {4, 2}, {1, 5}}};
+        const Addresses addresses(fractal);
+        const ifs::Placement placed = placement(fractal);
+        const ifs::AffineMap<2>&a = system.maps[1].map, &b = system.maps[2].map;
+        const auto fixed = ifs::fixedPoint(a * b);
+        const Word word = addresses.at(placed(*fixed), 0.01);
+        QVERIFY(word.size() > 5);
+        for (std::size_t i = 0; i < word.size(); ++i)
+            QCOMPARE(word[i], i % 2 == 0 ? 1 : 2);
+        QVERIFY((*addresses.fixedPoint({1, 2}) - placed(*fixed)).norm() < 1e-12);
+        QVERIFY(!addresses.fixedPoint({0, 1})); // takes no part
+        QVERIFY(!addresses.fixedPoint({}));
+        QVERIFY(addresses.at({100, 100}, 0.01).empty());
+    }
+
+    void withoutAnAttractorThereIsNone() {
+        Fractal fractal = sierpinskiTriangle();
+        system2(fractal)->maps[0].map.linear *= 3;
+        QVERIFY(Addresses(fractal).at({0.1, 0.1}, 0.01).empty());
+        QVERIFY(Addresses(Fractal{}).at({0, 0}, 0.01).empty());
+    }
+
+    void addressesAreWrittenAsTheUserCounts() {
+        QCOMPARE(addressText({2, 0, 1}, 8), QStringLiteral("3 1 2"));
+        QCOMPARE(addressText({2, 0, 1}, 2), QStringLiteral("3 1 …"));
+        QCOMPARE(addressText({}, 2), QString());
+    }
+};
+
+QTEST_APPLESS_MAIN(AddressesTest)
+#include "addresses_test.moc"

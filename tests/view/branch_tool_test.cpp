@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_geometry.h"
+#include "canvas/canvas_scene.h"
+#include "canvas/canvas_view.h"
+#include "document/fractal.h"
+#include "ifs/branch.h"
+#include "ifs/weaving.h"
+#include "panels/branch_bar.h"
+#include "render_bridge.h"
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+
+using document::Document;
+using ifs::Vector;
+using ifs::Word;
+using view::CanvasPart;
+using view::CanvasView;
+using Kind = view::CanvasPart::Kind;
+
+// Addresses under the pointer, branches taken by hand, and maps that swing.
+class BranchToolTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<view::RenderBridge> m_bridge;
+    std::unique_ptr<CanvasView> m_canvas;
+    std::unique_ptr<view::BranchBar> m_bar;
+
+    const view::CanvasScene& scene() const { return m_canvas->canvas(); }
+    int steps() const { return m_document->undoStack()->count(); }
+    const document::System2& system() const { return *document::system2(m_document->fractal()); }
+    QPointF at(const CanvasPart& part) const { return scene().positionOf(part); }
+    QPointF pixel(const Vector<2>& code) const {
+        return view::pixelOf(m_canvas->camera(), document::placement(m_document->fractal())(code));
+    }
+    // A point of the attractor whose address begins so and goes on with map 1 for ever.
+    QPointF pointOf(const Word& word) const {
+        return pixel(*ifs::addressPoint<2>(ifs::mapsOf(system()), word, {0}));
+    }
+
+    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons) {
+        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, {});
+        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
+    }
+    void press(const QPointF& p) { mouse(QEvent::MouseButtonPress, p, Qt::LeftButton, Qt::LeftButton); }
+    void move(const QPointF& p) { mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::LeftButton); }
+    void release(const QPointF& p) { mouse(QEvent::MouseButtonRelease, p, Qt::LeftButton, Qt::NoButton); }
+    void click(const QPointF& p) {
+        press(p);
+        release(p);
+    }
+    void drag(const QPointF& from, const QPointF& by) {
+        press(from);
+        move(from + by / 2);
+        move(from + by);
+        release(from + by);
+    }
+    view::PointerPosition hover(const QPointF& p) {
+        QSignalSpy spy(m_canvas.get(), &CanvasView::pointerMoved);
+        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::NoButton);
+        return spy.last().first().value<view::PointerPosition>();
+    }
+
+private slots:
+    void init() {
+        m_document = std::make_unique<Document>();
+        // Pieces that do not touch, so that every point has one address.
+        document::Fractal fractal = m_document->fractal();
+        for (ifs::WeightedMap<2>& map : document::system2(fractal)->maps)
+            map.map.linear *= 0.8;
+        m_document->edit(QStringLiteral("test"), fractal);
+        m_document->undoStack()->clear();
+        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
+        m_bridge->setQuality(100'000);
+        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
+        m_canvas->resize(800, 600);
+        m_canvas->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
+        m_canvas->fit();
+        m_canvas->setFocus();
+        m_canvas->setTool(CanvasView::Tool::Branch);
+        m_bar = std::make_unique<view::BranchBar>(m_document.get(), m_canvas.get());
+        m_bar->show();
+    }
+
+    void cleanup() {
+        m_bar.reset();
+        m_canvas.reset();
+        m_bridge.reset();
+        m_document.reset();
+    }
+
+    void thePointerReadsAddresses() {
+        const Word word{2, 1, 0, 1};
+        const view::PointerPosition there = hover(pointOf(word));
+        QVERIFY(there.address.size() >= word.size());
+        QVERIFY(std::equal(word.begin(), word.end(), there.address.begin()));
+        QVERIFY(there.fixedPoint);
+        QCOMPARE(there.fixedLength, std::size_t{2});
+        const auto fixed = ifs::addressPoint<2>(ifs::mapsOf(system()), {}, {2, 1});
+        QVERIFY((*there.fixedPoint - *fixed).norm() < 1e-12);
+        QVERIFY(hover({3, 3}).address.empty());
+        m_canvas->setTool(CanvasView::Tool::Cage); // whatever the tool
+        QVERIFY(!hover(pointOf(word)).address.empty());
+    }
+
+    void aClickSelectsTheBranchToItsDepth() {
+        click(pointOf({1, 2, 0, 2}));
+        QCOMPARE(scene().branch(), (Word{1, 2}));
+        // It is outlined: the image of the cage under w_σ.
+        const ifs::AffineMap<2> map = ifs::composed<2>(ifs::mapsOf(system()), {1, 2});
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(
+                QLineF(at({Kind::Vertex, i, 0}), pixel(map(scene().cage()->rest[std::size_t(i)]))).length() <
+                1e-6);
+        m_bar->depth()->setValue(3);
+        QCOMPARE(scene().branch(), (Word{1, 2, 0}));
+        QWheelEvent wheel(QPointF(300, 200), m_canvas->mapToGlobal(QPointF(300, 200)), {}, {0, -240},
+                          Qt::NoButton, Qt::ShiftModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(m_canvas->viewport(), &wheel);
+        QCOMPARE(m_canvas->branchDepth(), 1);
+        QCOMPARE(m_bar->depth()->value(), 1);
+        QCOMPARE(scene().branch(), (Word{1}));
+        QTest::keyClick(m_canvas.get(), Qt::Key_PageDown);
+        QCOMPARE(scene().branch(), (Word{1, 2}));
+        QCOMPARE(steps(), 0);
+    }
+
+    // As a map of its own, only this branch moves. The rest of the attractor is made by maps that are words.
+    void aBranchBecomesAMapOfItsOwn() {
+        const document::System2 before = system();
+        const document::Fractal fractal = m_document->fractal();
+        click(pointOf({1, 2, 0, 2}));
+        const QPointF corner = at({Kind::Vertex, 0, 0});
+        const QPointF other = at({Kind::Vertex, 1, 0});
+        drag(corner, {9, -12});
+        QCOMPARE(steps(), 1);
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Move corner 1 of branch 2 3"));
+        QCOMPARE(system().maps.size(), std::size_t{5});
+        QVERIFY(QLineF(at({Kind::Vertex, 0, 0}), corner + QPointF(9, -12)).length() < 1e-6);
+        QVERIFY(QLineF(at({Kind::Vertex, 1, 0}), other).length() < 1e-6);
+        QVERIFY(system().maps[1].map == before.maps[1].map * before.maps[0].map);
+        QCOMPARE(scene().branch(), (Word{0})); // goes on being selected
+        drag(at({Kind::Inside, 0, 0}) * 0.55 + at({Kind::Vertex, 2, 0}) * 0.45, {5, 5}); // beside the pivot
+        QCOMPARE(system().maps.size(), std::size_t{5});
+        m_document->undoStack()->undo();
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == fractal);
+        QVERIFY(scene().branch().empty()); // another system has other branches
+    }
+
+    void escapeLeavesBranchAndCode() {
+        const document::Fractal before = m_document->fractal();
+        click(pointOf({1, 2, 0, 2}));
+        press(at({Kind::Vertex, 0, 0}));
+        move(at({Kind::Vertex, 0, 0}) + QPointF(12, 3));
+        QCOMPARE(scene().branch(), (Word{0}));
+        QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
+        QVERIFY(m_document->fractal() == before);
+        QCOMPARE(scene().branch(), (Word{1, 2}));
+        release({300, 300});
+        QCOMPARE(steps(), 0);
+        // Control, pressed on the way, begins the gesture anew.
+        press(at({Kind::Vertex, 0, 0}));
+        move(at({Kind::Vertex, 0, 0}) + QPointF(12, 3));
+        QMouseEvent turn(QEvent::MouseMove, QPointF(300, 300),
+                         m_canvas->viewport()->mapToGlobal(QPointF(300, 300)), Qt::NoButton, Qt::LeftButton,
+                         Qt::ControlModifier);
+        QCoreApplication::sendEvent(m_canvas->viewport(), &turn);
+        release({300, 300});
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Rotate branch 2 3"));
+        QCOMPARE(system().maps.size(), std::size_t{5});
+    }
+
+    void orItsLastMapChanges() {
+        const document::System2 before = system();
+        m_bar->edit()->setCurrentIndex(1);
+        click(pointOf({1, 2, 0, 2}));
+        const QPointF corner = at({Kind::Vertex, 2, 0});
+        drag(corner, {7, 6});
+        QCOMPARE(system().maps.size(), std::size_t{3});
+        QVERIFY(system().maps[1] == before.maps[1]);
+        QVERIFY(system().maps[2].map.linear != before.maps[2].map.linear);
+        QCOMPARE(steps(), 1);
+        const ifs::AffineMap<2> branch = ifs::composed<2>(ifs::mapsOf(system()), {1, 2});
+        QVERIFY(QLineF(pixel(branch(scene().cage()->rest[2])), corner + QPointF(7, 6)).length() < 1e-6);
+    }
+
+    void theSelectedMapsSwingAboutTheirRoots() {
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        const document::Fractal before = m_document->fractal();
+        const document::System2 code = system();
+        QVERIFY(!m_bar->swing()->isEnabled());
+        m_canvas->selectMaps({code.maps[1].id, code.maps[2].id});
+        QVERIFY(m_bar->swing()->isEnabled());
+        const Vector<2> root = *document::root(before);
+        m_bar->swing()->setSliderDown(true);
+        for (const int degrees : {5, 20, 30}) {
+            m_bar->swing()->setValue(degrees);
+            const ifs::AffineMap<2> expected =
+                ifs::swung(code.maps[2].map, root, degrees * std::numbers::pi / 180);
+            QVERIFY((system().maps[2].map.linear - expected.linear).norm() < 1e-12);
+            QVERIFY((system().maps[2].map.translation - expected.translation).norm() < 1e-12);
+        }
+        QCOMPARE(steps(), 0);
+        m_bar->swing()->setSliderDown(false);
+        QCOMPARE(steps(), 1);
+        QCOMPARE(m_bar->swing()->value(), 0);
+        QVERIFY(system().maps[0] == code.maps[0]);
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == before);
+    }
+};
+
+QTEST_MAIN(BranchToolTest)
+#include "branch_tool_test.moc"

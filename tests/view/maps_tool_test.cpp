@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_geometry.h"
+#include "canvas/canvas_scene.h"
+#include "canvas/canvas_view.h"
+#include "canvas/note_item.h"
+#include "document/fractal.h"
+#include "ifs/attractor_existence.h"
+#include "panels/maps_panel.h"
+#include "render_bridge.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+#include <memory>
+
+using document::Document;
+using ifs::Vector;
+using view::CanvasPart;
+using view::CanvasView;
+using Kind = view::CanvasPart::Kind;
+
+// The maps taken on the canvas by the images of the cage.
+class MapsToolTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<view::RenderBridge> m_bridge;
+    std::unique_ptr<CanvasView> m_canvas;
+
+    const view::CanvasScene& scene() const { return m_canvas->canvas(); }
+    int steps() const { return m_document->undoStack()->count(); }
+    const document::System2& system() const { return *document::system2(m_document->fractal()); }
+    const ifs::AffineMap<2>& map(std::size_t place) const { return system().maps[place].map; }
+    QPointF at(const CanvasPart& part) const { return scene().positionOf(part); }
+    QPointF corner(int map, int index) const { return at({Kind::Vertex, index, map}); }
+    QPointF middle(int map) const { return at({Kind::Inside, 0, map}); }
+    Vector<2> inPlane(const QPointF& pixels) const { return view::worldOffset(m_canvas->camera(), pixels); }
+    ifs::Verdict verdict() const { return ifs::classify<2>(ifs::activeMaps(system()).maps).verdict; }
+    QString undoText() const { return m_document->undoStack()->undoText(); }
+
+    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons,
+               Qt::KeyboardModifiers modifiers) {
+        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, modifiers);
+        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
+    }
+    void press(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
+        mouse(QEvent::MouseButtonPress, p, Qt::LeftButton, Qt::LeftButton, modifiers);
+    }
+    void move(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
+        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::LeftButton, modifiers);
+    }
+    void release(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
+        mouse(QEvent::MouseButtonRelease, p, Qt::LeftButton, Qt::NoButton, modifiers);
+    }
+    void drag(const QPointF& from, const QPointF& by, Qt::KeyboardModifiers modifiers = {}) {
+        press(from, modifiers);
+        for (const double part : {0.3, 0.7, 1.0})
+            move(from + by * part, modifiers);
+        release(from + by, modifiers);
+    }
+    void click(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
+        press(p, modifiers);
+        release(p, modifiers);
+    }
+    Qt::CursorShape cursorAt(const QPointF& p) {
+        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::NoButton, {});
+        return m_canvas->viewport()->cursor().shape();
+    }
+    QString prompt() const {
+        for (const QGraphicsItem* item : scene().items())
+            if (const auto* note = dynamic_cast<const view::NoteItem*>(item);
+                note && note->text().startsWith(QStringLiteral("Stopped")))
+                return note->text();
+        return {};
+    }
+
+private slots:
+    void init() {
+        m_document = std::make_unique<Document>();
+        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
+        m_bridge->setQuality(1'000'000);
+        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
+        m_canvas->resize(640, 480);
+        m_canvas->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
+        m_canvas->setFocus();
+        m_canvas->setTool(CanvasView::Tool::Maps);
+    }
+
+    void cleanup() {
+        m_canvas.reset();
+        m_bridge.reset();
+        m_document.reset();
+    }
+
+    void handsOverTheCorners() {
+        QCOMPARE(cursorAt(corner(1, 2)), Qt::OpenHandCursor);
+        QCOMPARE(cursorAt(middle(1)), Qt::CrossCursor);
+        press(corner(1, 2));
+        move(corner(1, 2) + QPointF(9, 9));
+        QCOMPARE(m_canvas->viewport()->cursor().shape(), Qt::ClosedHandCursor);
+    }
+
+    // A change of rank one in one step; the other maps and the cage stay.
+    void aCornerFollowsThePointer() {
+        const document::Fractal before = m_document->fractal();
+        const document::System2 code = system();
+        const ifs::ControlCage<2> cage = *scene().cage();
+        const QPointF offset(23, -17);
+        drag(corner(2, 1) + QPointF(2, 1), offset);
+        QCOMPARE(steps(), 1);
+        QCOMPARE(undoText(), QStringLiteral("Move corner 2 of map 3"));
+        QVERIFY((map(2)(cage.rest[1]) - code.maps[2].map(cage.rest[1]) - inPlane(offset)).norm() < 1e-12);
+        for (const std::size_t other : {0U, 2U})
+            QVERIFY((map(2)(cage.rest[other]) - code.maps[2].map(cage.rest[other])).norm() < 1e-12);
+        QVERIFY(map(0) == code.maps[0].map && map(1) == code.maps[1].map);
+        QVERIFY(*scene().cage() == cage);
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == before);
+    }
+
+    // The picture in the middle of a drag is as full as any: it is the same renderer's.
+    void theAttractorFollows() {
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        const auto before = m_bridge->frame()->pixels;
+        press(middle(2));
+        move(middle(2) + QPointF(30, 20));
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent() && m_bridge->frame()->samples >= 1'000'000, 20000);
+        QVERIFY(m_bridge->frame()->pixels != before);
+        release(middle(2));
+    }
+
+    void theInsideMovesAllThatAreSelected() {
+        const document::System2 code = system();
+        click(middle(0));
+        click(middle(1), Qt::ShiftModifier);
+        QCOMPARE(m_canvas->selectedMaps(), (std::vector<ifs::MapId>{code.maps[0].id, code.maps[1].id}));
+        drag(middle(1), {11, 7});
+        QCOMPARE(undoText(), QStringLiteral("Move 2 maps"));
+        QCOMPARE(steps(), 1);
+        for (const std::size_t i : {0U, 1U}) {
+            QVERIFY(map(i).linear == code.maps[i].map.linear);
+            QVERIFY((map(i).translation - code.maps[i].map.translation - inPlane({11, 7})).norm() < 1e-12);
+        }
+        QVERIFY(map(2) == code.maps[2].map);
+        click(middle(1), Qt::ControlModifier); // taken out again
+        QCOMPARE(m_canvas->selectedMaps(), (std::vector<ifs::MapId>{code.maps[0].id}));
+    }
+
+    void handlesTurnAndScaleAboutTheMiddle() {
+        click(middle(1));
+        const document::System2 code = system();
+        const Vector<2> about = scene().pivot();
+        drag(at({Kind::Rotate, 0}), {-10, 40});
+        QCOMPARE(undoText(), QStringLiteral("Rotate map 2"));
+        const auto& rest = scene().cage()->rest;
+        for (const Vector<2>& vertex : rest)
+            QVERIFY(std::abs((map(1)(vertex) - about).norm() - (code.maps[1].map(vertex) - about).norm()) <
+                    1e-12);
+        QVERIFY((map(1).linear - code.maps[1].map.linear).norm() > 0.05);
+        drag(at({Kind::Scale, 0}), {-20, -20});
+        QCOMPARE(undoText(), QStringLiteral("Scale map 2"));
+        QVERIFY(ifs::spectralNorm<2>(map(1).linear) < 0.49);
+        QCOMPARE(steps(), 2);
+        drag(middle(1) + QPointF(20, 8), {0, 30}, Qt::ControlModifier); // as the cage
+        QCOMPARE(undoText(), QStringLiteral("Rotate map 2"));
+    }
+
+    // Where the attractor ends the drag ends, and says which map does it and by how much.
+    void aDragStopsWhereTheAttractorWouldBeLost() {
+        const QPointF start = corner(1, 1);
+        press(start);
+        move(start + QPointF(40, 0));
+        QVERIFY(prompt().isEmpty());
+        move(start + QPointF(2000, 0));
+        QVERIFY(ifs::classify<2>(ifs::activeMaps(system()).maps).verdict == ifs::Verdict::Hyperbolic ||
+                verdict() == ifs::Verdict::EventuallyContractive);
+        QVERIFY(map(1).linear(0, 0) > 0.99);
+        QVERIFY(prompt().contains(QStringLiteral("map 2")));
+        QVERIFY(prompt().contains(QStringLiteral("largest singular value 1")));
+        move(start + QPointF(40, 0)); // and back
+        QVERIFY(prompt().isEmpty());
+        release(start + QPointF(40, 0));
+        QCOMPARE(steps(), 1);
+    }
+
+    void orGoesThroughWhenAllowed() {
+        m_canvas->setAllowsNoAttractor(true);
+        drag(corner(1, 1), {2000, 0});
+        QVERIFY(verdict() == ifs::Verdict::None);
+        QVERIFY(prompt().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("No attractor: map 2")), 20000);
+        // From there on nothing stops the way back.
+        m_canvas->setAllowsNoAttractor(false);
+        m_canvas->fit();
+        drag(corner(1, 1), corner(1, 0) - corner(1, 1) + QPointF(20, 0));
+        QCOMPARE(steps(), 2);
+        QCOMPARE(verdict(), ifs::Verdict::Hyperbolic);
+    }
+
+    void aNudgeStopsToo() {
+        QTest::keyClick(m_canvas.get(), Qt::Key_2, Qt::AltModifier);
+        QCOMPARE(scene().focused(), (CanvasPart{Kind::Inside, 0, 1}));
+        QTest::keyClick(m_canvas.get(), Qt::Key_Tab);
+        QTest::keyClick(m_canvas.get(), Qt::Key_Tab);
+        QCOMPARE(scene().focused(), (CanvasPart{Kind::Vertex, 1, 1}));
+        for (int i = 0; i < 60; ++i)
+            QTest::keyClick(m_canvas.get(), Qt::Key_Right, Qt::ShiftModifier);
+        QCOMPARE(verdict(), ifs::Verdict::Hyperbolic);
+        QVERIFY(map(1).linear(0, 0) > 0.99);
+        QTest::keyClick(m_canvas.get(), Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(map(1).linear(0, 0) < 0.99);
+    }
+
+    void escapeRestoresExactly() {
+        const document::Fractal before = m_document->fractal();
+        press(corner(0, 1));
+        move(corner(0, 1) + QPointF(12, 30));
+        QVERIFY(m_document->fractal() != before);
+        QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
+        QVERIFY(m_document->fractal() == before);
+        release(QPointF(300, 300));
+        QCOMPARE(steps(), 0);
+        press(corner(0, 1)); // nor does the way back leave a step
+        const QPointF start = corner(0, 1);
+        move(start + QPointF(40, 40));
+        move(start);
+        release(start);
+        QVERIFY(m_document->fractal() == before);
+        QCOMPARE(steps(), 0);
+    }
+
+    void arrowsNudgeAndTheSelectionFollowsTheFocus() {
+        for (int i = 0; i < 5; ++i) // map 1, its three corners, map 2
+            QTest::keyClick(m_canvas.get(), Qt::Key_Tab);
+        QCOMPARE(scene().focused(), (CanvasPart{Kind::Inside, 0, 1}));
+        QCOMPARE(m_canvas->selectedMaps(), (std::vector<ifs::MapId>{system().maps[1].id}));
+        const Vector<2> before = map(1).translation;
+        QTest::keyClick(m_canvas.get(), Qt::Key_Up, Qt::ShiftModifier);
+        QVERIFY((map(1).translation - before - inPlane({0, -10})).norm() < 1e-12);
+        QCOMPARE(steps(), 1);
+        QTest::keyClick(m_canvas.get(), Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(m_canvas->selectedMaps().size(), std::size_t(3));
+    }
+
+    void theTableAndTheCanvasSelectTogether() {
+        view::MapsPanel panel(m_document.get());
+        connect(&panel, &view::MapsPanel::selectionChanged, m_canvas.get(),
+                [&] { m_canvas->selectMaps(panel.selectedMaps()); });
+        const std::vector<ifs::MapId> last{system().maps[2].id};
+        panel.selectMaps(last);
+        QCOMPARE(m_canvas->selectedMaps(), last);
+        QCOMPARE(scene().selectedPlaces(), std::vector<std::size_t>{2});
+        panel.deleteMaps();
+        QVERIFY(m_canvas->selectedMaps() != last);
+        QCOMPARE(scene().mapCount(), 2);
+    }
+
+    // The cage drags the same maps: they are its children on the screen.
+    void underADraggedCageTheyAreWhereTheyAreSeen() {
+        m_canvas->setTool(CanvasView::Tool::Cage);
+        drag(at({Kind::Vertex, 2}), {-60, 50});
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        click(middle(1)); // of two corners in one place, that of the map selected
+        const QPointF start = corner(1, 2);
+        const QPointF target = start + QPointF(14, 9);
+        drag(start, {14, 9});
+        QVERIFY(QLineF(corner(1, 2), target).length() < 1e-6);
+        QCOMPARE(steps(), 2);
+    }
+
+    void aFlatCageSaysWhyNothingMoves() {
+        m_canvas->setTool(CanvasView::Tool::Cage);
+        drag(at({Kind::Vertex, 2}), at({Kind::Edge, 0}) - at({Kind::Vertex, 2}));
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        QSignalSpy said(m_canvas.get(), &CanvasView::message);
+        drag(middle(0), {20, 20});
+        QCOMPARE(steps(), 1);
+        QVERIFY(!said.isEmpty());
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("flat")));
+    }
+};
+
+QTEST_MAIN(MapsToolTest)
+#include "maps_tool_test.moc"

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/branch_tool.h"
+
+#include "document/addresses.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+
+namespace view {
+
+using Kind = CanvasPart::Kind;
+using Mode = PolygonDrag::Mode;
+
+BranchTool::BranchTool(CanvasScene* scene) : MapsTool(scene) {
+    connect(&scene->document(), &document::Document::changed, this, &BranchTool::follow);
+}
+
+void BranchTool::start() {
+    scene().setTaken(CanvasScene::Taken::Branch);
+    select(m_address);
+}
+
+// Another system has other branches.
+void BranchTool::follow(const document::Change& change) {
+    using document::Change;
+    const bool other = change.parts & (Change::System | Change::Current | Change::File);
+    if (other && !isBusy() && !m_address.empty()) select({});
+}
+
+void BranchTool::select(const ifs::Word& address) {
+    m_address = address;
+    const auto length = std::min<std::size_t>(std::size_t(m_depth), address.size());
+    scene().setBranch({address.begin(), address.begin() + std::ptrdiff_t(length)});
+    ask();
+    emit changed();
+}
+
+void BranchTool::ask() {
+    if (scene().taken() != CanvasScene::Taken::Branch || isBusy()) return;
+    scene().setPrompt(m_address.empty() ? tr("Click a point of the attractor to select its branch.")
+                                        : QString());
+}
+
+void BranchTool::stop() {
+    MapsTool::stop();
+    scene().setPrompt({});
+}
+
+void BranchTool::setDepth(int depth) {
+    depth = std::clamp(depth, 1, deepest);
+    if (depth == m_depth) return;
+    m_depth = depth;
+    if (!isBusy()) select(m_address);
+}
+
+void BranchTool::setEdit(document::BranchEdit edit) {
+    scene().setBranchEdit(edit);
+}
+
+void BranchTool::selectAt(const QPointF& position) {
+    const ifs::Word address = scene().addressAt(position);
+    if (address.empty()) return;
+    scene().setFocused({});
+    select(address);
+    emit message(tr("Branch %1").arg(document::addressText(scene().branch(), deepest)));
+}
+
+void BranchTool::press(const Pointer& pointer) {
+    MapsTool::press(pointer);
+    if (!isBusy()) selectAt(pointer.position);
+}
+
+void BranchTool::clicked(const CanvasPart& part, const Pointer& pointer) {
+    if (part.kind == Kind::Inside) selectAt(pointer.position);
+}
+
+void BranchTool::walk(int step) {
+    PolygonTool::walk(step);
+}
+
+bool BranchTool::keyPress(const QKeyEvent& event) {
+    if (event.key() == Qt::Key_PageDown || event.key() == Qt::Key_PageUp) {
+        setDepth(m_depth + (event.key() == Qt::Key_PageDown ? 1 : -1));
+        return true;
+    }
+    return PolygonTool::keyPress(event);
+}
+
+MapsTool::Taken BranchTool::take(const CanvasPart&) {
+    if (m_before) {
+        select(m_addressAtPress); // begun anew
+    } else {
+        m_before = scene().document().fractal();
+        m_addressAtPress = m_address;
+    }
+    const std::optional<document::BranchHandles>& branch = scene().branchHandles();
+    if (!branch) return {};
+    return {branch->handles, {branch->place}};
+}
+
+QString BranchTool::stepText(Mode mode, std::optional<std::size_t> corner) const {
+    const QString name = document::addressText(scene().branch(), deepest);
+    if (corner) return tr("Move corner %1 of branch %2").arg(*corner + 1).arg(name);
+    if (mode == Mode::Move) return tr("Move branch %1").arg(name);
+    return (mode == Mode::Rotate ? tr("Rotate branch %1") : tr("Scale branch %1")).arg(name);
+}
+
+// Once it is a map of its own the branch is the first one.
+double BranchTool::preview(const std::function<DragResult(double)>& resultAt) {
+    const double share = MapsTool::preview(resultAt);
+    const bool converted = scene().branchEdit() == document::BranchEdit::OwnMap &&
+                           std::min<std::size_t>(m_addressAtPress.size(), std::size_t(m_depth)) > 1 &&
+                           resultAt(share).points != drag().points;
+    select(converted ? ifs::Word{0} : m_addressAtPress);
+    return share;
+}
+
+void BranchTool::ended() {
+    MapsTool::ended();
+    if (m_before && scene().document().fractal() == *m_before) select(m_addressAtPress);
+    m_before.reset();
+    ask();
+}
+
+} // namespace view

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/map_frames_item.h"
+
+#include "canvas/canvas_geometry.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <cmath>
+#include <limits>
+
+namespace view {
+
+namespace {
+
+using Kind = CanvasPart::Kind;
+
+constexpr double radius = 8; // of a corner of a selected frame
+constexpr double dot = 3.5;  // of any other
+constexpr double focusRadius = 13;
+
+double area(const QPolygonF& polygon) {
+    double doubled = 0;
+    for (qsizetype i = 0; i < polygon.size(); ++i) {
+        const QPointF &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+        doubled += p.x() * q.y() - p.y() * q.x();
+    }
+    return std::abs(doubled) / 2;
+}
+
+double distanceToOutline(const QPolygonF& polygon, const QPointF& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (qsizetype i = 0; i < polygon.size(); ++i)
+        least = std::min(least, distanceToSegment(p, polygon[i], polygon[(i + 1) % polygon.size()]));
+    return least;
+}
+
+QPainterPath closed(const QPolygonF& polygon) {
+    QPainterPath path;
+    path.addPolygon(polygon);
+    path.closeSubpath();
+    return path;
+}
+
+QColor withOpacity(QColor colour, double opacity) {
+    colour.setAlphaF(float(opacity));
+    return colour;
+}
+
+QColor inkOn(const QColor& colour) {
+    return qGray(colour.rgb()) > 130 ? QColor(14, 18, 26) : QColor(250, 252, 255);
+}
+
+} // namespace
+
+CanvasPart framePartAt(const std::vector<MapFrame>& frames, const QPointF& position, double corner,
+                       double edge) {
+    for (const bool selected : {true, false}) {
+        CanvasPart nearest;
+        double least = corner;
+        for (const MapFrame& frame : frames)
+            for (int i = 0; i < frame.corners.size() && frame.selected == selected; ++i)
+                if (const double d = QLineF(position, frame.corners[i]).length(); d <= least) {
+                    least = d;
+                    nearest = {Kind::Vertex, i, frame.place};
+                }
+        if (nearest.kind != Kind::None) return nearest;
+    }
+    CanvasPart smallest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const MapFrame& frame : frames) {
+        if (!frame.outline.containsPoint(position, Qt::OddEvenFill) &&
+            distanceToOutline(frame.outline, position) > edge)
+            continue;
+        // Of frames that cover each other, the one that is selected.
+        if (const double a = area(frame.outline) * (frame.selected ? 0.99 : 1); a < least) {
+            least = a;
+            smallest = {Kind::Inside, 0, frame.place};
+        }
+    }
+    return smallest;
+}
+
+void MapFramesItem::setFrames(std::vector<MapFrame> frames, Mode mode) {
+    prepareGeometryChange();
+    m_frames = std::move(frames);
+    m_mode = mode;
+    update();
+}
+
+void MapFramesItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {
+    m_hovered = hovered;
+    m_pressed = pressed;
+    m_focused = focused;
+    update();
+}
+
+void MapFramesItem::setStyle(const OverlayStyle& style) {
+    m_style = style;
+    update();
+}
+
+QRectF MapFramesItem::boundingRect() const {
+    QRectF all;
+    for (const MapFrame& frame : m_frames)
+        all |= frame.outline.boundingRect().adjusted(-20, -20, 20, 20); // a flat frame has an empty box
+    return all;
+}
+
+void MapFramesItem::paintFrame(QPainter& painter, const MapFrame& frame) const {
+    const bool hovered = m_hovered.map == frame.place && m_pressed.kind == Kind::None;
+    const QPainterPath path = closed(frame.outline);
+    painter.fillPath(path, withOpacity(frame.colour, frame.selected || hovered ? 0.16 : 0.05));
+    const double width = m_style.lineWidth + (frame.selected ? 0.75 : 0);
+    strokeWithHalo(painter, path, m_style,
+                   hovered && !frame.selected ? frame.colour.lighter(115) : frame.colour, width,
+                   frame.takesPart ? Qt::SolidLine : Qt::DashLine);
+    if (m_focused == CanvasPart{Kind::Inside, 0, frame.place})
+        strokeWithHalo(painter, path, m_style, m_style.accent, width, Qt::DashLine);
+}
+
+void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const {
+    QFont font = painter.font();
+    font.setBold(true);
+    for (int i = 0; i < frame.corners.size(); ++i) {
+        const CanvasPart self{Kind::Vertex, i, frame.place};
+        const QPointF& at = frame.corners[i];
+        if (m_focused == self) {
+            QPainterPath ring;
+            ring.addEllipse(at, focusRadius, focusRadius);
+            strokeWithHalo(painter, ring, m_style, m_style.accent, m_style.lineWidth + 0.5);
+        }
+        const bool lit = m_hovered == self || m_pressed == self;
+        const bool numbered = frame.selected || lit;
+        const double r = numbered ? radius + (lit ? 1 : 0) : dot;
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(6, 9, 14, 170));
+        painter.drawEllipse(at, r + 1.5, r + 1.5);
+        painter.setPen(QPen(m_style.rim, m_style.lineWidth));
+        painter.setBrush(frame.colour);
+        painter.drawEllipse(at, r - 0.5, r - 0.5);
+        if (!numbered) continue;
+        font.setPixelSize(i < 9 ? 10 : 8);
+        painter.setFont(font);
+        painter.setPen(inkOn(frame.colour));
+        painter.drawText(QRectF(at - QPointF(12, 12), QSizeF(24, 24)), Qt::AlignCenter,
+                         QString::number(i + 1));
+    }
+}
+
+void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    painter->setRenderHint(QPainter::Antialiasing);
+    if (m_mode == Mode::Hint) {
+        painter->setOpacity(0.7);
+        for (const MapFrame& frame : m_frames)
+            if (frame.selected)
+                strokeWithHalo(*painter, closed(frame.outline), m_style, frame.colour, m_style.lineWidth,
+                               Qt::DotLine);
+        painter->setOpacity(1);
+        return;
+    }
+    for (const bool selected : {false, true}) {
+        for (const MapFrame& frame : m_frames)
+            if (frame.selected == selected) paintFrame(*painter, frame);
+        for (const MapFrame& frame : m_frames)
+            if (frame.selected == selected) paintCorners(*painter, frame);
+    }
+}
+
+} // namespace view

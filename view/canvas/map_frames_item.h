@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_part.h"
+#include "canvas/overlay_style.h"
+
+#include <QGraphicsItem>
+#include <QPolygonF>
+
+#include <vector>
+
+namespace view {
+
+// The image of the cage under one map, in pixels of the view.
+struct MapFrame {
+    int place = 0; // of the map in the system
+    QPolygonF corners;
+    QPolygonF outline; // the same with its edges bent where the cage bends
+    QColor colour;
+    bool selected = false;
+    bool takesPart = true;
+};
+
+// What of the frames a press at `position` takes: a corner within `corner` pixels, those of selected frames
+// first; else the smallest frame that holds the position or has it within `edge` of its outline.
+CanvasPart framePartAt(const std::vector<MapFrame>& frames, const QPointF& position, double corner,
+                       double edge);
+
+// The maps as children of the cage, each in its colour, corners numbered as those of the cage.
+class MapFramesItem : public QGraphicsItem {
+public:
+    // Held: with corners. Else only a hint of the selected frames.
+    enum class Mode { Hint, Held };
+
+    void setFrames(std::vector<MapFrame> frames, Mode mode);
+    const std::vector<MapFrame>& frames() const { return m_frames; }
+    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused);
+    void setStyle(const OverlayStyle& style);
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    void paintFrame(QPainter& painter, const MapFrame& frame) const;
+    void paintCorners(QPainter& painter, const MapFrame& frame) const;
+
+    std::vector<MapFrame> m_frames;
+    Mode m_mode = Mode::Hint;
+    CanvasPart m_hovered;
+    CanvasPart m_pressed;
+    CanvasPart m_focused;
+    OverlayStyle m_style;
+};
+
+} // namespace view

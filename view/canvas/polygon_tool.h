@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_scene.h"
+#include "canvas/canvas_tool.h"
+#include "canvas/polygon_drag.h"
+#include "document/edit_gesture.h"
+
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace view {
+
+// Takes polygons by their vertices, edges, inside and handles, with the pointer and with the arrow keys. What
+// the polygons are, and what moving them does to the fractal, is for the tools made from this.
+class PolygonTool : public CanvasTool {
+    Q_OBJECT
+
+public:
+    explicit PolygonTool(CanvasScene* scene);
+    ~PolygonTool() override;
+
+    void press(const Pointer& pointer) override;
+    void move(const Pointer& pointer) override;
+    void release(const Pointer& pointer) override;
+    void leave() override;
+    bool keyPress(const QKeyEvent& event) override;
+    bool keyRelease(const QKeyEvent& event) override;
+    bool cancel() override;
+    bool isBusy() const override { return m_state != State::Idle; }
+    void stop() override;
+    QCursor cursor(const Pointer& pointer) const override;
+
+    // The next or the previous handle, round and round.
+    virtual void walk(int step);
+
+signals:
+    void grasped(); // a gesture has begun
+
+protected:
+    // What a part takes hold of.
+    struct Grip {
+        QString text; // of the undo step
+        std::vector<ifs::Vector<2>> points;
+        std::vector<int> vertices; // those of the points that move
+    };
+    virtual std::optional<Grip> grip(const CanvasPart& part, PolygonDrag::Mode mode) = 0; // nullopt: it stays
+    // Shows what the gesture has come to. resultAt(1) is what is asked for, resultAt(0) is how it began.
+    // Returns how much of it is shown.
+    virtual double preview(const std::function<DragResult(double)>& resultAt) = 0;
+    virtual void taken(const CanvasPart&, Qt::KeyboardModifiers) {} // pressed, perhaps to be dragged
+    virtual void clicked(const CanvasPart&, const Pointer&) {}      // pressed and let go where it was
+    virtual void ended() {}                                         // nothing is held any more
+
+    CanvasScene& scene() const { return *m_scene; }
+    document::EditGesture& gesture() const { return *m_gesture; }
+    const PolygonDrag& drag() const { return m_drag; }
+
+private:
+    enum class State {
+        Idle,
+        Pressed, // not yet moved far enough to mean a drag
+        Dragging,
+        MovingPivot,
+        Nudging,  // an arrow key is held
+        Cancelled // waits for the button to go up
+    };
+
+    void dragTo(const Pointer& pointer);
+    void movePivot(const Pointer& pointer);
+    bool open(const CanvasPart& part, PolygonDrag::Mode mode, const QPointF& press);
+    void turnInto(PolygonDrag::Mode mode);
+    void restorePivot();
+    void hover(const CanvasPart& part);
+    double show(const std::function<DragResult(double)>& resultAt);
+    void end();
+    void nudge(const CanvasPart& part, const QPointF& direction, Qt::KeyboardModifiers modifiers);
+    void keepNudging(quint64 stamp);
+    DragResult nudged(const QPointF& by) const;
+
+    CanvasScene* m_scene;
+    State m_state = State::Idle;
+    CanvasPart m_part;
+    PolygonDrag m_drag;
+    QPointF m_press;            // pixels
+    attractor::Camera m_camera; // at the press
+    ifs::Vector<2> m_pivotAtPress = ifs::Vector<2>::Zero();
+    bool m_ownPivotAtPress = false;
+    QPointF m_nudge;          // pixels, degrees or percent so far
+    QTimer m_letGo;           // an arrow key has gone up, unless it only repeats
+    quint64 m_letGoStamp = 0; // of that event
+    std::unique_ptr<document::EditGesture> m_gesture;
+};
+
+} // namespace view

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "panels/branch_bar.h"
+
+#include "canvas/branch_tool.h"
+#include "document/addresses.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <numbers>
+
+namespace view {
+
+namespace {
+
+constexpr int farthest = 90; // degrees either way
+
+} // namespace
+
+BranchBar::BranchBar(document::Document* document, CanvasView* canvas, QWidget* parent)
+    : QWidget(parent), m_document(document), m_canvas(canvas), m_swinging(document) {
+    setAccessibleName(tr("Maps and branches"));
+    m_branchRow = makeBranch();
+    m_swingRow = makeSwing();
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 4, 8, 4);
+    layout->addWidget(m_branchRow);
+    layout->addWidget(m_swingRow);
+    connect(canvas, &CanvasView::branchChanged, this, &BranchBar::follow);
+    connect(canvas, &CanvasView::toolChanged, this, &BranchBar::follow);
+    connect(canvas, &CanvasView::selectedMapsChanged, this, &BranchBar::endSwing);
+    connect(document, &document::Document::changed, this, [this] {
+        if (!m_swinging.isOpen()) centre(); // another edit has ended ours
+    });
+    follow();
+}
+
+QWidget* BranchBar::makeBranch() {
+    auto* row = new QWidget(this);
+    auto* depthLabel = new QLabel(tr("&Depth"), row);
+    m_depth = new QSpinBox(row);
+    m_depth->setRange(1, BranchTool::deepest);
+    m_depth->setAccessibleName(tr("Depth of the branch"));
+    m_depth->setToolTip(tr("How many maps of the address name the branch (Shift + wheel over the canvas)"));
+    depthLabel->setBuddy(m_depth);
+    m_address = new QLabel(row);
+    m_address->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_address->setToolTip(
+        tr("The address of the point clicked, outermost map first; the branch is what is bold"));
+    auto* editLabel = new QLabel(tr("&Change"), row);
+    m_edit = new QComboBox(row);
+    m_edit->addItem(tr("this branch, as a map of its own"));
+    m_edit->setItemData(
+        0,
+        tr("The system gets a map for this branch and one for every branch beside it. Its change is "
+           "seen again at all smaller scales."),
+        Qt::ToolTipRole);
+    m_edit->addItem(tr("the last map of its address"));
+    m_edit->setItemData(1, tr("The code keeps its maps. All branches that this map makes change alike."),
+                        Qt::ToolTipRole);
+    m_edit->setAccessibleName(tr("What changing the branch changes"));
+    editLabel->setBuddy(m_edit);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(depthLabel);
+    layout->addWidget(m_depth);
+    layout->addSpacing(12);
+    layout->addWidget(m_address);
+    layout->addStretch();
+    layout->addWidget(editLabel);
+    layout->addWidget(m_edit);
+    connect(m_depth, &QSpinBox::valueChanged, m_canvas, &CanvasView::setBranchDepth);
+    connect(m_edit, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_canvas->setBranchEdit(index == 0 ? document::BranchEdit::OwnMap : document::BranchEdit::LastMap);
+        m_edit->setToolTip(m_edit->itemData(index, Qt::ToolTipRole).toString());
+    });
+    m_edit->setToolTip(m_edit->itemData(0, Qt::ToolTipRole).toString());
+    return row;
+}
+
+QWidget* BranchBar::makeSwing() {
+    auto* row = new QWidget(this);
+    auto* label = new QLabel(tr("&Weave"), row);
+    m_swing = new QSlider(Qt::Horizontal, row);
+    m_swing->setRange(-farthest, farthest);
+    m_swing->setPageStep(5);
+    m_swing->setMaximumWidth(420);
+    m_swing->setAccessibleName(tr("Angle by which the selected maps swing about their roots"));
+    m_swing->setToolTip(tr("Lets the selected maps swing, each about the image of the lowest point of the "
+                           "fractal; the slider goes back to the middle when it is let go"));
+    m_swing->installEventFilter(this);
+    label->setBuddy(m_swing);
+    m_angle = new QLabel(row);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(label);
+    layout->addWidget(m_swing, 1);
+    layout->addWidget(m_angle);
+    layout->addStretch();
+    connect(m_swing, &QSlider::valueChanged, this, &BranchBar::swingTo);
+    connect(m_swing, &QSlider::sliderReleased, this, &BranchBar::endSwing);
+    return row;
+}
+
+void BranchBar::follow() {
+    m_branchRow->setVisible(m_canvas->tool() == CanvasView::Tool::Branch);
+    m_swingRow->setVisible(m_canvas->tool() == CanvasView::Tool::Maps);
+    const QSignalBlocker quiet(m_depth);
+    m_depth->setValue(m_canvas->branchDepth());
+    const ifs::Word& address = m_canvas->branchAddress();
+    const auto cut = std::min(address.size(), std::size_t(m_canvas->branchDepth()));
+    const auto middle = address.begin() + std::ptrdiff_t(cut);
+    const QString branch = document::addressText({address.begin(), middle}, cut);
+    m_address->setText(
+        address.empty()
+            ? tr("no branch selected")
+            : tr("branch <b>%1</b> %2").arg(branch, document::addressText({middle, address.end()}, 8)));
+    const std::size_t selected = m_canvas->selectedMaps().size();
+    m_swing->setEnabled(selected > 0);
+    m_angle->setText(tr("%1°").arg(m_swing->value()));
+}
+
+// Counted from where the slider left the middle.
+void BranchBar::swingTo(int degrees) {
+    const document::Fractal before = m_swinging.before();
+    const auto root = document::root(before);
+    if (!document::system2(before) || !root) return;
+    const document::MapHandles handles(before, document::effectiveCage(before));
+    std::vector<std::size_t> places;
+    for (std::size_t place = 0; place < handles.count(); ++place)
+        if (std::ranges::find(m_canvas->selectedMaps(), handles.maps()[place].id) !=
+            m_canvas->selectedMaps().end())
+            places.push_back(place);
+    const document::Fractal after = handles.withMapsSwung(places, *root, degrees * std::numbers::pi / 180);
+    m_swinging.preview(tr("Let maps swing"), [&](document::Fractal& fractal) { fractal = after; });
+    follow();
+    if (!m_swing->isSliderDown() && !m_swing->hasFocus()) endSwing(); // a wheel over it
+}
+
+void BranchBar::endSwing() {
+    m_swinging.commit();
+    centre();
+}
+
+void BranchBar::centre() {
+    const QSignalBlocker quiet(m_swing);
+    m_swing->setValue(0);
+    follow();
+}
+
+bool BranchBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_swing && event->type() == QEvent::FocusOut) endSwing();
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace view

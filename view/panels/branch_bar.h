@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_view.h"
+#include "panels/live_edit.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QSlider;
+class QSpinBox;
+
+namespace view {
+
+// One row under the canvas for the tools that take maps and branches: how deep a branch is and what changing
+// it changes, and a slider that lets the selected maps swing about their roots.
+class BranchBar : public QWidget {
+    Q_OBJECT
+
+public:
+    BranchBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
+
+    QSpinBox* depth() const { return m_depth; }
+    QComboBox* edit() const { return m_edit; }
+    QSlider* swing() const { return m_swing; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QWidget* makeBranch();
+    QWidget* makeSwing();
+    void follow();
+    void swingTo(int degrees);
+    void endSwing();
+    void centre();
+
+    document::Document* m_document;
+    CanvasView* m_canvas;
+    QWidget* m_branchRow = nullptr;
+    QWidget* m_swingRow = nullptr;
+    QSpinBox* m_depth = nullptr;
+    QLabel* m_address = nullptr;
+    QComboBox* m_edit = nullptr;
+    QSlider* m_swing = nullptr;
+    QLabel* m_angle = nullptr;
+    LiveEdit m_swinging;
+};
+
+} // namespace view
