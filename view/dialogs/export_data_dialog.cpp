@@ -3,6 +3,7 @@
 
 #include "dialogs/column_orders.h"
 #include "dialogs/save_file_dialog.h"
+#include "dialogs/start_export.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -183,21 +184,14 @@ void ExportDataDialog::exportTo(const QString& path) {
         outcome.failure = io::saveFile(path, text());
         return finish(outcome, path);
     }
-    // Both calls come from the thread of the job, which ends before this dialog does.
-    const auto progress = [this](double fraction) {
-        QMetaObject::invokeMethod(
-            this, [this, fraction] { m_progress->setValue(int(1000 * fraction)); }, Qt::QueuedConnection);
-    };
-    const auto finished = [this, path](const io::ExportOutcome& outcome) {
-        QMetaObject::invokeMethod(
-            this, [this, outcome, path] { finish(outcome, path); }, Qt::QueuedConnection);
-    };
     m_progress->setValue(0);
     m_progress->show();
     m_export->setEnabled(false);
     m_close->setText(tr("&Stop"));
     const io::PointCloud cloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()};
-    m_job = std::make_unique<io::ExportJob>(cloud, path, progress, finished);
+    m_job = startExport(
+        cloud, path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
 }
 
 void ExportDataDialog::copy() {

@@ -3,6 +3,7 @@
 
 #include "dialogs/export_size_editor.h"
 #include "dialogs/save_file_dialog.h"
+#include "dialogs/start_export.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -301,17 +302,10 @@ void ExportDialog::chooseFile() {
 }
 
 void ExportDialog::exportTo(const QString& path) {
-    // Both calls come from the thread of the job, which ends before this dialog does.
-    const auto progress = [this](double fraction) {
-        QMetaObject::invokeMethod(
-            this, [this, fraction] { m_progress->setValue(int(1000 * fraction)); }, Qt::QueuedConnection);
-    };
-    const auto finished = [this, path](const io::ExportOutcome& outcome) {
-        QMetaObject::invokeMethod(
-            this, [this, outcome, path] { finish(outcome, path); }, Qt::QueuedConnection);
-    };
     setBusy(true);
-    m_job = std::make_unique<io::ExportJob>(exportNow(), path, progress, finished);
+    m_job = startExport(
+        exportNow(), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
 }
 
 void ExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
