@@ -5,19 +5,19 @@
     <name>AccessibleHandle</name>
     <message>
         <source>Move left</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer à gauche</translation>
     </message>
     <message>
         <source>Move right</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer à droite</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer vers le haut</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer vers le bas</translation>
     </message>
 </context>
 <context>
@@ -28,7 +28,7 @@
     </message>
     <message>
         <source>A system has one attractor if some power of it contracts: then every start leads to the same set.</source>
-        <translation>Un système a un unique attracteur dès que l’une de ses puissances est contractante : tout ensemble de départ mène alors au même ensemble.</translation>
+        <translation>Un système a un unique attracteur dès que l’une de ses puissances est contractante&#x202f;: tout ensemble de départ mène alors au même ensemble.</translation>
     </message>
     <message>
         <source>Contraction</source>
@@ -36,7 +36,7 @@
     </message>
     <message>
         <source>‖A‖ of each map that takes part: the most by which it stretches distances.</source>
-        <translation>‖A‖ pour chaque application active : le plus grand facteur dont elle étire les distances.</translation>
+        <translation>‖A‖ pour chaque application active&#x202f;: le plus grand facteur dont elle étire les distances.</translation>
     </message>
     <message>
         <source>Box</source>
@@ -44,7 +44,7 @@
     </message>
     <message>
         <source>The smallest box with sides parallel to the axes that holds the attractor; certified.</source>
-        <translation>Le plus petit rectangle aux côtés parallèles aux axes qui contient l’attracteur ; résultat certifié.</translation>
+        <translation>Le plus petit rectangle aux côtés parallèles aux axes qui contient l’attracteur&#x202f;; résultat certifié.</translation>
     </message>
     <message>
         <source>Canonical simplex</source>
@@ -64,7 +64,7 @@
     </message>
     <message>
         <source>Area of the convex hull&apos;s inner polygon with %1 vertices; the hull reaches at most %2 beyond it.</source>
-        <translation>Aire du polygone intérieur à %1 sommets inscrit dans l’enveloppe convexe ; celle-ci le dépasse d’au plus %2.</translation>
+        <translation>Aire du polygone intérieur à %1 sommets inscrit dans l’enveloppe convexe&#x202f;; celle-ci le dépasse d’au plus %2.</translation>
     </message>
     <message>
         <source>Similarity dimension</source>
@@ -80,7 +80,7 @@
     </message>
     <message>
         <source>Mean of the invariant measure, solved exactly: the centre of mass of the picture.</source>
-        <translation>Moyenne de la mesure invariante, calculée exactement : le centre de masse de l’image.</translation>
+        <translation>Moyenne de la mesure invariante, calculée exactement&#x202f;: le centre de masse de l’image.</translation>
     </message>
     <message>
         <source>Covariance</source>
@@ -88,14 +88,14 @@
     </message>
     <message>
         <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads.</source>
-        <translation>Covariances xx, xy, yy de la mesure invariante, calculées exactement : elles disent combien l’image s’étale.</translation>
+        <translation>Covariances xx, xy, yy de la mesure invariante, calculées exactement&#x202f;: elles disent combien l’image s’étale.</translation>
     </message>
 </context>
 <context>
     <name>Application</name>
     <message>
         <source>Take a fractal by its corners: an editor for iterated function systems.</source>
-        <translation>Prenez une fractale par les coins : un éditeur de systèmes de fonctions itérées.</translation>
+        <translation>Prenez une fractale par les coins&#x202f;: un éditeur de systèmes de fonctions itérées.</translation>
     </message>
     <message>
         <source>.ifs files to open, a window each</source>
@@ -110,15 +110,15 @@
     </message>
     <message>
         <source>The cage is at rest: the code is what is displayed.</source>
-        <translation>La cage est au repos : l’image affichée est celle du code.</translation>
+        <translation>La cage est au repos&#x202f;: l’image affichée est celle du code.</translation>
     </message>
     <message>
         <source>The cage bends the picture, and no affine code has a bent picture. Choose “Affine fit” to bake what comes nearest to it.</source>
-        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez « Ajustement affine » pour intégrer au code ce qui s’en approche le plus.</translation>
+        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez «&#x202f;Ajustement affine&#x202f;» pour intégrer au code ce qui s’en approche le plus.</translation>
     </message>
     <message>
         <source>The cage is flat: no code has this picture. Open the cage first.</source>
-        <translation>La cage est plate : aucun code ne donne cette image. Ouvrez d’abord la cage.</translation>
+        <translation>La cage est plate&#x202f;: aucun code ne donne cette image. Ouvrez d’abord la cage.</translation>
     </message>
     <message>
         <source>Moving the cage moves the picture. The code stays as it is until you bake.</source>
@@ -126,7 +126,7 @@
     </message>
     <message>
         <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can follow, and leaves it.</source>
-        <translation>Déplacer la cage entière réécrit le code. Déplacer un seul sommet courbe l’image, ce qu’aucun code ne peut suivre ; le code reste alors tel quel.</translation>
+        <translation>Déplacer la cage entière réécrit le code. Déplacer un seul sommet courbe l’image, ce qu’aucun code ne peut suivre&#x202f;; le code reste alors tel quel.</translation>
     </message>
     <message>
         <source>Moving the cage rewrites every coefficient of the code, and the cage rests where it is.</source>
@@ -142,19 +142,19 @@
     </message>
     <message>
         <source>The cage has a notch: the picture may fold over itself there.</source>
-        <translation>La cage a une encoche : l’image peut s’y replier sur elle-même.</translation>
+        <translation>La cage a une encoche&#x202f;: l’image peut s’y replier sur elle-même.</translation>
     </message>
     <message>
         <source>The cage is folded: parts of the picture lie over one another. Move the vertices apart to unfold it.</source>
-        <translation>La cage est repliée : des parties de l’image se superposent. Écartez les sommets pour la déplier.</translation>
+        <translation>La cage est repliée&#x202f;: des parties de l’image se superposent. Écartez les sommets pour la déplier.</translation>
     </message>
     <message>
         <source>No map takes part, so there is nothing to enclose.</source>
-        <translation>Aucune application n’est active : il n’y a rien à entourer.</translation>
+        <translation>Aucune application n’est active&#x202f;: il n’y a rien à entourer.</translation>
     </message>
     <message>
         <source>A bent picture cannot be held by another cage. Reset the cage, or choose “Affine fit”, first.</source>
-        <translation>Une image courbée ne peut pas être confiée à une autre cage. Réinitialisez d’abord la cage, ou choisissez « Ajustement affine ».</translation>
+        <translation>Une image courbée ne peut pas être confiée à une autre cage. Réinitialisez d’abord la cage, ou choisissez «&#x202f;Ajustement affine&#x202f;».</translation>
     </message>
     <message>
         <source>The cage is flat. Open the triangle, or reset it, first.</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>Fronds: a long slow map climbs the rachis, two short ones hang the pinnae, a flat one draws the stem.</source>
-        <translation>Frondes : une longue application lente monte le long du rachis, deux courtes y accrochent les pennes, une plate trace la tige.</translation>
+        <translation>Frondes&#x202f;: une longue application lente monte le long du rachis, deux courtes y accrochent les pennes, une plate trace la tige.</translation>
     </message>
     <message>
         <source>Trees</source>
@@ -189,7 +189,7 @@
     </message>
     <message>
         <source>Trunks that fork: the whole tree stands on its own branches.</source>
-        <translation>Des troncs qui se ramifient : l’arbre entier se tient sur chacune de ses branches.</translation>
+        <translation>Des troncs qui se ramifient&#x202f;: l’arbre entier se tient sur chacune de ses branches.</translation>
     </message>
     <message>
         <source>Dragons</source>
@@ -205,7 +205,7 @@
     </message>
     <message>
         <source>Gaskets and carpets: a polygon holds shrunken copies of itself and keeps its holes.</source>
-        <translation>Tamis et tapis : un polygone contient des copies réduites de lui-même et garde ses trous.</translation>
+        <translation>Tamis et tapis&#x202f;: un polygone contient des copies réduites de lui-même et garde ses trous.</translation>
     </message>
     <message>
         <source>Koch family</source>
@@ -237,7 +237,7 @@
     </message>
     <message>
         <source>Sets that tile the plane: copies of themselves, rep-tiles, and the central tiles of number systems.</source>
-        <translation>Des ensembles qui pavent le plan : copies d’eux-mêmes, reptuiles, et tuiles centrales de systèmes de numération.</translation>
+        <translation>Des ensembles qui pavent le plan&#x202f;: copies d’eux-mêmes, reptuiles, et tuiles centrales de systèmes de numération.</translation>
     </message>
     <message>
         <source>Cantor sets and dust</source>
@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>Sets full of gaps at every scale: points everywhere near, hardly any of them joined.</source>
-        <translation>Des ensembles pleins de lacunes à toutes les échelles : partout des points proches, presque aucun relié à un autre.</translation>
+        <translation>Des ensembles pleins de lacunes à toutes les échelles&#x202f;: partout des points proches, presque aucun relié à un autre.</translation>
     </message>
     <message>
         <source>Crystals and snowflakes</source>
@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>Sets with the symmetry of frost: five, six and more arms.</source>
-        <translation>Des ensembles qui ont la symétrie du givre : cinq, six branches et davantage.</translation>
+        <translation>Des ensembles qui ont la symétrie du givre&#x202f;: cinq, six branches et davantage.</translation>
     </message>
     <message>
         <source>Curves and graphs</source>
@@ -269,30 +269,30 @@
     </message>
     <message>
         <source>Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes.</source>
-        <translation>Motifs affines sans nom dans la nature : parents du tamis, entrelacs, rosaces.</translation>
+        <translation>Motifs affines sans nom dans la nature&#x202f;: parents du tamis, entrelacs, rosaces.</translation>
     </message>
 </context>
 <context>
     <name>ColumnOrders</name>
     <message>
         <source>a b c d e f p: Fractint, Barnsley</source>
-        <translation>a b c d e f p : Fractint, Barnsley</translation>
+        <translation>a b c d e f p&#x202f;: Fractint, Barnsley</translation>
     </message>
     <message>
         <source>a b e c d f p: each equation in a row</source>
-        <translation>a b e c d f p : chaque équation sur une ligne</translation>
+        <translation>a b e c d f p&#x202f;: chaque équation sur une ligne</translation>
     </message>
     <message>
         <source>a c b d e f p: column by column</source>
-        <translation>a c b d e f p : colonne par colonne</translation>
+        <translation>a c b d e f p&#x202f;: colonne par colonne</translation>
     </message>
     <message>
         <source>p a b c d e f: the weight first</source>
-        <translation>p a b c d e f : le poids en premier</translation>
+        <translation>p a b c d e f&#x202f;: le poids en premier</translation>
     </message>
     <message>
         <source>r s theta phi e f p: scales, and angles in degrees</source>
-        <translation>r s theta phi e f p : facteurs d’échelle, et angles en degrés</translation>
+        <translation>r s theta phi e f p&#x202f;: facteurs d’échelle, et angles en degrés</translation>
     </message>
 </context>
 <context>
@@ -314,7 +314,7 @@
     </message>
     <message>
         <source>Show or hide the panel “%1”</source>
-        <translation>Afficher ou masquer le panneau « %1 »</translation>
+        <translation>Afficher ou masquer le panneau «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Entries</source>
@@ -391,11 +391,11 @@
     </message>
     <message>
         <source>“%1” has changes that are not saved.</source>
-        <translation>« %1 » contient des modifications non enregistrées.</translation>
+        <translation>«&#x202f;%1&#x202f;» contient des modifications non enregistrées.</translation>
     </message>
     <message>
         <source>Do you want to save them?</source>
-        <translation>Voulez-vous les enregistrer ?</translation>
+        <translation>Voulez-vous les enregistrer&#x202f;?</translation>
     </message>
     <message>
         <source>Changed on disk</source>
@@ -403,7 +403,7 @@
     </message>
     <message>
         <source>“%1” was changed by another program since it was opened here.</source>
-        <translation>« %1 » a été modifié par un autre programme depuis son ouverture ici.</translation>
+        <translation>«&#x202f;%1&#x202f;» a été modifié par un autre programme depuis son ouverture ici.</translation>
     </message>
     <message>
         <source>Saving replaces what the other program wrote.</source>
@@ -439,7 +439,7 @@
     </message>
     <message>
         <source>Go back to “%1” as it is on disk? The changes made since then are lost.</source>
-        <translation>Revenir à « %1 » tel qu’il est sur le disque ? Les modifications faites depuis seront perdues.</translation>
+        <translation>Revenir à «&#x202f;%1&#x202f;» tel qu’il est sur le disque&#x202f;? Les modifications faites depuis seront perdues.</translation>
     </message>
     <message>
         <source>%1 could not be read again</source>
@@ -505,7 +505,7 @@
     </message>
     <message>
         <source>Save the file; entries not edited keep every byte</source>
-        <translation>Enregistrer le fichier ; les entrées non modifiées sont conservées à l’octet près</translation>
+        <translation>Enregistrer le fichier&#x202f;; les entrées non modifiées sont conservées à l’octet près</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
@@ -549,7 +549,7 @@
     </message>
     <message>
         <source>Export the maps or points as a flame, for IFStile, as a table or a point cloud</source>
-        <translation>Exporter les applications ou les points : flamme, IFStile, tableau ou nuage de points</translation>
+        <translation>Exporter les applications ou les points&#x202f;: flamme, IFStile, tableau ou nuage de points</translation>
     </message>
     <message>
         <source>&amp;Copy Picture</source>
@@ -717,7 +717,7 @@
     </message>
     <message>
         <source>Put the cage back to rest: the code is drawn as it is</source>
-        <translation>Remettre la cage au repos : le code est dessiné tel quel</translation>
+        <translation>Remettre la cage au repos&#x202f;: le code est dessiné tel quel</translation>
     </message>
     <message>
         <source>&amp;Bake</source>
@@ -729,7 +729,7 @@
     </message>
     <message>
         <source>Make the placement part of the code: the picture stays, the coefficients change</source>
-        <translation>Intégrer le placement au code : l’image reste, les coefficients changent</translation>
+        <translation>Intégrer le placement au code&#x202f;: l’image reste, les coefficients changent</translation>
     </message>
     <message>
         <source>&amp;Unbake</source>
@@ -737,7 +737,7 @@
     </message>
     <message>
         <source>Take the placement out of the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
-        <translation>Extraire le placement du code : l’image reste, le code devient celui du triangle (0, 0), (1, 0), (0, 1)</translation>
+        <translation>Extraire le placement du code&#x202f;: l’image reste, le code devient celui du triangle (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
         <source>Make Re&amp;gular</source>
@@ -761,7 +761,7 @@
     </message>
     <message>
         <source>Moving the cage moves the picture; the code stays</source>
-        <translation>Déplacer la cage déplace l’image ; le code reste</translation>
+        <translation>Déplacer la cage déplace l’image&#x202f;; le code reste</translation>
     </message>
     <message>
         <source>Re&amp;write</source>
@@ -805,7 +805,7 @@
     </message>
     <message>
         <source>&amp;100 %</source>
-        <translation>&amp;100 %</translation>
+        <translation>&amp;100&#x202f;%</translation>
     </message>
     <message>
         <source>1</source>
@@ -905,7 +905,7 @@
     </message>
     <message>
         <source>Watch the attractor arise: by steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Regarder naître l’attracteur : par les étapes de l’algorithme déterministe, ou par le jeu du chaos</translation>
+        <translation>Regarder naître l’attracteur&#x202f;: par les étapes de l’algorithme déterministe, ou par le jeu du chaos</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -957,7 +957,7 @@
     </message>
     <message>
         <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Take a fractal by its corners: an editor for iterated function systems whose attractors are held in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Prenez une fractale par les coins : un éditeur de systèmes de fonctions itérées dont les attracteurs sont tenus par les coordonnées barycentriques d’un triangle de contrôle.&lt;/p&gt;&lt;p&gt;D’après E. Hadzieva et M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Licence MIT.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Prenez une fractale par les coins&#x202f;: un éditeur de systèmes de fonctions itérées dont les attracteurs sont tenus par les coordonnées barycentriques d’un triangle de contrôle.&lt;/p&gt;&lt;p&gt;D’après E. Hadzieva et M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Licence MIT.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>About &amp;Qt</source>
@@ -981,11 +981,11 @@
     </message>
     <message>
         <source>The maps of the fractal: its code, one map in a row.</source>
-        <translation>Les applications de la fractale : son code, une application par ligne.</translation>
+        <translation>Les applications de la fractale&#x202f;: son code, une application par ligne.</translation>
     </message>
     <message>
         <source>The control cage by numbers: where its vertices are, where they are at rest, what moving them does, and other cages to choose from.</source>
-        <translation>La cage de contrôle en nombres : où sont ses sommets, où ils sont au repos, ce que produit leur déplacement, et d’autres cages à choisir.</translation>
+        <translation>La cage de contrôle en nombres&#x202f;: où sont ses sommets, où ils sont au repos, ce que produit leur déplacement, et d’autres cages à choisir.</translation>
     </message>
     <message>
         <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
@@ -1009,11 +1009,11 @@
     </message>
     <message>
         <source>Six short steps in this window: contraction, fixed point, chaos game, address, barycentric coordinates, dimension</source>
-        <translation>Six courtes étapes dans cette fenêtre : contraction, point fixe, jeu du chaos, adresse, coordonnées barycentriques, dimension</translation>
+        <translation>Six courtes étapes dans cette fenêtre&#x202f;: contraction, point fixe, jeu du chaos, adresse, coordonnées barycentriques, dimension</translation>
     </message>
     <message>
         <source>&amp;What’s This?</source>
-        <translation>Qu’est-ce que c’&amp;est ?</translation>
+        <translation>Qu’est-ce que c’&amp;est&#x202f;?</translation>
     </message>
     <message>
         <source>Click anything to read what it is for</source>
@@ -1044,11 +1044,11 @@
     </message>
     <message>
         <source>“%1” is a fraction: write it as a decimal number.</source>
-        <translation>« %1 » est une fraction : écrivez-la sous forme décimale.</translation>
+        <translation>«&#x202f;%1&#x202f;» est une fraction&#x202f;: écrivez-la sous forme décimale.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation>« %1 » n’est pas un nombre.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un nombre.</translation>
     </message>
 </context>
 <context>
@@ -1121,14 +1121,14 @@
     <name>PngExport</name>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation>Impossible d’écrire %1 : %2</translation>
+        <translation>Impossible d’écrire %1&#x202f;: %2</translation>
     </message>
 </context>
 <context>
     <name>PngSystem</name>
     <message>
         <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
-        <translation>L’image ne contient pas de système : elle n’a pas été écrite par Barycage, ou un autre programme en a retiré le texte.</translation>
+        <translation>L’image ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, ou un autre programme en a retiré le texte.</translation>
     </message>
     <message>
         <source>The system in the picture has more than 8 MB.</source>
@@ -1143,7 +1143,7 @@
     <name>PngWriter</name>
     <message>
         <source>The picture cannot be written: %1</source>
-        <translation>Impossible d’écrire l’image : %1</translation>
+        <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -1159,7 +1159,7 @@
     </message>
     <message>
         <source>Barycage ended last time before this work was saved:</source>
-        <translation>La dernière fois, Barycage s’est arrêté avant que ce travail ne soit enregistré :</translation>
+        <translation>La dernière fois, Barycage s’est arrêté avant que ce travail ne soit enregistré&#x202f;:</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -1198,7 +1198,7 @@
     </message>
     <message>
         <source>no attractor: the word %1 does not contract</source>
-        <translation>pas d’attracteur : le mot %1 n’est pas contractant</translation>
+        <translation>pas d’attracteur&#x202f;: le mot %1 n’est pas contractant</translation>
     </message>
     <message>
         <source>existence of an attractor undecided</source>
@@ -1238,7 +1238,7 @@
     </message>
     <message>
         <source>3D: not yet shown</source>
-        <translation>3D : pas encore affiché</translation>
+        <translation>3D&#x202f;: pas encore affiché</translation>
     </message>
     <message>
         <source>this entry could not be read</source>
@@ -1273,7 +1273,7 @@
     </message>
     <message>
         <source>The picture holds no system: it was not written by Barycage, or another program removed it.</source>
-        <translation>L’image ne contient pas de système : elle n’a pas été écrite par Barycage, ou un autre programme l’en a retiré.</translation>
+        <translation>L’image ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, ou un autre programme l’en a retiré.</translation>
     </message>
 </context>
 <context>
@@ -1284,7 +1284,7 @@
     </message>
     <message>
         <source>The XML ends here: %1.</source>
-        <translation>Le XML s’arrête ici : %1.</translation>
+        <translation>Le XML s’arrête ici&#x202f;: %1.</translation>
     </message>
     <message>
         <source>There is no flame in this file.</source>
@@ -1300,7 +1300,7 @@
     </message>
     <message>
         <source>Print “%1”</source>
-        <translation>Imprimer « %1 »</translation>
+        <translation>Imprimer «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>in space</source>
@@ -1312,11 +1312,11 @@
     </message>
     <message>
         <source>The sheet would be %1 by %2 pixels; at most %3 a side can be drawn. Take smaller tiles, or other columns.</source>
-        <translation>La planche ferait %1 sur %2 pixels ; on peut dessiner au plus %3 pixels par côté. Prenez des vignettes plus petites, ou un autre nombre de colonnes.</translation>
+        <translation>La planche ferait %1 sur %2 pixels&#x202f;; on peut dessiner au plus %3 pixels par côté. Prenez des vignettes plus petites, ou un autre nombre de colonnes.</translation>
     </message>
     <message>
         <source>the amount of “%1” is not a number</source>
-        <translation>le coefficient de « %1 » n’est pas un nombre</translation>
+        <translation>le coefficient de «&#x202f;%1&#x202f;» n’est pas un nombre</translation>
     </message>
     <message>
         <source>it uses a variation other than linear</source>
@@ -1324,23 +1324,23 @@
     </message>
     <message>
         <source>it acts in space (“%1”)</source>
-        <translation>elle agit dans l’espace (« %1 »)</translation>
+        <translation>elle agit dans l’espace («&#x202f;%1&#x202f;»)</translation>
     </message>
     <message>
         <source>it uses the variation “%1”</source>
-        <translation>elle utilise la variation « %1 »</translation>
+        <translation>elle utilise la variation «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>its “coefs” are not six numbers</source>
-        <translation>ses « coefs » ne sont pas six nombres</translation>
+        <translation>ses «&#x202f;coefs&#x202f;» ne sont pas six nombres</translation>
     </message>
     <message>
         <source>its “post” is not six numbers</source>
-        <translation>son « post » n’est pas formé de six nombres</translation>
+        <translation>son «&#x202f;post&#x202f;» n’est pas formé de six nombres</translation>
     </message>
     <message>
         <source>its “chaos” allows some successors only, which a list of maps cannot say</source>
-        <translation>son « chaos » n’autorise que certains successeurs, ce qu’une liste d’applications ne peut exprimer</translation>
+        <translation>son «&#x202f;chaos&#x202f;» n’autorise que certains successeurs, ce qu’une liste d’applications ne peut exprimer</translation>
     </message>
     <message>
         <source>it takes part without being drawn (opacity 0)</source>
@@ -1368,7 +1368,7 @@
     </message>
     <message>
         <source>The flame “%1” is not a system of affine maps: %2.</source>
-        <translation>La flamme « %1 » n’est pas un système d’applications affines : %2.</translation>
+        <translation>La flamme «&#x202f;%1&#x202f;» n’est pas un système d’applications affines&#x202f;: %2.</translation>
     </message>
     <message>
         <source>it has more than %1 transforms</source>
@@ -1376,15 +1376,15 @@
     </message>
     <message>
         <source>transform %1: %2</source>
-        <translation>transformation %1 : %2</translation>
+        <translation>transformation %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>The flame “%1” has no transforms.</source>
-        <translation>La flamme « %1 » n’a pas de transformations.</translation>
+        <translation>La flamme «&#x202f;%1&#x202f;» n’a pas de transformations.</translation>
     </message>
     <message>
         <source>The entry that opens here is not closed by “}” before the next entry or the end of the file.</source>
-        <translation>L’entrée qui s’ouvre ici n’est pas fermée par « } » avant l’entrée suivante ou la fin du fichier.</translation>
+        <translation>L’entrée qui s’ouvre ici n’est pas fermée par «&#x202f;}&#x202f;» avant l’entrée suivante ou la fin du fichier.</translation>
     </message>
     <message>
         <source>%1 more problems in this entry are not listed.</source>
@@ -1392,15 +1392,15 @@
     </message>
     <message>
         <source>The name “%1” holds a blank; Fractint takes only its first word.</source>
-        <translation>Le nom « %1 » contient une espace ; Fractint n’en retient que le premier mot.</translation>
+        <translation>Le nom «&#x202f;%1&#x202f;» contient une espace&#x202f;; Fractint n’en retient que le premier mot.</translation>
     </message>
     <message>
         <source>The name “%1” is longer than 18 bytes; Fractint cuts it there.</source>
-        <translation>Le nom « %1 » dépasse 18 octets ; Fractint le coupe là.</translation>
+        <translation>Le nom «&#x202f;%1&#x202f;» dépasse 18 octets&#x202f;; Fractint le coupe là.</translation>
     </message>
     <message>
         <source>The opening brace stands on a line of its own; Fractint does not find this entry.</source>
-        <translation>L’accolade ouvrante est seule sur sa ligne ; Fractint ne trouve pas cette entrée.</translation>
+        <translation>L’accolade ouvrante est seule sur sa ligne&#x202f;; Fractint ne trouve pas cette entrée.</translation>
     </message>
     <message>
         <source>The entry has more than %1 maps, which is the limit.</source>
@@ -1408,11 +1408,11 @@
     </message>
     <message>
         <source>“%1”: the comma can be read as a decimal point or between two numbers, and both give whole rows. Write decimal points and blanks.</source>
-        <translation>« %1 » : la virgule peut être décimale ou séparer deux nombres, et les deux lectures donnent des lignes complètes. Écrivez des points décimaux et des espaces.</translation>
+        <translation>«&#x202f;%1&#x202f;»&#x202f;: la virgule peut être décimale ou séparer deux nombres, et les deux lectures donnent des lignes complètes. Écrivez des points décimaux et des espaces.</translation>
     </message>
     <message>
         <source>“%1”: neither as a decimal point nor between two numbers does the comma give whole rows of 7 numbers (13 with “(3D)”).</source>
-        <translation>« %1 » : que la virgule soit décimale ou sépare deux nombres, on n’obtient pas de lignes complètes de 7 nombres (13 avec « (3D) »).</translation>
+        <translation>«&#x202f;%1&#x202f;»&#x202f;: que la virgule soit décimale ou sépare deux nombres, on n’obtient pas de lignes complètes de 7 nombres (13 avec «&#x202f;(3D)&#x202f;»).</translation>
     </message>
     <message>
         <source>The numbers on the line of the opening brace are ignored, as Fractint ignores them.</source>
@@ -1420,7 +1420,7 @@
     </message>
     <message>
         <source>“%1” is not understood by this version of Barycage; the line is kept.</source>
-        <translation>« %1 » n’est pas compris par cette version de Barycage ; la ligne est conservée.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas compris par cette version de Barycage&#x202f;; la ligne est conservée.</translation>
     </message>
     <message>
         <source>The entry holds no numbers.</source>
@@ -1428,51 +1428,51 @@
     </message>
     <message>
         <source>This line has %1 numbers and the entry %2, which is no multiple of %3: a map is %3 numbers%4.</source>
-        <translation>Cette ligne a %1 nombres et l’entrée %2, ce qui n’est pas un multiple de %3 : une application compte %3 nombres%4.</translation>
+        <translation>Cette ligne a %1 nombres et l’entrée %2, ce qui n’est pas un multiple de %3&#x202f;: une application compte %3 nombres%4.</translation>
     </message>
     <message>
         <source> in an entry marked “(3D)”</source>
-        <translation> dans une entrée marquée « (3D) »</translation>
+        <translation> dans une entrée marquée «&#x202f;(3D)&#x202f;»</translation>
     </message>
     <message>
         <source>“%1” is not a plain number: Fractint reads %2 and ignores the rest. Write it as one decimal number.</source>
-        <translation>« %1 » n’est pas un nombre simple : Fractint lit %2 et ignore le reste. Écrivez-le comme un seul nombre décimal.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un nombre simple&#x202f;: Fractint lit %2 et ignore le reste. Écrivez-le comme un seul nombre décimal.</translation>
     </message>
     <message>
         <source>“%1” is not a finite number.</source>
-        <translation>« %1 » n’est pas un nombre fini.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un nombre fini.</translation>
     </message>
     <message>
         <source>“%1” is larger than a coefficient can be (3.4e38 in size).</source>
-        <translation>« %1 » est plus grand que ne peut l’être un coefficient (3,4e38 en valeur absolue).</translation>
+        <translation>«&#x202f;%1&#x202f;» est plus grand que ne peut l’être un coefficient (3,4e38 en valeur absolue).</translation>
     </message>
     <message>
         <source>“%1” begins with a typographic minus sign (U+2212). Write the plain “-”.</source>
-        <translation>« %1 » commence par un signe moins typographique (U+2212). Écrivez le simple « - ».</translation>
+        <translation>«&#x202f;%1&#x202f;» commence par un signe moins typographique (U+2212). Écrivez le simple «&#x202f;-&#x202f;».</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation>« %1 » n’est pas un nombre.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un nombre.</translation>
     </message>
     <message>
         <source>Numbers stand on the line of the opening brace, where Fractint ignores them; they are read.</source>
-        <translation>Des nombres se trouvent sur la ligne de l’accolade ouvrante, où Fractint les ignore ; ils sont lus.</translation>
+        <translation>Des nombres se trouvent sur la ligne de l’accolade ouvrante, où Fractint les ignore&#x202f;; ils sont lus.</translation>
     </message>
     <message>
         <source>Commas are read as decimal points; Fractint reads other numbers here.</source>
-        <translation>Les virgules sont lues comme des séparateurs décimaux ; Fractint lit ici d’autres nombres.</translation>
+        <translation>Les virgules sont lues comme des séparateurs décimaux&#x202f;; Fractint lit ici d’autres nombres.</translation>
     </message>
     <message>
         <source>Commas or apostrophes stand between the numbers; Iterated Dynamics cannot read this entry.</source>
-        <translation>Des virgules ou des apostrophes séparent les nombres ; Iterated Dynamics ne peut pas lire cette entrée.</translation>
+        <translation>Des virgules ou des apostrophes séparent les nombres&#x202f;; Iterated Dynamics ne peut pas lire cette entrée.</translation>
     </message>
     <message>
         <source>The maps have no weights (%1 numbers each); weights are taken from the determinants. Fractint cannot read this entry.</source>
-        <translation>Les applications n’ont pas de poids (%1 nombres chacune) ; les poids sont tirés des déterminants. Fractint ne peut pas lire cette entrée.</translation>
+        <translation>Les applications n’ont pas de poids (%1 nombres chacune)&#x202f;; les poids sont tirés des déterminants. Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
         <source>Rows of %1 numbers without “(3D)” after the name are read as a 3D system; Fractint cannot read this entry.</source>
-        <translation>Des lignes de %1 nombres sans « (3D) » après le nom sont lues comme un système 3D ; Fractint ne peut pas lire cette entrée.</translation>
+        <translation>Des lignes de %1 nombres sans «&#x202f;(3D)&#x202f;» après le nom sont lues comme un système 3D&#x202f;; Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
         <source>The lines do not hold 7 numbers each, but all numbers together fill rows of 7 and are read so, as Fractint does. Probably the weights are missing.</source>
@@ -1480,31 +1480,31 @@
     </message>
     <message>
         <source>The closing brace touches the last number; Fractint cannot read this entry.</source>
-        <translation>L’accolade fermante touche le dernier nombre ; Fractint ne peut pas lire cette entrée.</translation>
+        <translation>L’accolade fermante touche le dernier nombre&#x202f;; Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
         <source>The line is longer than 200 bytes; Fractint cuts it there.</source>
-        <translation>La ligne dépasse 200 octets ; Fractint la coupe là.</translation>
+        <translation>La ligne dépasse 200 octets&#x202f;; Fractint la coupe là.</translation>
     </message>
     <message>
         <source>A NUL byte; the rest of the line is ignored, as Fractint ignores it.</source>
-        <translation>Un octet NUL ; le reste de la ligne est ignoré, comme le fait Fractint.</translation>
+        <translation>Un octet NUL&#x202f;; le reste de la ligne est ignoré, comme le fait Fractint.</translation>
     </message>
     <message>
         <source>The entry has %1 maps; Fractint and Iterated Dynamics read at most 63.</source>
-        <translation>L’entrée a %1 applications ; Fractint et Iterated Dynamics en lisent au plus 63.</translation>
+        <translation>L’entrée a %1 applications&#x202f;; Fractint et Iterated Dynamics en lisent au plus 63.</translation>
     </message>
     <message>
         <source>The weight of map %1 is negative; the map counts as switched off.</source>
-        <translation>Le poids de l’application %1 est négatif ; l’application est considérée comme désactivée.</translation>
+        <translation>Le poids de l’application %1 est négatif&#x202f;; l’application est considérée comme désactivée.</translation>
     </message>
     <message>
         <source>The weight of map %1 is 0; the map takes no part.</source>
-        <translation>Le poids de l’application %1 est nul ; l’application n’est pas active.</translation>
+        <translation>Le poids de l’application %1 est nul&#x202f;; l’application n’est pas active.</translation>
     </message>
     <message>
         <source>The weights sum to %1, not 1. They are used in proportion; Fractint gives what is missing to the last map and cuts what is too much.</source>
-        <translation>La somme des poids est %1, et non 1. Ils sont utilisés en proportion ; Fractint donne ce qui manque à la dernière application et coupe ce qui est en trop.</translation>
+        <translation>La somme des poids est %1, et non 1. Ils sont utilisés en proportion&#x202f;; Fractint donne ce qui manque à la dernière application et coupe ce qui est en trop.</translation>
     </message>
     <message>
         <source>The file is empty.</source>
@@ -1512,31 +1512,31 @@
     </message>
     <message>
         <source>These are Fractint parameter sets or formulas; no iterated function system is among them.</source>
-        <translation>Ce sont des jeux de paramètres ou des formules de Fractint ; aucun système de fonctions itérées n’y figure.</translation>
+        <translation>Ce sont des jeux de paramètres ou des formules de Fractint&#x202f;; aucun système de fonctions itérées n’y figure.</translation>
     </message>
     <message>
         <source>No iterated function system was found: an entry is a name, “{”, rows of 7 numbers and “}”.</source>
-        <translation>Aucun système de fonctions itérées n’a été trouvé : une entrée est un nom, « { », des lignes de 7 nombres et « } ».</translation>
+        <translation>Aucun système de fonctions itérées n’a été trouvé&#x202f;: une entrée est un nom, «&#x202f;{&#x202f;», des lignes de 7 nombres et «&#x202f;}&#x202f;».</translation>
     </message>
     <message>
         <source>The file has more than %1 entries; the rest is kept as text but not shown.</source>
-        <translation>Le fichier a plus de %1 entrées ; le reste est conservé comme texte, mais n’est pas affiché.</translation>
+        <translation>Le fichier a plus de %1 entrées&#x202f;; le reste est conservé comme texte, mais n’est pas affiché.</translation>
     </message>
     <message>
         <source>A block without a name is kept as text; Fractint does not list it.</source>
-        <translation>Un bloc sans nom est conservé comme texte ; Fractint ne le liste pas.</translation>
+        <translation>Un bloc sans nom est conservé comme texte&#x202f;; Fractint ne le liste pas.</translation>
     </message>
     <message>
         <source>Two opening braces on one line: no reader finds an entry here. The text is kept.</source>
-        <translation>Deux accolades ouvrantes sur une même ligne : aucun programme ne trouve d’entrée ici. Le texte est conservé.</translation>
+        <translation>Deux accolades ouvrantes sur une même ligne&#x202f;: aucun programme ne trouve d’entrée ici. Le texte est conservé.</translation>
     </message>
     <message>
         <source>“%1” is a parameter set or a formula, not an iterated function system; it is kept as text.</source>
-        <translation>« %1 » est un jeu de paramètres ou une formule, et non un système de fonctions itérées ; il est conservé comme texte.</translation>
+        <translation>«&#x202f;%1&#x202f;» est un jeu de paramètres ou une formule, et non un système de fonctions itérées&#x202f;; il est conservé comme texte.</translation>
     </message>
     <message>
         <source>The name is taken by the entry in line %1 (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
-        <translation>Le nom est déjà pris par l’entrée de la ligne %1 (Fractint compare 18 caractères sans distinguer majuscules et minuscules) ; Fractint n’atteint jamais celle-ci.</translation>
+        <translation>Le nom est déjà pris par l’entrée de la ligne %1 (Fractint compare 18 caractères sans distinguer majuscules et minuscules)&#x202f;; Fractint n’atteint jamais celle-ci.</translation>
     </message>
     <message>
         <source>The file begins with a byte order mark, which Fractint takes for a part of the first name.</source>
@@ -1544,11 +1544,11 @@
     </message>
     <message>
         <source>Fractint stops reading at this byte (^Z); the entries after it are read all the same.</source>
-        <translation>Fractint cesse de lire à cet octet (^Z) ; les entrées suivantes sont lues malgré tout.</translation>
+        <translation>Fractint cesse de lire à cet octet (^Z)&#x202f;; les entrées suivantes sont lues malgré tout.</translation>
     </message>
     <message>
         <source>The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.</source>
-        <translation>Le fichier a %1 entrées ; Fractint et Iterated Dynamics utilisent les 2000 premières.</translation>
+        <translation>Le fichier a %1 entrées&#x202f;; Fractint et Iterated Dynamics utilisent les 2000 premières.</translation>
     </message>
     <message>
         <source>The entry has no map that takes part and is left out.</source>
@@ -1560,11 +1560,11 @@
     </message>
     <message>
         <source>The entry is written under the name “%1”: other programs take 18 plain characters, and each name once.</source>
-        <translation>L’entrée est écrite sous le nom « %1 » : d’autres programmes acceptent 18 caractères simples, et chaque nom une seule fois.</translation>
+        <translation>L’entrée est écrite sous le nom «&#x202f;%1&#x202f;»&#x202f;: d’autres programmes acceptent 18 caractères simples, et chaque nom une seule fois.</translation>
     </message>
     <message>
         <source>The entry has %1 maps; Fractint up to 17.2 reads at most 31.</source>
-        <translation>L’entrée a %1 applications ; Fractint jusqu’à 17.2 en lit au plus 31.</translation>
+        <translation>L’entrée a %1 applications&#x202f;; Fractint jusqu’à 17.2 en lit au plus 31.</translation>
     </message>
     <message>
         <source>not known</source>
@@ -1580,7 +1580,7 @@
     </message>
     <message>
         <source>none: a word of length %1 does not contract</source>
-        <translation>aucun : un mot de longueur %1 n’est pas contractant</translation>
+        <translation>aucun&#x202f;: un mot de longueur %1 n’est pas contractant</translation>
     </message>
     <message>
         <source>undecided</source>
@@ -1588,7 +1588,7 @@
     </message>
     <message>
         <source>none: no map takes part</source>
-        <translation>aucun : pas d’application active</translation>
+        <translation>aucun&#x202f;: pas d’application active</translation>
     </message>
     <message>
         <source>   norm %1, determinant %2</source>
@@ -1624,11 +1624,11 @@
     </message>
     <message>
         <source>%1 vertices, area %2; error at most %3</source>
-        <translation>%1 sommets, aire %2 ; erreur d’au plus %3</translation>
+        <translation>%1 sommets, aire %2&#x202f;; erreur d’au plus %3</translation>
     </message>
     <message>
         <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
-        <translation>%1 sommets, %2 faces, volume %3 ; erreur d’au plus %4</translation>
+        <translation>%1 sommets, %2 faces, volume %3&#x202f;; erreur d’au plus %4</translation>
     </message>
     <message>
         <source>similarity dimension</source>
@@ -1664,7 +1664,7 @@
     </message>
     <message>
         <source>The stored palette “%1” is unknown and is not applied.</source>
-        <translation>La palette enregistrée « %1 » est inconnue et n’est pas appliquée.</translation>
+        <translation>La palette enregistrée «&#x202f;%1&#x202f;» est inconnue et n’est pas appliquée.</translation>
     </message>
     <message>
         <source>Map %1 was switched off here, but another program has given it a weight.</source>
@@ -1672,11 +1672,11 @@
     </message>
     <message>
         <source>A palette has at most %1 colours; the others are left out.</source>
-        <translation>Une palette a au plus %1 couleurs ; les autres sont omises.</translation>
+        <translation>Une palette a au plus %1 couleurs&#x202f;; les autres sont omises.</translation>
     </message>
     <message>
         <source>This line is left out: three whole numbers from 0 to 255 make a colour.</source>
-        <translation>Cette ligne est omise : une couleur est formée de trois entiers de 0 à 255.</translation>
+        <translation>Cette ligne est omise&#x202f;: une couleur est formée de trois entiers de 0 à 255.</translation>
     </message>
     <message>
         <source>The file holds no colours.</source>
@@ -1692,11 +1692,11 @@
     </message>
     <message>
         <source>This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files.</source>
-        <translation>C’est un dégradé GIMP ; les palettes sont lues dans des fichiers .gpl, .ugr et .map.</translation>
+        <translation>C’est un dégradé GIMP&#x202f;; les palettes sont lues dans des fichiers .gpl, .ugr et .map.</translation>
     </message>
     <message>
         <source>The file has more than %1 palettes; the others are left out.</source>
-        <translation>Le fichier a plus de %1 palettes ; les autres sont omises.</translation>
+        <translation>Le fichier a plus de %1 palettes&#x202f;; les autres sont omises.</translation>
     </message>
     <message>
         <source>The file holds no gradient.</source>
@@ -1708,15 +1708,15 @@
     </message>
     <message>
         <source>“%1” is no whole number.</source>
-        <translation>« %1 » n’est pas un entier.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un entier.</translation>
     </message>
     <message>
         <source>“%1” is not a system in the plane, of which alone points are written.</source>
-        <translation>« %1 » n’est pas un système du plan ; on n’écrit de points que pour ceux-ci.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un système du plan&#x202f;; on n’écrit de points que pour ceux-ci.</translation>
     </message>
     <message>
         <source>“%1” has no map that takes part, so it has no points.</source>
-        <translation>« %1 » n’a aucune application active, donc pas de points.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a aucune application active, donc pas de points.</translation>
     </message>
     <message>
         <source>A cage of more than three corners bends the picture, and its points are not written.</source>
@@ -1728,35 +1728,35 @@
     </message>
     <message>
         <source>“%1” is a folder. Choose a file name.</source>
-        <translation>« %1 » est un dossier. Choisissez un nom de fichier.</translation>
+        <translation>«&#x202f;%1&#x202f;» est un dossier. Choisissez un nom de fichier.</translation>
     </message>
     <message>
         <source>“%1” is not an ordinary file and is not replaced. Choose another name.</source>
-        <translation>« %1 » n’est pas un fichier ordinaire et n’est pas remplacé. Choisissez un autre nom.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et n’est pas remplacé. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>The folder “%1” does not exist. Create it, or save somewhere else.</source>
-        <translation>Le dossier « %1 » n’existe pas. Créez-le, ou enregistrez ailleurs.</translation>
+        <translation>Le dossier «&#x202f;%1&#x202f;» n’existe pas. Créez-le, ou enregistrez ailleurs.</translation>
     </message>
     <message>
         <source>“%1” is read-only. Save under another name, or change its permissions.</source>
-        <translation>« %1 » est en lecture seule. Enregistrez sous un autre nom, ou changez ses permissions.</translation>
+        <translation>«&#x202f;%1&#x202f;» est en lecture seule. Enregistrez sous un autre nom, ou changez ses permissions.</translation>
     </message>
     <message>
         <source>“%1” was not saved: the disk is full. Free some space and save again; the file on the disk is as it was.</source>
-        <translation>« %1 » n’a pas été enregistré : le disque est plein. Libérez de la place et enregistrez à nouveau ; le fichier sur le disque est resté tel quel.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: le disque est plein. Libérez de la place et enregistrez à nouveau&#x202f;; le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
         <source>“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.</source>
-        <translation>« %1 » n’a pas été enregistré : vous n’avez pas le droit d’écrire dans le dossier « %2 ». Enregistrez ailleurs.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: vous n’avez pas le droit d’écrire dans le dossier «&#x202f;%2&#x202f;». Enregistrez ailleurs.</translation>
     </message>
     <message>
         <source>“%1” was not saved: the name is too long.</source>
-        <translation>« %1 » n’a pas été enregistré : le nom est trop long.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: le nom est trop long.</translation>
     </message>
     <message>
         <source>“%1” was not saved: %2. The file on the disk is as it was.</source>
-        <translation>« %1 » n’a pas été enregistré : %2. Le fichier sur le disque est resté tel quel.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: %2. Le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
         <source>The file has no name. Choose one.</source>
@@ -1764,19 +1764,19 @@
     </message>
     <message>
         <source>“%1” does not exist.</source>
-        <translation>« %1 » n’existe pas.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’existe pas.</translation>
     </message>
     <message>
         <source>“%1” is a folder, not a file.</source>
-        <translation>« %1 » est un dossier, et non un fichier.</translation>
+        <translation>«&#x202f;%1&#x202f;» est un dossier, et non un fichier.</translation>
     </message>
     <message>
         <source>“%1” is larger than 256 MB, which is the limit for a file.</source>
-        <translation>« %1 » dépasse 256 Mo, ce qui est la limite pour un fichier.</translation>
+        <translation>«&#x202f;%1&#x202f;» dépasse 256 Mo, ce qui est la limite pour un fichier.</translation>
     </message>
     <message>
         <source>“%1” cannot be read: %2.</source>
-        <translation>« %1 » ne peut pas être lu : %2.</translation>
+        <translation>«&#x202f;%1&#x202f;» ne peut pas être lu&#x202f;: %2.</translation>
     </message>
     <message>
         <source>Only plane systems can be written as a scalable picture.</source>
@@ -1784,11 +1784,11 @@
     </message>
     <message>
         <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
-        <translation>Le système n’a pas d’attracteur dont on puisse certifier un contour : il n’y a donc rien à copier.</translation>
+        <translation>Le système n’a pas d’attracteur dont on puisse certifier un contour&#x202f;: il n’y a donc rien à copier.</translation>
     </message>
     <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
-        <translation>Il n’y a pas de lignes de nombres : une ligne est a b c d e f, suivie éventuellement d’un poids.</translation>
+        <translation>Il n’y a pas de lignes de nombres&#x202f;: une ligne est a b c d e f, suivie éventuellement d’un poids.</translation>
     </message>
     <message>
         <source>After the count, a map is its weight and a matrix of 3 rows.</source>
@@ -1804,15 +1804,15 @@
     </message>
     <message>
         <source>The header does not say which column is a, b, c, d, e and f; choose the order of the columns.</source>
-        <translation>L’en-tête ne dit pas quelles colonnes sont a, b, c, d, e et f ; choisissez l’ordre des colonnes.</translation>
+        <translation>L’en-tête ne dit pas quelles colonnes sont a, b, c, d, e et f&#x202f;; choisissez l’ordre des colonnes.</translation>
     </message>
     <message>
         <source>This row has %1 numbers; a map is 6 numbers, or 7 with its weight.</source>
-        <translation>Cette ligne a %1 nombres ; une application en compte 6, ou 7 avec son poids.</translation>
+        <translation>Cette ligne a %1 nombres&#x202f;; une application en compte 6, ou 7 avec son poids.</translation>
     </message>
     <message>
         <source>“%1” is not a decimal number.</source>
-        <translation>« %1 » n’est pas un nombre décimal.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un nombre décimal.</translation>
     </message>
     <message>
         <source>The table has more than %1 rows, which is the limit.</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>This is a table of the program Fraktale: a count, maps with cumulative percentages and a window. It is not a Fractint collection.</source>
-        <translation>C’est un tableau du programme Fraktale : un nombre, des applications avec pourcentages cumulés et une fenêtre. Ce n’est pas une collection Fractint.</translation>
+        <translation>C’est un tableau du programme Fraktale&#x202f;: un nombre, des applications avec pourcentages cumulés et une fenêtre. Ce n’est pas une collection Fractint.</translation>
     </message>
     <message>
         <source>This table has 5 numbers per map (scales, shifts and a rotation in pixels). It is not a Fractint collection.</source>
@@ -1883,7 +1883,7 @@
     </message>
     <message>
         <source>Every row of this table is a map that makes a smaller copy of the whole, and the picture is all copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the most by which a map stretches. While it is less than 1, the map contracts. Ctrl+Z takes everything back.</source>
-        <translation>Chaque ligne de ce tableau est une application qui fait une copie réduite du tout, et l’image est la réunion de toutes les copies. Double-cliquez sur un nombre et tapez-en un autre : la copie bouge à mesure que vous tapez. ‖A‖ est le plus grand facteur dont l’application étire les distances. Tant qu’il est inférieur à 1, l’application est contractante. Ctrl+Z annule tout.</translation>
+        <translation>Chaque ligne de ce tableau est une application qui fait une copie réduite du tout, et l’image est la réunion de toutes les copies. Double-cliquez sur un nombre et tapez-en un autre&#x202f;: la copie bouge à mesure que vous tapez. ‖A‖ est le plus grand facteur dont l’application étire les distances. Tant qu’il est inférieur à 1, l’application est contractante. Ctrl+Z annule tout.</translation>
     </message>
     <message>
         <source>Fixed point</source>
@@ -1891,7 +1891,7 @@
     </message>
     <message>
         <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
-        <translation>Une application contractante laisse exactement un point à sa place : son point fixe. Désactivez toutes les applications sauf deux avec les cases de gauche, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
+        <translation>Une application contractante laisse exactement un point à sa place&#x202f;: son point fixe. Désactivez toutes les applications sauf deux avec les cases de gauche, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
     </message>
     <message>
         <source>Chaos game</source>
@@ -1899,7 +1899,7 @@
     </message>
     <message>
         <source>Press Chaos Game and then the triangle that starts it. One point jumps about, each time by a map drawn at random, and leaves a dot where it lands. Let it go faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
-        <translation>Appuyez sur Jeu du chaos, puis sur le triangle qui le lance. Un seul point saute, chaque fois par une application tirée au hasard, et laisse une marque là où il tombe. Accélérez-le : quoi que disent les dés, les points remplissent la même image, l’attracteur.</translation>
+        <translation>Appuyez sur Jeu du chaos, puis sur le triangle qui le lance. Un seul point saute, chaque fois par une application tirée au hasard, et laisse une marque là où il tombe. Accélérez-le&#x202f;: quoi que disent les dés, les points remplissent la même image, l’attracteur.</translation>
     </message>
     <message>
         <source>Address</source>
@@ -1907,7 +1907,7 @@
     </message>
     <message>
         <source>The map that made the last jump to a point, the one before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike lie close together, and now they look alike.</source>
-        <translation>L’application du dernier saut vers un point, celle d’avant, et ainsi de suite : ces numéros forment l’adresse du point. Choisissez Colorer selon : Adresse. Les points dont les adresses commencent de la même façon sont voisins, et maintenant ils se ressemblent.</translation>
+        <translation>L’application du dernier saut vers un point, celle d’avant, et ainsi de suite&#x202f;: ces numéros forment l’adresse du point. Choisissez Colorer selon&#x202f;: Adresse. Les points dont les adresses commencent de la même façon sont voisins, et maintenant ils se ressemblent.</translation>
     </message>
     <message>
         <source>Barycentric coordinates</source>
@@ -1915,7 +1915,7 @@
     </message>
     <message>
         <source>Every point of the picture is a weighted mean of the three corners of the triangle. Take a corner and pull: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights at the pointer stand at the bottom of the window.</source>
-        <translation>Chaque point de l’image est une moyenne pondérée des trois sommets du triangle. Prenez un sommet et tirez : les points gardent leurs poids, et la fractale entière suit. Aplatissez le triangle et rouvrez-le : rien n’est perdu. Les poids au pointeur se lisent au bas de la fenêtre.</translation>
+        <translation>Chaque point de l’image est une moyenne pondérée des trois sommets du triangle. Prenez un sommet et tirez&#x202f;: les points gardent leurs poids, et la fractale entière suit. Aplatissez le triangle et rouvrez-le&#x202f;: rien n’est perdu. Les poids au pointeur se lisent au bas de la fenêtre.</translation>
     </message>
     <message>
         <source>Dimension</source>
@@ -1923,7 +1923,7 @@
     </message>
     <message>
         <source>How much of the plane does the attractor fill? The dimension of a curve is 1, that of an area is 2, and most attractors lie between the two. Change a map and look here again. That was the tour; the user guide under Help tells the rest.</source>
-        <translation>Quelle part du plan l’attracteur remplit-il ? La dimension d’une courbe est 1, celle d’une surface est 2, et la plupart des attracteurs se situent entre les deux. Modifiez une application et regardez de nouveau ici. La visite est finie ; le guide d’utilisation, dans le menu Aide, dit le reste.</translation>
+        <translation>Quelle part du plan l’attracteur remplit-il&#x202f;? La dimension d’une courbe est 1, celle d’une surface est 2, et la plupart des attracteurs se situent entre les deux. Modifiez une application et regardez de nouveau ici. La visite est finie&#x202f;; le guide d’utilisation, dans le menu Aide, dit le reste.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -1935,11 +1935,11 @@
     </message>
     <message>
         <source>New here?</source>
-        <translation>C’est votre première fois ?</translation>
+        <translation>C’est votre première fois&#x202f;?</translation>
     </message>
     <message>
         <source>Six short steps show what an attractor is, by pulling on one. You can take the tour later, too: it is in the Help menu.</source>
-        <translation>Six courtes étapes montrent ce qu’est un attracteur, en tirant sur l’un d’eux. Vous pourrez aussi faire la visite plus tard : elle est dans le menu Aide.</translation>
+        <translation>Six courtes étapes montrent ce qu’est un attracteur, en tirant sur l’un d’eux. Vous pourrez aussi faire la visite plus tard&#x202f;: elle est dans le menu Aide.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -1993,7 +1993,7 @@
     </message>
     <message>
         <source>Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. The matrices do not change when the triangle is dragged. Where no entry is negative, the map takes the triangle into itself.</source>
-        <translation>La ligne j d’une matrice contient les coordonnées barycentriques, dans le triangle, de l’image du sommet j ; la somme de chaque ligne est donc 1. Les matrices ne changent pas quand on déplace le triangle. Là où aucun coefficient n’est négatif, l’application envoie le triangle dans lui-même.</translation>
+        <translation>La ligne j d’une matrice contient les coordonnées barycentriques, dans le triangle, de l’image du sommet j&#x202f;; la somme de chaque ligne est donc 1. Les matrices ne changent pas quand on déplace le triangle. Là où aucun coefficient n’est négatif, l’application envoie le triangle dans lui-même.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -2001,7 +2001,7 @@
     </message>
     <message>
         <source>Every map as a matrix that takes barycentric coordinates over the control triangle to barycentric coordinates: each row has the sum 1.</source>
-        <translation>Chaque application comme une matrice qui, relativement au triangle de contrôle, envoie des coordonnées barycentriques sur des coordonnées barycentriques : la somme de chaque ligne est 1.</translation>
+        <translation>Chaque application comme une matrice qui, relativement au triangle de contrôle, envoie des coordonnées barycentriques sur des coordonnées barycentriques&#x202f;: la somme de chaque ligne est 1.</translation>
     </message>
     <message>
         <source>Copies the matrices to the clipboard as text.</source>
@@ -2024,15 +2024,15 @@
     </message>
     <message>
         <source>3D: not yet shown.</source>
-        <translation>3D : pas encore affiché.</translation>
+        <translation>3D&#x202f;: pas encore affiché.</translation>
     </message>
     <message>
         <source>This entry could not be read, so nothing is known of it.</source>
-        <translation>Cette entrée n’a pas pu être lue : on n’en sait donc rien.</translation>
+        <translation>Cette entrée n’a pas pu être lue&#x202f;: on n’en sait donc rien.</translation>
     </message>
     <message>
         <source>The picture is placed by its cage; these are facts of the code. Bake to see those of the picture.</source>
-        <translation>L’image est placée par sa cage ; ces propriétés sont celles du code. Intégrez le placement au code pour voir celles de l’image.</translation>
+        <translation>L’image est placée par sa cage&#x202f;; ces propriétés sont celles du code. Intégrez le placement au code pour voir celles de l’image.</translation>
     </message>
     <message>
         <source>Copy with All Digits</source>
@@ -2091,7 +2091,7 @@
     </message>
     <message>
         <source>One colour; the density is its opacity</source>
-        <translation>Une seule couleur ; la densité en donne l’opacité</translation>
+        <translation>Une seule couleur&#x202f;; la densité en donne l’opacité</translation>
     </message>
     <message>
         <source>Change what the colour shows</source>
@@ -2159,7 +2159,7 @@
     </message>
     <message>
         <source>How early thin parts become visible: κ of the logarithmic tone curve</source>
-        <translation>À partir de quelle densité les parties ténues deviennent visibles : κ de la courbe de tons logarithmique</translation>
+        <translation>À partir de quelle densité les parties ténues deviennent visibles&#x202f;: κ de la courbe de tons logarithmique</translation>
     </message>
     <message>
         <source>Gamma</source>
@@ -2171,7 +2171,7 @@
     </message>
     <message>
         <source>Exponent of the tone curve: higher values lift the dark parts</source>
-        <translation>Exposant de la courbe de tons : une valeur plus grande éclaircit les parties sombres</translation>
+        <translation>Exposant de la courbe de tons&#x202f;: une valeur plus grande éclaircit les parties sombres</translation>
     </message>
     <message>
         <source>Supersampling</source>
@@ -2207,7 +2207,7 @@
     </message>
     <message>
         <source>What the colour of a point tells: how many points fall there, which map came last, or the whole address.</source>
-        <translation>Ce que dit la couleur d’un point : combien de points tombent là, quelle application a agi en dernier, ou l’adresse entière.</translation>
+        <translation>Ce que dit la couleur d’un point&#x202f;: combien de points tombent là, quelle application a agi en dernier, ou l’adresse entière.</translation>
     </message>
     <message>
         <source>The colours from the thinnest parts to the densest, or along the addresses.</source>
@@ -2219,7 +2219,7 @@
     </message>
     <message>
         <source>Draws every pixel from several finer ones: smoother edges, for more memory and time.</source>
-        <translation>Dessine chaque pixel à partir de plusieurs pixels plus fins : des bords plus lisses, pour plus de mémoire et de temps.</translation>
+        <translation>Dessine chaque pixel à partir de plusieurs pixels plus fins&#x202f;: des bords plus lisses, pour plus de mémoire et de temps.</translation>
     </message>
 </context>
 <context>
@@ -2249,7 +2249,7 @@
     </message>
     <message>
         <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>L’algorithme déterministe : toutes les applications appliquées n fois à la cage au repos</translation>
+        <translation>L’algorithme déterministe&#x202f;: toutes les applications appliquées n fois à la cage au repos</translation>
     </message>
     <message>
         <source>Chaos Game</source>
@@ -2257,11 +2257,11 @@
     </message>
     <message>
         <source>One point that jumps by maps drawn at random; the first 14 points are not plotted</source>
-        <translation>Un point qui saute par des applications tirées au hasard ; les 14 premiers points ne sont pas tracés</translation>
+        <translation>Un point qui saute par des applications tirées au hasard&#x202f;; les 14 premiers points ne sont pas tracés</translation>
     </message>
     <message>
         <source>n: how often all maps are applied</source>
-        <translation>n : combien de fois toutes les applications sont appliquées</translation>
+        <translation>n&#x202f;: combien de fois toutes les applications sont appliquées</translation>
     </message>
     <message>
         <source>Begin Again</source>
@@ -2297,11 +2297,11 @@
     </message>
     <message>
         <source>W%1: the cage itself</source>
-        <translation>W%1 : la cage elle-même</translation>
+        <translation>W%1&#x202f;: la cage elle-même</translation>
     </message>
     <message>
         <source>W%1: %2 copies of the cage</source>
-        <translation>W%1 : %2 copies de la cage</translation>
+        <translation>W%1&#x202f;: %2 copies de la cage</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2325,7 +2325,7 @@
     </message>
     <message>
         <source>How often all maps are applied to the cage: 0 is the cage itself, and with every step the picture comes closer to the attractor.</source>
-        <translation>Combien de fois toutes les applications sont appliquées à la cage : 0 donne la cage elle-même, et à chaque étape l’image se rapproche de l’attracteur.</translation>
+        <translation>Combien de fois toutes les applications sont appliquées à la cage&#x202f;: 0 donne la cage elle-même, et à chaque étape l’image se rapproche de l’attracteur.</translation>
     </message>
     <message>
         <source>How many points the chaos game plots in a second.</source>
@@ -2336,7 +2336,7 @@
     <name>view::CageActions</name>
     <message>
         <source>This entry is not a system of the plane, so it has no control cage.</source>
-        <translation>Cette entrée n’est pas un système du plan ; elle n’a donc pas de cage de contrôle.</translation>
+        <translation>Cette entrée n’est pas un système du plan&#x202f;; elle n’a donc pas de cage de contrôle.</translation>
     </message>
     <message>
         <source>The cage is too flat to be undone. Open it by dragging a vertex, or reset it, and try again.</source>
@@ -2431,7 +2431,7 @@
     </message>
     <message>
         <source>Moving the cage moves the picture; the code stays</source>
-        <translation>Déplacer la cage déplace l’image ; le code reste</translation>
+        <translation>Déplacer la cage déplace l’image&#x202f;; le code reste</translation>
     </message>
     <message>
         <source>Moving the cage rewrites the code</source>
@@ -2447,11 +2447,11 @@
     </message>
     <message>
         <source>Every vertex is followed; the picture bends, which cannot be baked into a code</source>
-        <translation>Chaque sommet est suivi ; l’image se courbe, ce qui ne peut pas être intégré à un code</translation>
+        <translation>Chaque sommet est suivi&#x202f;; l’image se courbe, ce qui ne peut pas être intégré à un code</translation>
     </message>
     <message>
         <source>The picture moves by the affine map that comes nearest to the vertices; it can be baked</source>
-        <translation>L’image suit l’application affine qui s’approche le plus des sommets ; celle-ci peut être intégrée au code</translation>
+        <translation>L’image suit l’application affine qui s’approche le plus des sommets&#x202f;; celle-ci peut être intégrée au code</translation>
     </message>
     <message>
         <source>Bend the picture</source>
@@ -2467,7 +2467,7 @@
     </message>
     <message>
         <source>Define the triangle by three clicks on the canvas; the picture stays</source>
-        <translation>Définir le triangle en trois clics dans la zone de dessin ; l’image reste</translation>
+        <translation>Définir le triangle en trois clics dans la zone de dessin&#x202f;; l’image reste</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -2586,7 +2586,7 @@
     </message>
     <message>
         <source>The three points are on one line: the rest cage must enclose an area.</source>
-        <translation>Les trois points sont alignés : la cage au repos doit entourer une aire.</translation>
+        <translation>Les trois points sont alignés&#x202f;: la cage au repos doit entourer une aire.</translation>
     </message>
     <message>
         <source>The rest cage must be a polygon that does not cross itself.</source>
@@ -2610,39 +2610,39 @@
     </message>
     <message>
         <source>3D: not yet shown.</source>
-        <translation>3D : pas encore affiché.</translation>
+        <translation>3D&#x202f;: pas encore affiché.</translation>
     </message>
     <message>
         <source>This entry could not be read, so it has no cage.</source>
-        <translation>Cette entrée n’a pas pu être lue ; elle n’a donc pas de cage.</translation>
+        <translation>Cette entrée n’a pas pu être lue&#x202f;; elle n’a donc pas de cage.</translation>
     </message>
     <message>
         <source>At rest: the picture is that of the code.</source>
-        <translation>Au repos : l’image est celle du code.</translation>
+        <translation>Au repos&#x202f;: l’image est celle du code.</translation>
     </message>
     <message>
         <source>%1 vertices, at rest: the picture is that of the code.</source>
-        <translation>%1 sommets, au repos : l’image est celle du code.</translation>
+        <translation>%1 sommets, au repos&#x202f;: l’image est celle du code.</translation>
     </message>
     <message>
         <source>%1 vertices: bent by Wachspress coordinates, not bakeable.</source>
-        <translation>%1 sommets : image courbée par les coordonnées de Wachspress, impossible à intégrer au code.</translation>
+        <translation>%1 sommets&#x202f;: image courbée par les coordonnées de Wachspress, impossible à intégrer au code.</translation>
     </message>
     <message>
         <source>%1 vertices: bent by mean value coordinates, not bakeable.</source>
-        <translation>%1 sommets : image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
+        <translation>%1 sommets&#x202f;: image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
     </message>
     <message>
         <source>Flat: the picture lies on one line. Open the cage and it comes back.</source>
-        <translation>Plate : l’image est tout entière sur une droite. Ouvrez la cage et elle réapparaît.</translation>
+        <translation>Plate&#x202f;: l’image est tout entière sur une droite. Ouvrez la cage et elle réapparaît.</translation>
     </message>
     <message>
         <source>Placed and mirrored: areas change by the factor %1, and the sense of rotation is reversed.</source>
-        <translation>Placée et retournée : les aires sont multipliées par %1, et l’orientation est inversée.</translation>
+        <translation>Placée et retournée&#x202f;: les aires sont multipliées par %1, et l’orientation est inversée.</translation>
     </message>
     <message>
         <source>Placed: areas change by the factor %1.</source>
-        <translation>Placée : les aires sont multipliées par %1.</translation>
+        <translation>Placée&#x202f;: les aires sont multipliées par %1.</translation>
     </message>
     <message>
         <source>Only a triangle has barycentric coordinates.</source>
@@ -2650,7 +2650,7 @@
     </message>
     <message>
         <source>The triangle is flat: it holds no coordinates.</source>
-        <translation>Le triangle est plat : il ne porte pas de coordonnées.</translation>
+        <translation>Le triangle est plat&#x202f;: il ne porte pas de coordonnées.</translation>
     </message>
     <message>
         <source>%1, leg %2, corner (%3, %4)</source>
@@ -2658,7 +2658,7 @@
     </message>
     <message>
         <source>Hold the picture by a fitted cage; the picture stays</source>
-        <translation>Tenir l’image par une cage ajustée ; l’image reste</translation>
+        <translation>Tenir l’image par une cage ajustée&#x202f;; l’image reste</translation>
     </message>
     <message>
         <source>The cage is at rest.</source>
@@ -2670,7 +2670,7 @@
     </message>
     <message>
         <source>Make the displayed picture the code; the cage then rests</source>
-        <translation>Faire de l’image affichée le code ; la cage est ensuite au repos</translation>
+        <translation>Faire de l’image affichée le code&#x202f;; la cage est ensuite au repos</translation>
     </message>
 </context>
 <context>
@@ -2700,15 +2700,15 @@
     <name>view::Canvas</name>
     <message>
         <source>No attractor: map %1 does not contract (largest singular value %2, spectral radius %3). Make it smaller, or switch it off.</source>
-        <translation>Pas d’attracteur : l’application %1 n’est pas contractante (plus grande valeur singulière %2, rayon spectral %3). Réduisez-la, ou désactivez-la.</translation>
+        <translation>Pas d’attracteur&#x202f;: l’application %1 n’est pas contractante (plus grande valeur singulière %2, rayon spectral %3). Réduisez-la, ou désactivez-la.</translation>
     </message>
     <message>
         <source>No attractor: the maps %1, one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
-        <translation>Pas d’attracteur : les applications %1, l’une après l’autre, ne sont pas contractantes (plus grande valeur singulière %2, rayon spectral %3). Réduisez l’une d’elles, ou désactivez-la.</translation>
+        <translation>Pas d’attracteur&#x202f;: les applications %1, l’une après l’autre, ne sont pas contractantes (plus grande valeur singulière %2, rayon spectral %3). Réduisez l’une d’elles, ou désactivez-la.</translation>
     </message>
     <message>
         <source>It is not settled whether this system has an attractor: map %1 stretches by %2. Points that run away are left out.</source>
-        <translation>On n’a pas pu décider si ce système a un attracteur : l’application %1 étire d’un facteur %2. Les points qui s’échappent sont omis.</translation>
+        <translation>On n’a pas pu décider si ce système a un attracteur&#x202f;: l’application %1 étire d’un facteur %2. Les points qui s’échappent sont omis.</translation>
     </message>
     <message>
         <source>It is not settled whether this system has an attractor. Points that run away are left out.</source>
@@ -2716,7 +2716,7 @@
     </message>
     <message>
         <source>This entry is a system in space: not yet shown. It is kept as it is.</source>
-        <translation>Cette entrée est un système de l’espace : pas encore affiché. Elle est conservée telle quelle.</translation>
+        <translation>Cette entrée est un système de l’espace&#x202f;: pas encore affiché. Elle est conservée telle quelle.</translation>
     </message>
     <message>
         <source>This entry could not be read. Its text is kept as it is in the file.</source>
@@ -2724,19 +2724,19 @@
     </message>
     <message>
         <source>No map takes part, so there is nothing to draw. Add a map or switch one on.</source>
-        <translation>Aucune application n’est active : il n’y a rien à dessiner. Ajoutez une application ou activez-en une.</translation>
+        <translation>Aucune application n’est active&#x202f;: il n’y a rien à dessiner. Ajoutez une application ou activez-en une.</translation>
     </message>
     <message>
         <source>This is as deep as the arithmetic reaches: zoom out a little for a true picture.</source>
-        <translation>L’arithmétique ne descend pas plus profond : faites un petit zoom arrière pour une image fidèle.</translation>
+        <translation>L’arithmétique ne descend pas plus profond&#x202f;: faites un petit zoom arrière pour une image fidèle.</translation>
     </message>
     <message>
         <source>Drawn with fewer iterations than asked for: more would need more memory than allowed.</source>
-        <translation>Dessiné avec moins d’itérations que demandé : davantage exigerait plus de mémoire que permis.</translation>
+        <translation>Dessiné avec moins d’itérations que demandé&#x202f;: davantage exigerait plus de mémoire que permis.</translation>
     </message>
     <message>
         <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
-        <translation>La cage est plate, et l’image aussi. Tirez un sommet pour l’ouvrir : rien n’est perdu.</translation>
+        <translation>La cage est plate, et l’image aussi. Tirez un sommet pour l’ouvrir&#x202f;: rien n’est perdu.</translation>
     </message>
 </context>
 <context>
@@ -2811,15 +2811,15 @@
     </message>
     <message>
         <source>Puts one more vertex on this edge; a double click does the same</source>
-        <translation>Mettre un sommet de plus sur cette arête ; un double-clic fait de même</translation>
+        <translation>Mettre un sommet de plus sur cette arête&#x202f;; un double-clic fait de même</translation>
     </message>
     <message>
         <source>Rotate: Shift turns in steps of 15°</source>
-        <translation>Rotation : Maj tourne par pas de 15°</translation>
+        <translation>Rotation&#x202f;: Maj tourne par pas de 15°</translation>
     </message>
     <message>
         <source>Scale: Shift keeps to x or y</source>
-        <translation>Échelle : Maj s’en tient à x ou à y</translation>
+        <translation>Échelle&#x202f;: Maj s’en tient à x ou à y</translation>
     </message>
     <message>
         <source>Pivot</source>
@@ -2891,7 +2891,7 @@
     </message>
     <message>
         <source>&amp;100 %	1</source>
-        <translation>&amp;100 %	1</translation>
+        <translation>&amp;100&#x202f;%	1</translation>
     </message>
     <message>
         <source>Shows one unit of the plane as a hundred pixels</source>
@@ -2986,15 +2986,15 @@
     </message>
     <message>
         <source>Drag the pivot: the cage turns and scales about it.</source>
-        <translation>Déplacez le pivot : la cage tourne et se redimensionne autour de lui.</translation>
+        <translation>Déplacez le pivot&#x202f;: la cage tourne et se redimensionne autour de lui.</translation>
     </message>
     <message>
         <source>Drag to turn the cage about the pivot; Shift: in steps of 15°.</source>
-        <translation>Tirez pour faire tourner la cage autour du pivot ; Maj : par pas de 15°.</translation>
+        <translation>Tirez pour faire tourner la cage autour du pivot&#x202f;; Maj&#x202f;: par pas de 15°.</translation>
     </message>
     <message>
         <source>Drag to scale the cage about the pivot; Shift: along x or y only.</source>
-        <translation>Tirez pour redimensionner la cage autour du pivot ; Maj : seulement selon x ou y.</translation>
+        <translation>Tirez pour redimensionner la cage autour du pivot&#x202f;; Maj&#x202f;: seulement selon x ou y.</translation>
     </message>
 </context>
 <context>
@@ -3013,11 +3013,11 @@
     </message>
     <message>
         <source>The cage is flat, so new vertices cannot be related to the picture.</source>
-        <translation>La cage est plate : de nouveaux sommets ne peuvent pas être rapportés à l’image.</translation>
+        <translation>La cage est plate&#x202f;: de nouveaux sommets ne peuvent pas être rapportés à l’image.</translation>
     </message>
     <message>
         <source>Put the cage back to rest first?</source>
-        <translation>Remettre d’abord la cage au repos ?</translation>
+        <translation>Remettre d’abord la cage au repos&#x202f;?</translation>
     </message>
     <message>
         <source>Reset the Cage</source>
@@ -3029,11 +3029,11 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the plane. Tab goes from handle to handle, arrow keys move them, F6 leaves.</source>
-        <translation>L’image et sa cage. Tirez un sommet, une arête ou l’intérieur de la cage ; Ctrl fait tourner, Alt redimensionne, Maj garde les directions. La molette zoome sur le pointeur, le bouton du milieu déplace le plan. Tab passe d’une poignée à l’autre, les touches fléchées les déplacent, F6 quitte la zone.</translation>
+        <translation>L’image et sa cage. Tirez un sommet, une arête ou l’intérieur de la cage&#x202f;; Ctrl fait tourner, Alt redimensionne, Maj garde les directions. La molette zoome sur le pointeur, le bouton du milieu déplace le plan. Tab passe d’une poignée à l’autre, les touches fléchées les déplacent, F6 quitte la zone.</translation>
     </message>
 </context>
 <context>
@@ -3048,7 +3048,7 @@
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
-        <translation>Thème : %1</translation>
+        <translation>Thème&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1, from %2, a favourite</source>
@@ -3127,7 +3127,7 @@
     </message>
     <message>
         <source>&amp;Remove Folder “%1”</source>
-        <translation>&amp;Retirer le dossier « %1 »</translation>
+        <translation>&amp;Retirer le dossier «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Show this folder here no more. Its files stay as they are.</source>
@@ -3143,7 +3143,7 @@
     </message>
     <message>
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
-        <translation>Des fractales pour commencer. Un double-clic ou Entrée en ouvre une dans cette fenêtre ; le menu du bouton droit permet plutôt de l’ajouter au fichier.</translation>
+        <translation>Des fractales pour commencer. Un double-clic ou Entrée en ouvre une dans cette fenêtre&#x202f;; le menu du bouton droit permet plutôt de l’ajouter au fichier.</translation>
     </message>
 </context>
 <context>
@@ -3154,7 +3154,7 @@
     </message>
     <message>
         <source>%1, %2 % opaque</source>
-        <translation>%1, opaque à %2 %</translation>
+        <translation>%1, opaque à %2&#x202f;%</translation>
     </message>
     <message>
         <source>Click to choose another colour.</source>
@@ -3192,7 +3192,7 @@
     <name>view::DefineTool</name>
     <message>
         <source>Click the first of the three vertices. The picture stays where it is; Esc leaves.</source>
-        <translation>Cliquez sur le premier des trois sommets. L’image reste où elle est ; Échap abandonne.</translation>
+        <translation>Cliquez sur le premier des trois sommets. L’image reste où elle est&#x202f;; Échap abandonne.</translation>
     </message>
     <message>
         <source>Click the second vertex. Backspace takes the first one back.</source>
@@ -3207,7 +3207,7 @@
     <name>view::EntriesCommentDialog</name>
     <message>
         <source>Comment of “%1”</source>
-        <translation>Commentaire de « %1 »</translation>
+        <translation>Commentaire de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Comment behind the name</source>
@@ -3215,7 +3215,7 @@
     </message>
     <message>
         <source>Written on the first line of the entry, for example its title or author.</source>
-        <translation>Écrit sur la première ligne de l’entrée : son titre ou son auteur, par exemple.</translation>
+        <translation>Écrit sur la première ligne de l’entrée&#x202f;: son titre ou son auteur, par exemple.</translation>
     </message>
     <message>
         <source>Comment lines</source>
@@ -3235,19 +3235,19 @@
     </message>
     <message>
         <source>&amp;Behind the name:</source>
-        <translation>À la &amp;suite du nom :</translation>
+        <translation>À la &amp;suite du nom&#x202f;:</translation>
     </message>
     <message>
         <source>Comment &amp;lines:</source>
-        <translation>&amp;Lignes de commentaire :</translation>
+        <translation>&amp;Lignes de commentaire&#x202f;:</translation>
     </message>
     <message>
         <source>A comment cannot begin with “barycage:”; such lines keep the cage and the colours.</source>
-        <translation>Un commentaire ne peut pas commencer par « barycage: » ; ces lignes conservent la cage et les couleurs.</translation>
+        <translation>Un commentaire ne peut pas commencer par «&#x202f;barycage:&#x202f;»&#x202f;; ces lignes conservent la cage et les couleurs.</translation>
     </message>
     <message>
         <source>A line holds at most %1 bytes; Fractint cuts longer ones. Break it in two.</source>
-        <translation>Une ligne compte au plus %1 octets ; Fractint coupe les plus longues. Coupez-la en deux.</translation>
+        <translation>Une ligne compte au plus %1 octets&#x202f;; Fractint coupe les plus longues. Coupez-la en deux.</translation>
     </message>
 </context>
 <context>
@@ -3265,34 +3265,34 @@
     </message>
     <message>
         <source>A name holds no blanks: Fractint would read its first word only.</source>
-        <translation>Un nom ne contient pas d’espaces : Fractint n’en lirait que le premier mot.</translation>
+        <translation>Un nom ne contient pas d’espaces&#x202f;: Fractint n’en lirait que le premier mot.</translation>
     </message>
     <message>
         <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>« %1 » ne peut pas figurer dans un nom, car il a un sens particulier dans les fichiers .ifs.</translation>
+        <translation>«&#x202f;%1&#x202f;» ne peut pas figurer dans un nom, car il a un sens particulier dans les fichiers .ifs.</translation>
     </message>
     <message>
         <source>A name has at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Un nom a au plus %1 caractères ; Fractint ignore le reste.</translation>
+        <translation>Un nom a au plus %1 caractères&#x202f;; Fractint ignore le reste.</translation>
     </message>
     <message>
         <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint ne liste pas une entrée nommée « %1 » ; choisissez un autre nom.</translation>
+        <translation>Fractint ne liste pas une entrée nommée «&#x202f;%1&#x202f;»&#x202f;; choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Another entry is called “%1” (upper and lower case count as equal).</source>
-        <translation>Une autre entrée se nomme « %1 » (majuscules et minuscules ne sont pas distinguées).</translation>
+        <translation>Une autre entrée se nomme «&#x202f;%1&#x202f;» (majuscules et minuscules ne sont pas distinguées).</translation>
     </message>
 </context>
 <context>
     <name>view::EntriesModel</name>
     <message>
         <source>Rename “%1” to “%2”</source>
-        <translation>Renommer « %1 » en « %2 »</translation>
+        <translation>Renommer «&#x202f;%1&#x202f;» en «&#x202f;%2&#x202f;»</translation>
     </message>
     <message>
         <source>3D: not yet shown</source>
-        <translation>3D : pas encore affiché</translation>
+        <translation>3D&#x202f;: pas encore affiché</translation>
     </message>
     <message>
         <source>could not be read</source>
@@ -3315,7 +3315,7 @@
     </message>
     <message>
         <source>Line %1, column %2: </source>
-        <translation>Ligne %1, colonne %2 : </translation>
+        <translation>Ligne %1, colonne %2&#x202f;: </translation>
     </message>
     <message>
         <source>modified</source>
@@ -3445,7 +3445,7 @@
     </message>
     <message>
         <source>An entry that could not be read cannot be duplicated: it would keep its name.</source>
-        <translation>Une entrée qui n’a pas pu être lue ne peut pas être dupliquée : sa copie garderait le même nom.</translation>
+        <translation>Une entrée qui n’a pas pu être lue ne peut pas être dupliquée&#x202f;: sa copie garderait le même nom.</translation>
     </message>
     <message>
         <source>Duplicate %1</source>
@@ -3480,8 +3480,8 @@
     <message numerus="yes">
         <source>%n pasted entries could not be read; their text is kept as it is.</source>
         <translation>
-            <numerusform>%n entrée collée n’a pas pu être lue ; son texte est conservé tel quel.</numerusform>
-            <numerusform>%n entrées collées n’ont pas pu être lues ; leur texte est conservé tel quel.</numerusform>
+            <numerusform>%n entrée collée n’a pas pu être lue&#x202f;; son texte est conservé tel quel.</numerusform>
+            <numerusform>%n entrées collées n’ont pas pu être lues&#x202f;; leur texte est conservé tel quel.</numerusform>
         </translation>
     </message>
     <message>
@@ -3497,7 +3497,7 @@
     </message>
     <message>
         <source>No entry has “%1” in its name.</source>
-        <translation>Aucune entrée n’a « %1 » dans son nom.</translation>
+        <translation>Aucune entrée n’a «&#x202f;%1&#x202f;» dans son nom.</translation>
     </message>
     <message>
         <source>Shows only the entries whose name has these letters.</source>
@@ -3512,7 +3512,7 @@
     <name>view::ExportDataDialog</name>
     <message>
         <source>Export Data of “%1”</source>
-        <translation>Exporter les données de « %1 »</translation>
+        <translation>Exporter les données de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>What the file will hold</source>
@@ -3536,7 +3536,7 @@
     </message>
     <message>
         <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
-        <translation>Flamme : flam3, Apophysis, JWildfire, Fractorium</translation>
+        <translation>Flamme&#x202f;: flam3, Apophysis, JWildfire, Fractorium</translation>
     </message>
     <message>
         <source>IFStile (.aifs)</source>
@@ -3568,15 +3568,15 @@
     </message>
     <message>
         <source>&amp;Format:</source>
-        <translation>&amp;Format :</translation>
+        <translation>&amp;Format&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Columns:</source>
-        <translation>&amp;Colonnes :</translation>
+        <translation>&amp;Colonnes&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Points:</source>
-        <translation>&amp;Points :</translation>
+        <translation>&amp;Points&#x202f;:</translation>
     </message>
     <message>
         <source>Only the numbers of plane systems can be exported.</source>
@@ -3608,7 +3608,7 @@
     </message>
     <message>
         <source>The export was stopped; nothing was written.</source>
-        <translation>L’exportation a été arrêtée ; rien n’a été écrit.</translation>
+        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -3620,11 +3620,11 @@
     </message>
     <message>
         <source>For which program the data are: each format has what that program reads.</source>
-        <translation>Le programme auquel les données sont destinées : chaque format contient ce que ce programme lit.</translation>
+        <translation>Le programme auquel les données sont destinées&#x202f;: chaque format contient ce que ce programme lit.</translation>
     </message>
     <message>
         <source>The order in which each row has its coefficients; other programs expect other orders.</source>
-        <translation>L’ordre des coefficients dans chaque ligne ; d’autres programmes attendent d’autres ordres.</translation>
+        <translation>L’ordre des coefficients dans chaque ligne&#x202f;; d’autres programmes attendent d’autres ordres.</translation>
     </message>
     <message>
         <source>How many points of the chaos game are written.</source>
@@ -3632,7 +3632,7 @@
     </message>
     <message>
         <source>Flame programs let y grow downwards. With this the flame looks as the fractal does here; without it the numbers are the same.</source>
-        <translation>Les programmes de flammes font croître y vers le bas. Avec cette option, la flamme a la même allure que la fractale ici ; sans elle, les nombres sont les mêmes.</translation>
+        <translation>Les programmes de flammes font croître y vers le bas. Avec cette option, la flamme a la même allure que la fractale ici&#x202f;; sans elle, les nombres sont les mêmes.</translation>
     </message>
     <message>
         <source>With this, the cage is made part of the maps. Without it, the maps are written as they stand in the table.</source>
@@ -3651,7 +3651,7 @@
     <name>view::ExportDialog</name>
     <message>
         <source>Export “%1”</source>
-        <translation>Exporter « %1 »</translation>
+        <translation>Exporter «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -3659,15 +3659,15 @@
     </message>
     <message>
         <source>PNG: pixels</source>
-        <translation>PNG : pixels</translation>
+        <translation>PNG&#x202f;: pixels</translation>
     </message>
     <message>
         <source>SVG: shapes for drawing programs</source>
-        <translation>SVG : formes pour logiciels de dessin</translation>
+        <translation>SVG&#x202f;: formes pour logiciels de dessin</translation>
     </message>
     <message>
         <source>PDF: shapes for print</source>
-        <translation>PDF : formes pour l’impression</translation>
+        <translation>PDF&#x202f;: formes pour l’impression</translation>
     </message>
     <message>
         <source>Format</source>
@@ -3683,27 +3683,27 @@
     </message>
     <message>
         <source>&amp;Format:</source>
-        <translation>&amp;Format :</translation>
+        <translation>&amp;Format&#x202f;:</translation>
     </message>
     <message>
         <source>Size:</source>
-        <translation>Taille :</translation>
+        <translation>Taille&#x202f;:</translation>
     </message>
     <message>
         <source>Draft: 25 samples a pixel</source>
-        <translation>Brouillon : 25 échantillons par pixel</translation>
+        <translation>Brouillon&#x202f;: 25 échantillons par pixel</translation>
     </message>
     <message>
         <source>Good: 100 samples a pixel</source>
-        <translation>Bonne : 100 échantillons par pixel</translation>
+        <translation>Bonne&#x202f;: 100 échantillons par pixel</translation>
     </message>
     <message>
         <source>Fine: 400 samples a pixel</source>
-        <translation>Fine : 400 échantillons par pixel</translation>
+        <translation>Fine&#x202f;: 400 échantillons par pixel</translation>
     </message>
     <message>
         <source>Finest: 2000 samples a pixel</source>
-        <translation>Maximale : 2000 échantillons par pixel</translation>
+        <translation>Maximale&#x202f;: 2000 échantillons par pixel</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -3731,23 +3731,23 @@
     </message>
     <message>
         <source>&amp;Quality:</source>
-        <translation>&amp;Qualité :</translation>
+        <translation>&amp;Qualité&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Supersampling:</source>
-        <translation>&amp;Suréchantillonnage :</translation>
+        <translation>&amp;Suréchantillonnage&#x202f;:</translation>
     </message>
     <message>
         <source>C&amp;olour depth:</source>
-        <translation>Profondeur de &amp;couleur :</translation>
+        <translation>Profondeur de &amp;couleur&#x202f;:</translation>
     </message>
     <message>
         <source>Memory:</source>
-        <translation>Mémoire :</translation>
+        <translation>Mémoire&#x202f;:</translation>
     </message>
     <message>
         <source>Copies of copies: a small file</source>
-        <translation>Copies de copies : un petit fichier</translation>
+        <translation>Copies de copies&#x202f;: un petit fichier</translation>
     </message>
     <message>
         <source>Outline, for cutters and plotters</source>
@@ -3779,15 +3779,15 @@
     </message>
     <message>
         <source>S&amp;hapes:</source>
-        <translation>F&amp;ormes :</translation>
+        <translation>F&amp;ormes&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Points:</source>
-        <translation>&amp;Points :</translation>
+        <translation>&amp;Points&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Depth:</source>
-        <translation>Profon&amp;deur :</translation>
+        <translation>Profon&amp;deur&#x202f;:</translation>
     </message>
     <message>
         <source>Result</source>
@@ -3811,11 +3811,11 @@
     </message>
     <message>
         <source>%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
-        <translation>%1 références (moins de 400 000 sont permises). Rien de ce qui est dessiné n’est à plus de %2 pixels de l’attracteur, et rien de celui-ci n’est plus loin de ce qui est dessiné.</translation>
+        <translation>%1 références (moins de 400&#x202f;000 sont permises). Rien de ce qui est dessiné n’est à plus de %2 pixels de l’attracteur, et rien de celui-ci n’est plus loin de ce qui est dessiné.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
-        <translation> La cage courbe l’image, ce que des copies ne peuvent pas suivre : c’est l’ajustement affine de la cage qui est écrit. Un PNG montre l’image courbée.</translation>
+        <translation> La cage courbe l’image, ce que des copies ne peuvent pas suivre&#x202f;: c’est l’ajustement affine de la cage qui est écrit. Un PNG montre l’image courbée.</translation>
     </message>
     <message>
         <source>PDF documents (*.pdf)</source>
@@ -3835,7 +3835,7 @@
     </message>
     <message>
         <source>The export was stopped; nothing was written.</source>
-        <translation>L’exportation a été arrêtée ; rien n’a été écrit.</translation>
+        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -3851,7 +3851,7 @@
     </message>
     <message>
         <source>PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size.</source>
-        <translation>Une image PNG est faite de pixels ; SVG et PDF sont faits de formes, qui restent nettes à toutes les tailles.</translation>
+        <translation>Une image PNG est faite de pixels&#x202f;; SVG et PDF sont faits de formes, qui restent nettes à toutes les tailles.</translation>
     </message>
     <message>
         <source>The picture has no background and can be laid over another.</source>
@@ -3863,19 +3863,19 @@
     </message>
     <message>
         <source>How many points are drawn for each pixel: more make a smoother picture and take longer.</source>
-        <translation>Combien de points sont dessinés par pixel : davantage de points donnent une image plus lisse et prennent plus de temps.</translation>
+        <translation>Combien de points sont dessinés par pixel&#x202f;: davantage de points donnent une image plus lisse et prennent plus de temps.</translation>
     </message>
     <message>
         <source>Every pixel is drawn from so many finer ones along its side: smoother edges, for more memory and time.</source>
-        <translation>Chaque pixel est dessiné à partir d’autant de pixels plus fins le long de son côté : des bords plus lisses, pour plus de mémoire et de temps.</translation>
+        <translation>Chaque pixel est dessiné à partir d’autant de pixels plus fins le long de son côté&#x202f;: des bords plus lisses, pour plus de mémoire et de temps.</translation>
     </message>
     <message>
         <source>16 bits keep fine steps of brightness for later work in a picture editor; 8 bits are enough to look at.</source>
-        <translation>16 bits conservent les fines nuances de luminosité pour un travail ultérieur dans un éditeur d’images ; 8 bits suffisent pour regarder.</translation>
+        <translation>16 bits conservent les fines nuances de luminosité pour un travail ultérieur dans un éditeur d’images&#x202f;; 8 bits suffisent pour regarder.</translation>
     </message>
     <message>
         <source>Copies of copies make a small file that drawing programs can edit; the outline is one path; points are dots of the chaos game.</source>
-        <translation>Les copies de copies donnent un petit fichier que les logiciels de dessin savent modifier ; le contour est un seul tracé ; les points sont ceux du jeu du chaos.</translation>
+        <translation>Les copies de copies donnent un petit fichier que les logiciels de dessin savent modifier&#x202f;; le contour est un seul tracé&#x202f;; les points sont ceux du jeu du chaos.</translation>
     </message>
     <message>
         <source>How many dots of the chaos game are drawn.</source>
@@ -3966,7 +3966,7 @@
     </message>
     <message>
         <source>How many pixels go on an inch of paper: 300 is usual in print.</source>
-        <translation>Combien de pixels tiennent sur un pouce de papier : 300 est l’usage en imprimerie.</translation>
+        <translation>Combien de pixels tiennent sur un pouce de papier&#x202f;: 300 est l’usage en imprimerie.</translation>
     </message>
 </context>
 <context>
@@ -4084,11 +4084,11 @@
     </message>
     <message>
         <source>%1, line %2: %3</source>
-        <translation>%1, ligne %2 : %3</translation>
+        <translation>%1, ligne %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>Load the palette %1</source>
@@ -4120,12 +4120,12 @@
     <message>
         <source>Double-click: new stop, or the colour of one. Drag: move. Del: remove.
 Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
-        <translation>Double-clic : nouveau repère, ou couleur d’un repère. Glisser : déplacer. Suppr : supprimer.
-Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le déplacent, Inser en ajoute un, Entrée ouvre sa couleur.</translation>
+        <translation>Double-clic&#x202f;: nouveau repère, ou couleur d’un repère. Glisser&#x202f;: déplacer. Suppr&#x202f;: supprimer.
+Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches le déplacent, Inser en ajoute un, Entrée ouvre sa couleur.</translation>
     </message>
     <message>
         <source>Stop %1 of %2 at %3 %, %4</source>
-        <translation>Repère %1 sur %2 à %3 %, %4</translation>
+        <translation>Repère %1 sur %2 à %3&#x202f;%, %4</translation>
     </message>
     <message>
         <source>Add a stop to the palette</source>
@@ -4148,7 +4148,7 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>The user guide: what can be done here, in the order in which one needs it.</source>
-        <translation>Le guide d’utilisation : ce que l’on peut faire ici, dans l’ordre où l’on en a besoin.</translation>
+        <translation>Le guide d’utilisation&#x202f;: ce que l’on peut faire ici, dans l’ordre où l’on en a besoin.</translation>
     </message>
 </context>
 <context>
@@ -4198,7 +4198,7 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>Scale across; negative when the map reflects</source>
-        <translation>Échelle en travers ; négative quand l’application renverse l’orientation</translation>
+        <translation>Échelle en travers&#x202f;; négative quand l’application renverse l’orientation</translation>
     </message>
     <message>
         <source>Shear</source>
@@ -4272,7 +4272,7 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>A similarity keeps shapes: it turns, scales and shifts.</source>
-        <translation>Une similitude conserve les formes : elle tourne, change l’échelle et translate.</translation>
+        <translation>Une similitude conserve les formes&#x202f;: elle tourne, change l’échelle et translate.</translation>
     </message>
     <message>
         <source>A reflected similarity keeps shapes, as a mirror does, and scales and shifts them.</source>
@@ -4316,7 +4316,7 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>Effective code: the map as it acts on the picture under the current cage. Bake makes it the code.</source>
-        <translation>Code effectif : l’application telle qu’elle agit sur l’image sous la cage actuelle. « Intégrer » en fait le code.</translation>
+        <translation>Code effectif&#x202f;: l’application telle qu’elle agit sur l’image sous la cage actuelle. «&#x202f;Intégrer&#x202f;» en fait le code.</translation>
     </message>
     <message>
         <source>Whether the map takes part.</source>
@@ -4328,15 +4328,15 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>Weight as given: how often the chaos game takes the map. The weights need not sum to 1.</source>
-        <translation>Poids tel qu’il est donné : la fréquence à laquelle le jeu du chaos choisit l’application. La somme des poids n’est pas forcément 1.</translation>
+        <translation>Poids tel qu’il est donné&#x202f;: la fréquence à laquelle le jeu du chaos choisit l’application. La somme des poids n’est pas forcément 1.</translation>
     </message>
     <message>
         <source>Determinant ad − bc: the factor of areas; negative when the map reflects.</source>
-        <translation>Déterminant ad − bc : le facteur des aires ; négatif quand l’application renverse l’orientation.</translation>
+        <translation>Déterminant ad − bc&#x202f;: le facteur des aires&#x202f;; négatif quand l’application renverse l’orientation.</translation>
     </message>
     <message>
         <source>Contraction factor ‖A‖, the largest singular value: the most by which distances grow.</source>
-        <translation>Facteur de contraction ‖A‖, la plus grande valeur singulière : le plus grand facteur dont les distances augmentent.</translation>
+        <translation>Facteur de contraction ‖A‖, la plus grande valeur singulière&#x202f;: le plus grand facteur dont les distances augmentent.</translation>
     </message>
     <message>
         <source>What the map is geometrically.</source>
@@ -4356,15 +4356,15 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>The cage is flat or bent: there is no effective code.</source>
-        <translation>La cage est plate ou courbe l’image : il n’y a pas de code effectif.</translation>
+        <translation>La cage est plate ou courbe l’image&#x202f;: il n’y a pas de code effectif.</translation>
     </message>
     <message>
         <source>No weight is given; the determinant rule makes the probability %1.</source>
-        <translation>Aucun poids n’est donné ; selon la règle des déterminants, la probabilité est %1.</translation>
+        <translation>Aucun poids n’est donné&#x202f;; selon la règle des déterminants, la probabilité est %1.</translation>
     </message>
     <message>
         <source>Weight %1: a weight that is not positive switches the map off.</source>
-        <translation>Poids %1 : un poids qui n’est pas strictement positif désactive l’application.</translation>
+        <translation>Poids %1&#x202f;: un poids qui n’est pas strictement positif désactive l’application.</translation>
     </message>
     <message>
         <source>Weight %1, probability %2.</source>
@@ -4380,7 +4380,7 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>Map %1 does not contract: it stretches by up to %2. The system may still have an attractor if longer words contract.</source>
-        <translation>L’application %1 n’est pas contractante : elle étire d’un facteur pouvant atteindre %2. Le système peut tout de même avoir un attracteur si des mots plus longs sont contractants.</translation>
+        <translation>L’application %1 n’est pas contractante&#x202f;: elle étire d’un facteur pouvant atteindre %2. Le système peut tout de même avoir un attracteur si des mots plus longs sont contractants.</translation>
     </message>
     <message>
         <source>Map %1. Drag to reorder.</source>
@@ -4487,7 +4487,7 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>Make the effective code the code; the cage then rests</source>
-        <translation>Faire du code effectif le code ; la cage est ensuite au repos</translation>
+        <translation>Faire du code effectif le code&#x202f;; la cage est ensuite au repos</translation>
     </message>
     <message>
         <source>By |Determinant|</source>
@@ -4531,7 +4531,7 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>Show columns: %1</source>
-        <translation>Colonnes affichées : %1</translation>
+        <translation>Colonnes affichées&#x202f;: %1</translation>
     </message>
     <message>
         <source>Code</source>
@@ -4563,12 +4563,12 @@ Clavier : Page préc. et Page suiv. choisissent un repère, les flèches le d�
     </message>
     <message>
         <source>No maps: add one, or paste rows of 6 or 7 numbers.</source>
-        <translation>Aucune application : ajoutez-en une, ou collez des lignes de 6 ou 7 nombres.</translation>
+        <translation>Aucune application&#x202f;: ajoutez-en une, ou collez des lignes de 6 ou 7 nombres.</translation>
     </message>
     <message>
         <source>3D: not yet shown.
 The entry is kept as it is.</source>
-        <translation>3D : pas encore affiché.
+        <translation>3D&#x202f;: pas encore affiché.
 L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
@@ -4577,7 +4577,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Line %1, column %2: %3</source>
-        <translation>Ligne %1, colonne %2 : %3</translation>
+        <translation>Ligne %1, colonne %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>Add a map</source>
@@ -4605,7 +4605,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
-        <translation>Rien n’a été collé. Ligne %1 du presse-papiers : %2</translation>
+        <translation>Rien n’a été collé. Ligne %1 du presse-papiers&#x202f;: %2</translation>
     </message>
     <message>
         <source>Nothing was pasted. %1</source>
@@ -4613,7 +4613,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Nothing was pasted: the clipboard holds no rows of 6 or 7 numbers.</source>
-        <translation>Rien n’a été collé : le presse-papiers ne contient pas de lignes de 6 ou 7 nombres.</translation>
+        <translation>Rien n’a été collé&#x202f;: le presse-papiers ne contient pas de lignes de 6 ou 7 nombres.</translation>
     </message>
     <message>
         <source>Paste a map</source>
@@ -4625,11 +4625,11 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Maps added: %1.</source>
-        <translation>Applications ajoutées : %1.</translation>
+        <translation>Applications ajoutées&#x202f;: %1.</translation>
     </message>
     <message>
         <source>The selected maps were replaced; maps pasted: %1.</source>
-        <translation>Les applications sélectionnées ont été remplacées ; applications collées : %1.</translation>
+        <translation>Les applications sélectionnées ont été remplacées&#x202f;; applications collées&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Set the weights</source>
@@ -4645,7 +4645,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
-        <translation>Chaque ligne est une application : (x, y) devient (a x + b y + e, c x + d y + f), aussi souvent que le dit son poids p. Double-cliquez sur un nombre, ou commencez à taper, pour le modifier ; l’image suit chaque frappe. Faites glisser le numéro d’une ligne pour la déplacer.</translation>
+        <translation>Chaque ligne est une application&#x202f;: (x, y) devient (a x + b y + e, c x + d y + f), aussi souvent que le dit son poids p. Double-cliquez sur un nombre, ou commencez à taper, pour le modifier&#x202f;; l’image suit chaque frappe. Faites glisser le numéro d’une ligne pour la déplacer.</translation>
     </message>
 </context>
 <context>
@@ -4663,7 +4663,7 @@ L’entrée est conservée telle quelle.</translation>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
-        <translation>Variations de « %1 »</translation>
+        <translation>Variations de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Fractals by Chance</source>
@@ -4707,15 +4707,15 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Another sheet: the next seed</source>
-        <translation>Une autre planche : la graine suivante</translation>
+        <translation>Une autre planche&#x202f;: la graine suivante</translation>
     </message>
     <message>
         <source>&amp;Difference:</source>
-        <translation>&amp;Différence :</translation>
+        <translation>&amp;Différence&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Seed:</source>
-        <translation>&amp;Graine :</translation>
+        <translation>&amp;Graine&#x202f;:</translation>
     </message>
     <message>
         <source>Variation %1</source>
@@ -4731,11 +4731,11 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Choose one and press OK, or double-click it: it takes the place of the fractal, as one step that can be undone.</source>
-        <translation>Choisissez-en une et appuyez sur OK, ou double-cliquez dessus : elle prend la place de la fractale, en une seule étape annulable.</translation>
+        <translation>Choisissez-en une et appuyez sur OK, ou double-cliquez dessus&#x202f;: elle prend la place de la fractale, en une seule étape annulable.</translation>
     </message>
     <message>
         <source>To the left the variations are much like what they start from, to the right they are wild.</source>
-        <translation>À gauche, les variations ressemblent beaucoup à leur point de départ ; à droite, elles sont débridées.</translation>
+        <translation>À gauche, les variations ressemblent beaucoup à leur point de départ&#x202f;; à droite, elles sont débridées.</translation>
     </message>
     <message>
         <source>Takes the chosen one, as one step that can be undone.</source>
@@ -4746,7 +4746,7 @@ L’entrée est conservée telle quelle.</translation>
     <name>view::NumberField</name>
     <message>
         <source>A number, with a decimal point or comma. Arrow keys and the wheel change it: with Shift ten times as fast, with Alt a tenth. Esc takes back what was typed.</source>
-        <translation>Un nombre, avec un point ou une virgule décimale. Les touches fléchées et la molette le modifient : avec Maj, dix fois plus vite ; avec Alt, dix fois moins. Échap annule la saisie.</translation>
+        <translation>Un nombre, avec un point ou une virgule décimale. Les touches fléchées et la molette le modifient&#x202f;: avec Maj, dix fois plus vite&#x202f;; avec Alt, dix fois moins. Échap annule la saisie.</translation>
     </message>
 </context>
 <context>
@@ -4773,7 +4773,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>The maps in the order chosen: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
-        <translation>Les applications dans l’ordre choisi : (x, y) devient (a x + b y + e, c x + d y + f).</translation>
+        <translation>Les applications dans l’ordre choisi&#x202f;: (x, y) devient (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
         <source>What the maps do</source>
@@ -4785,7 +4785,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>&amp;Columns:</source>
-        <translation>&amp;Colonnes :</translation>
+        <translation>&amp;Colonnes&#x202f;:</translation>
     </message>
     <message>
         <source>There are no rows of 6 or 7 numbers.</source>
@@ -4793,7 +4793,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation>Ligne %1 : %2</translation>
+        <translation>Ligne %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>In this order every map contracts.</source>
@@ -4801,7 +4801,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
-        <translation>Dans cet ordre, ces applications ne sont pas contractantes : %1. Peut-être les colonnes signifient-elles autre chose.</translation>
+        <translation>Dans cet ordre, ces applications ne sont pas contractantes&#x202f;: %1. Peut-être les colonnes signifient-elles autre chose.</translation>
     </message>
 </context>
 <context>
@@ -4852,15 +4852,15 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Draft: 50 million points</source>
-        <translation>Brouillon : 50 millions de points</translation>
+        <translation>Brouillon&#x202f;: 50 millions de points</translation>
     </message>
     <message>
         <source>Good: 200 million points</source>
-        <translation>Bonne : 200 millions de points</translation>
+        <translation>Bonne&#x202f;: 200 millions de points</translation>
     </message>
     <message>
         <source>Fine: 1000 million points</source>
-        <translation>Fine : 1 milliard de points</translation>
+        <translation>Fine&#x202f;: 1 milliard de points</translation>
     </message>
     <message>
         <source>Picture at rest</source>
@@ -4876,15 +4876,15 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>&amp;Language:</source>
-        <translation>&amp;Langue :</translation>
+        <translation>&amp;Langue&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Theme:</source>
-        <translation>&amp;Thème :</translation>
+        <translation>&amp;Thème&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Picture at rest:</source>
-        <translation>Image au &amp;repos :</translation>
+        <translation>Image au &amp;repos&#x202f;:</translation>
     </message>
     <message>
         <source>Puts every choice of this dialog back to what it is at first.</source>
@@ -4969,7 +4969,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Nothing to report: every entry was read.</source>
-        <translation>Rien à signaler : toutes les entrées ont été lues.</translation>
+        <translation>Rien à signaler&#x202f;: toutes les entrées ont été lues.</translation>
     </message>
     <message>
         <source>What the reader of the file remarked, with line and column. Double-click a line to go to its entry.</source>
@@ -5036,7 +5036,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>arrow keys; Shift ×10, Alt ×0.1</source>
-        <translation>touches fléchées ; Maj ×10, Alt ×0,1</translation>
+        <translation>touches fléchées&#x202f;; Maj ×10, Alt ×0,1</translation>
     </message>
     <message>
         <source>Leave the canvas</source>
@@ -5195,7 +5195,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>The code stays; the cage moves</source>
-        <translation>Le code reste ; la cage se déplace</translation>
+        <translation>Le code reste&#x202f;; la cage se déplace</translation>
     </message>
     <message>
         <source>Rewrite the code</source>
@@ -5203,7 +5203,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Every map w becomes T∘w∘T⁻¹; the cage follows</source>
-        <translation>Chaque application w devient T∘w∘T⁻¹ ; la cage suit</translation>
+        <translation>Chaque application w devient T∘w∘T⁻¹&#x202f;; la cage suit</translation>
     </message>
     <message>
         <source>The point that stays</source>
@@ -5231,7 +5231,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>Angle of the mirror line in degrees: 0 is horizontal, 90 vertical</source>
-        <translation>Angle de l’axe de symétrie en degrés : 0 pour l’horizontale, 90 pour la verticale</translation>
+        <translation>Angle de l’axe de symétrie en degrés&#x202f;: 0 pour l’horizontale, 90 pour la verticale</translation>
     </message>
     <message>
         <source>This entry has no maps of the plane.</source>
@@ -5239,7 +5239,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>This transformation is too flat to be undone, so it cannot be written into the code. Choose other scales, or place the picture.</source>
-        <translation>Cette transformation est trop plate pour que l’on puisse l’inverser ; elle ne peut donc pas être inscrite dans le code. Choisissez d’autres échelles, ou placez l’image.</translation>
+        <translation>Cette transformation est trop plate pour que l’on puisse l’inverser&#x202f;; elle ne peut donc pas être inscrite dans le code. Choisissez d’autres échelles, ou placez l’image.</translation>
     </message>
     <message>
         <source>Transform the picture</source>
@@ -5255,11 +5255,11 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>About which point the fractal is turned, scaled and reflected: it stays where it is.</source>
-        <translation>Le point autour duquel on tourne, redimensionne et réfléchit la fractale : il reste où il est.</translation>
+        <translation>Le point autour duquel on tourne, redimensionne et réfléchit la fractale&#x202f;: il reste où il est.</translation>
     </message>
     <message>
         <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
-        <translation>Symétrie par rapport à une droite passant par le point fixe ; l’angle se compte depuis l’axe des x.</translation>
+        <translation>Symétrie par rapport à une droite passant par le point fixe&#x202f;; l’angle se compte depuis l’axe des x.</translation>
     </message>
 </context>
 <context>
@@ -5294,7 +5294,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>“%1” is not a number. Write it with a decimal point, for example -0.25.</source>
-        <translation>« %1 » n’est pas un nombre. Écrivez-le avec un point décimal, par exemple -0.25.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un nombre. Écrivez-le avec un point décimal, par exemple -0.25.</translation>
     </message>
     <message>
         <source>A coordinate of the vertex, with a decimal point or comma. The picture follows as you type.</source>

@@ -5,19 +5,19 @@
     <name>AccessibleHandle</name>
     <message>
         <source>Move left</source>
-        <translation type="unfinished"></translation>
+        <translation>Помести налево</translation>
     </message>
     <message>
         <source>Move right</source>
-        <translation type="unfinished"></translation>
+        <translation>Помести надесно</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>Помести нагоре</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>Помести надолу</translation>
     </message>
 </context>
 <context>

@@ -137,9 +137,10 @@ public:
 
     QAccessibleInterface* child(int index) const override {
         if (index < 0 || index >= childCount()) return nullptr;
-        while (int(m_children.size()) <= index)
-            m_children.push_back(QAccessible::registerAccessibleInterface(
-                new AccessibleHandle(m_canvas, int(m_children.size()))));
+        while (int(m_children.size()) <= index) {
+            auto handle = std::make_unique<AccessibleHandle>(m_canvas, int(m_children.size()));
+            m_children.push_back(QAccessible::registerAccessibleInterface(handle.release()));
+        }
         return QAccessible::accessibleInterface(m_children[std::size_t(index)]);
     }
 
