@@ -12,6 +12,7 @@
 
 #include <QGraphicsView>
 #include <QImage>
+#include <QPointer>
 
 #include <memory>
 #include <optional>
@@ -149,7 +150,7 @@ private:
     void zoomAt(const QPointF& position, double factor);
     bool touch(const QTouchEvent& event);
 
-    document::Document* m_document;
+    QPointer<document::Document> m_document;
     RenderBridge* m_bridge;
     CanvasScene* m_scene;
     CageTool* m_cageTool;
