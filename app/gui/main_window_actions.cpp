@@ -194,10 +194,10 @@ void MainWindow::createCageActions() {
     QAction* drag = tool(QStringLiteral("cage"), tr("&Drag the Cage"), QKeySequence(tr("C")),
                          tr("Take the fractal by the vertices of its control triangle"), Tool::Cage);
     QAction* maps =
-        tool(QStringLiteral("maps"), tr("Drag the &Maps"), QKeySequence(tr("M")),
+        tool(QStringLiteral("maps"), tr("Drag t&he Maps"), QKeySequence(tr("M")),
              tr("Show the maps as images of the cage and take them by their corners"), Tool::Maps);
     QAction* branch =
-        tool(QStringLiteral("branch"), tr("Drag a &Branch"), QKeySequence(tr("B")),
+        tool(QStringLiteral("branch"), tr("Drag a Bra&nch"), QKeySequence(tr("B")),
              tr("Click a point of the attractor and take the branch that it belongs to"), Tool::Branch);
     QAction* define = tool(QStringLiteral("define"), tr("De&fine Triangle"), QKeySequence(tr("D")),
                            tr("Define the control triangle by three clicks"), Tool::DefineTriangle);

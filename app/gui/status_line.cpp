@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "status_line.h"
 
+#include "document/addresses.h"
 #include "ifs/attractor_existence.h"
 
 #include <QFontDatabase>
@@ -61,7 +62,7 @@ StatusLine::StatusLine(QWidget* parent)
       m_pointer(label(
           tr("Pointer position"),
           tr("World and barycentric coordinates of the pointer; the address of the point of the attractor "
-             "under it, outermost map first, and the fixed point of its first map"))),
+             "under it, outermost map first, and the fixed point of its branch"))),
       m_verdict(label(tr("Verdict"),
                       tr("Whether the system has an attractor, and the factor by which it contracts"))),
       m_frame(label(tr("Picture"), tr("Points drawn so far and the time of the last pass"))) {

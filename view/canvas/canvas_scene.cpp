@@ -109,6 +109,14 @@ void CanvasScene::follow(const document::Change& change) {
         setFocused({});
         setSelectedMaps({});
     }
+    if (change.parts & (Change::System | Change::Appearance | Change::Current | Change::File)) {
+        m_mapColours.clear();
+        if (const document::System2* system = document::system2(fractal))
+            for (std::size_t place = 0; place < system->maps.size(); ++place) {
+                const auto colour = attractor::mapColour(fractal.appearance, system->maps[place].id, place);
+                m_mapColours.emplace_back(colour.red, colour.green, colour.blue);
+            }
+    }
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         m_cage = document::system2(fractal) ? std::optional(document::effectiveCage(fractal)) : std::nullopt;
         m_handles =
@@ -125,7 +133,7 @@ void CanvasScene::follow(const document::Change& change) {
     }
     if (change.parts & (Change::Appearance | Change::Current | Change::File)) {
         restyle();
-        placeMaps(); // their colours
+        placeMaps();
     }
 }
 
@@ -388,23 +396,19 @@ void CanvasScene::placeMaps() {
             polygon.append(pixelOf(m_camera, point));
         return polygon;
     };
-    const attractor::Appearance& appearance = m_document->fractal().appearance;
     const auto add = [&](const document::MapHandles& handles, std::size_t place, int child,
-                         const attractor::Rgba& colour, bool selected) {
-        frames.push_back({child, inPixels(handles.corners(place)), inPixels(handles.outline(place)),
-                          QColor(colour.red, colour.green, colour.blue), selected,
-                          handles.maps()[place].enabled});
+                         const QColor& colour, bool selected) {
+        frames.push_back({child, inPixels(handles.corners(place)), inPixels(handles.outline(place)), colour,
+                          selected, handles.maps()[place].enabled});
     };
     if (m_taken == Taken::Branch && m_branchHandles) {
-        const auto first = std::size_t(m_branch.front());
         add(m_branchHandles->handles, m_branchHandles->place, 0,
-            attractor::mapColour(appearance, m_handles->maps()[first].id, first), true);
+            m_mapColours.at(std::size_t(m_branch.front())), true);
     }
     for (int place = 0; m_taken != Taken::Branch && place < mapCount(); ++place) {
         if (m_taken != Taken::Maps && !isSelected(place)) continue;
         const auto index = std::size_t(place);
-        add(*m_handles, index, place, attractor::mapColour(appearance, m_handles->maps()[index].id, index),
-            isSelected(place));
+        add(*m_handles, index, place, m_mapColours.at(index), isSelected(place));
     }
     m_mapFrames->setFrames(std::move(frames),
                            m_taken == Taken::Cage ? MapFramesItem::Mode::Hint : MapFramesItem::Mode::Held);

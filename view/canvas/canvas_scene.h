@@ -146,6 +146,7 @@ private:
     std::optional<ifs::ControlCage<2>> m_cage;
     std::optional<document::MapHandles> m_handles;
     Taken m_taken = Taken::Cage;
+    std::vector<QColor> m_mapColours;
     std::vector<ifs::MapId> m_selectedMaps;
     ifs::Word m_branch;
     document::BranchEdit m_branchEdit = document::BranchEdit::OwnMap;

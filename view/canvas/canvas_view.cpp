@@ -156,7 +156,7 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
 }
 
 CanvasView::~CanvasView() {
-    active().stop(); // what is held is let go while there is a scene
+    if (m_document) active().stop(); // what is held is let go while there is a scene
 }
 
 CanvasTool& CanvasView::active() const {

@@ -12,6 +12,7 @@
 
 #include <QGraphicsView>
 #include <QImage>
+#include <QPointer>
 #include <QTimer>
 
 #include <memory>
@@ -159,7 +160,7 @@ private:
     void zoomAt(const QPointF& position, double factor);
     bool touch(const QTouchEvent& event);
 
-    document::Document* m_document;
+    QPointer<document::Document> m_document;
     RenderBridge* m_bridge;
     CanvasScene* m_scene;
     CageTool* m_cageTool;
