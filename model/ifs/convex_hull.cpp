@@ -114,23 +114,12 @@ double escape(const Polygon& polygon, const std::vector<AffineMap<2>>& maps) {
     return result;
 }
 
-// Vertices that accumulate at the fixed point of a map come so near to the edge between it and a farther one
-// that rounding cannot tell which of them are corners. The fixed point is: it takes the place of its
-// neighbour wherever that changes the polygon by no more than `slack`.
-void preferFixedPoints(Polygon& polygon, const std::vector<AffineMap<2>>& maps, const Vector<2>& centre,
-                       double slack) {
-    if (polygon.size() < 3) return;
-    for (const auto& map : maps) {
-        const auto fixed = fixedPoint(map);
-        if (!fixed) continue;
-        const Vector<2> point = *fixed - centre;
-        if (distanceToConvex(polygon, point) > slack) continue;
-        Polygon changed = polygon;
-        auto& nearest = *std::ranges::min_element(
-            changed, {}, [&](const Vector<2>& vertex) { return (vertex - point).norm(); });
-        const Vector<2> left = std::exchange(nearest, point);
-        if (distanceToConvex(changed, left) <= slack) polygon = std::move(changed);
-    }
+// Vertices accumulate at fixed points, whose neighbours no tolerance resolves; but they are known themselves.
+void addFixedPoints(Polygon& points, const std::vector<AffineMap<2>>& maps, const Vector<2>& centre) {
+    constexpr double WellKnown = 0.9; // of slower maps rounding moves them
+    for (const auto& map : maps)
+        if (const auto fixed = fixedPoint(map); fixed && spectralNorm<2>(map.linear) <= WellKnown)
+            points.push_back(*fixed - centre);
 }
 
 } // namespace
@@ -140,9 +129,9 @@ ConvexHull convexHull(const SupportFunction<2>& support, double tolerance) {
     Sandwich sandwich(support, std::max(tolerance, 8e-12 * support.radius() + 4 * flatness));
     sandwich.settleCorners(convexHull(sandwich.points(), flatness));
     ConvexHull hull;
-    hull.vertices = convexHull(sandwich.points(), flatness);
-    const double slack = 4 * flatness;
-    preferFixedPoints(hull.vertices, support.maps(), support.centre(), slack);
+    Polygon points = sandwich.points();
+    addFixedPoints(points, support.maps(), support.centre());
+    hull.vertices = convexHull(std::move(points), flatness);
     for (auto& vertex : hull.vertices)
         vertex += support.centre();
     hull.area = area(hull.vertices);
@@ -150,7 +139,7 @@ ConvexHull convexHull(const SupportFunction<2>& support, double tolerance) {
     const double invariant =
         support.normEquivalence() * escape(hull.vertices, support.maps()) / (1 - support.contractivity()) +
         support.roundingError(64);
-    hull.error = std::min(sandwich.error() + flatness + slack, invariant);
+    hull.error = std::min(sandwich.error() + flatness, invariant);
     return hull;
 }
 

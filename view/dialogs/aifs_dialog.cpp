@@ -78,7 +78,7 @@ AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
     text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
-    copy->setToolTip(tr("Copies the triangle and the matrices with all digits"));
+    copy->setWhatsThis(tr("Copies the triangle and the matrices with all digits."));
     connect(copy, &QPushButton::clicked, this, &AifsDialog::copy);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
