@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/box_counting.h"
 
+#include "ifs/facts.h"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -66,23 +69,39 @@ std::optional<LogLogFit> fitted(const std::vector<std::uint64_t>& counts, int fi
     return LogLogFit{slope, meanY - slope * meanX, std::sqrt(std::max(0.0, yy - slope * xy) / size)};
 }
 
-std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int levels) {
-    const BoundingBox<2> box = boundingBox(support, 1e-9 * support.radius());
+std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int levels,
+                                      const AffineMap<2>& image, const std::stop_token& stop) {
+    const BoundingBox<2> box = boundingBoxOfImage(
+        image, support, 1e-9 * support.radius() * std::max(1.0, spectralNorm<2>(image.linear)));
     // A little more than the box, so that its upper and right borders fall inside.
     const double side = ((box.max - box.min).maxCoeff() + 2 * box.error) * (1 + 0x1p-30);
     if (!(side > 64 * box.error)) return std::nullopt;
     CellGrid fine = emptyGrid(box.min - Vector<2>::Constant(box.error), side, levels + 1);
     std::vector<Vector<2>> open{support.pointOfAttractor()};
-    fine.mark(open.back());
+    fine.mark(image(open.back()));
     while (!open.empty()) {
+        if (open.size() % 1024 == 0 && stop.stop_requested()) return std::nullopt;
         const Vector<2> point = open.back();
         open.pop_back();
         for (const auto& map : support.maps()) {
-            const Vector<2> image = map(point);
-            if (fine.mark(image)) open.push_back(image);
+            const Vector<2> next = map(point);
+            if (fine.mark(image(next))) open.push_back(next);
         }
     }
     return halved(fine);
+}
+
+std::optional<BoxCounting> boxCounting(const SupportFunction<2>& support, const AffineMap<2>& image,
+                                       const std::stop_token& stop) {
+    constexpr int Levels = 9, First = 2, Last = Levels - 1;
+    auto grid = occupiedCells(support, Levels, image, stop);
+    if (!grid) return std::nullopt;
+    BoxCounting result{.counts = {}, .side = grid->side, .first = First, .last = Last, .fit = {}};
+    result.counts = boxCounts(*std::move(grid));
+    const auto fit = fitted(result.counts, First, Last);
+    if (!fit) return std::nullopt;
+    result.fit = *fit;
+    return result;
 }
 
 } // namespace ifs

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 // Box-counting dimension. docs/mathematics.md, "Box counting".
@@ -35,7 +36,19 @@ std::optional<LogLogFit> fitted(const std::vector<std::uint64_t>& counts, int fi
 
 // Cells of a square around the attractor, each of which certainly holds a point of it. In work bounded by the
 // number of cells, whatever overlaps: one point per half-cell is followed, so that every point of the
-// attractor lies within half a diagonal · C/(1 − γ) of one that marked its cell. nullopt for a single point.
-std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int levels); // levels ≤ 12
+// attractor lies within half a diagonal · C/(1 − γ) of one that marked its cell. nullopt for a single point,
+// or when stopped. `image`: of the attractor's image under that invertible map, with C and γ of the image.
+std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int levels, // levels ≤ 12
+                                      const AffineMap<2>& image = {}, const std::stop_token& stop = {});
+
+// N_k over k for an attractor, with the line through those that neither its size nor the cells distort.
+struct BoxCounting {
+    std::vector<std::uint64_t> counts;
+    double side = 0; // of the box at k = 0
+    int first = 0, last = 0;
+    LogLogFit fit; // over first … last
+};
+std::optional<BoxCounting> boxCounting(const SupportFunction<2>& support, const AffineMap<2>& image = {},
+                                       const std::stop_token& stop = {});
 
 } // namespace ifs

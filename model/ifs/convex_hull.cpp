@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace ifs {
 
@@ -113,6 +114,14 @@ double escape(const Polygon& polygon, const std::vector<AffineMap<2>>& maps) {
     return result;
 }
 
+// Vertices accumulate at fixed points, whose neighbours no tolerance resolves; but they are known themselves.
+void addFixedPoints(Polygon& points, const std::vector<AffineMap<2>>& maps, const Vector<2>& centre) {
+    constexpr double WellKnown = 0.9; // of slower maps rounding moves them
+    for (const auto& map : maps)
+        if (const auto fixed = fixedPoint(map); fixed && spectralNorm<2>(map.linear) <= WellKnown)
+            points.push_back(*fixed - centre);
+}
+
 } // namespace
 
 ConvexHull convexHull(const SupportFunction<2>& support, double tolerance) {
@@ -120,7 +129,9 @@ ConvexHull convexHull(const SupportFunction<2>& support, double tolerance) {
     Sandwich sandwich(support, std::max(tolerance, 8e-12 * support.radius() + 4 * flatness));
     sandwich.settleCorners(convexHull(sandwich.points(), flatness));
     ConvexHull hull;
-    hull.vertices = convexHull(sandwich.points(), flatness);
+    Polygon points = sandwich.points();
+    addFixedPoints(points, support.maps(), support.centre());
+    hull.vertices = convexHull(std::move(points), flatness);
     for (auto& vertex : hull.vertices)
         vertex += support.centre();
     hull.area = area(hull.vertices);

@@ -20,7 +20,7 @@ namespace {
 using Points = std::vector<Vector<3>>;
 using Facet = std::array<int, 3>;
 
-constexpr std::size_t MostPoints = 1'000;
+constexpr std::size_t MostPoints = 2'000;
 constexpr int NodesPerFacet = 4'000;
 
 Vector<3> outward(const Points& points, const Facet& facet) {
@@ -56,6 +56,7 @@ struct Face {
     Facet corners{};
     Vector<3> normal;
     double height = 0;
+    double gap = 0; // how far the attractor reaches beyond it at most
 };
 
 // None when the points do not span space.
@@ -92,11 +93,36 @@ std::vector<Face> facesOf(const Points& points) {
     return faces;
 }
 
+// How far the attractor may reach outside the hull. The nearest point of the hull to one outside lies in a
+// vertex v, and the unit vector u between them is Σ λ_f n_f, λ_f ≥ 0, over the faces around v; their distance
+// is then at most Σ λ_f gap_f, and Σ λ_f ⟨n_f,a⟩ = ⟨u,a⟩ ≤ 1 for any unit a, here the mean of the n_f.
+double certificate(const std::vector<Face>& faces, std::size_t pointCount) {
+    std::vector<Vector<3>> axes(pointCount, Vector<3>::Zero());
+    std::vector<double> gaps(pointCount, 0), cosines(pointCount, 1);
+    for (const Face& face : faces)
+        for (const int corner : face.corners) {
+            axes[std::size_t(corner)] += face.normal;
+            gaps[std::size_t(corner)] = std::max(gaps[std::size_t(corner)], face.gap);
+        }
+    for (const Face& face : faces)
+        for (const int corner : face.corners) {
+            const Vector<3> axis = axes[std::size_t(corner)].normalized();
+            cosines[std::size_t(corner)] = std::min(cosines[std::size_t(corner)], face.normal.dot(axis));
+        }
+    double widest = faces.empty() ? std::numeric_limits<double>::infinity() : 0;
+    for (std::size_t k = 0; k < pointCount; ++k)
+        if (gaps[k] > 0)
+            widest = std::max(widest, cosines[k] > 0 ? gaps[k] / cosines[k]
+                                                     : std::numeric_limits<double>::infinity());
+    return widest;
+}
+
 // Extreme points, refined over the facets until none has one farther out than the tolerance, or none that
 // lies apart from the points already there.
 struct Refined {
     Points points;
     std::vector<Face> faces;
+    double error = 0; // of the hull of the faces
 };
 Refined refine(const SupportFunction<3>& support, double tolerance) {
     Refined hull;
@@ -115,16 +141,16 @@ Refined refine(const SupportFunction<3>& support, double tolerance) {
     std::vector<std::pair<Vector<3>, double>> asked; // normals and heights of earlier rounds
     for (;;) {
         hull.faces = facesOf(hull.points);
-        double widest = 0;
         const std::size_t known = hull.points.size();
-        for (const Face& face : hull.faces) {
+        for (Face& face : hull.faces) {
             const auto again = std::ranges::find_if(
                 asked, [&](const auto& earlier) { return (earlier.first - face.normal).norm() < 1e-12; });
             const double height = again != asked.end() ? again->second : ask(face.normal, tolerance / 8);
             if (again == asked.end()) asked.emplace_back(face.normal, height);
-            widest = std::max(widest, height - face.height);
+            face.gap = std::max(height - face.height, 0.0) + apart; // of rounding in the plane of the face
         }
-        if (hull.points.size() == known || widest <= tolerance || known >= MostPoints) return hull;
+        hull.error = certificate(hull.faces, known);
+        if (hull.points.size() == known || hull.error <= tolerance || known >= MostPoints) return hull;
     }
 }
 
@@ -211,12 +237,13 @@ ConvexHull3 flatHull(const Points& points, double flatness) {
 ConvexHull3 convexHull(const SupportFunction<3>& support, double tolerance) {
     const double size = support.radius() + support.centre().norm(), flatness = 1e-12 * size;
     const double widening = support.normEquivalence() / (1 - support.contractivity());
-    const Refined refined = refine(support, std::max(tolerance / widening, 1e-11 * size));
+    const Refined refined = refine(support, std::max(tolerance, 1e-11 * size));
     ConvexHull3 hull =
         refined.faces.empty() ? flatHull(refined.points, flatness) : compact(refined.points, refined.faces);
     // W(P + rB) ⊂ P + rB for r = e/(1 − γ), in the norm in which the maps contract.
     hull.error =
-        widening * escape(hull, refined.faces, support.maps(), 1e-14 * size) + support.roundingError(64);
+        std::min(refined.error, widening * escape(hull, refined.faces, support.maps(), 1e-14 * size) +
+                                    support.roundingError(64));
     return hull;
 }
 

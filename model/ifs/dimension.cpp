@@ -182,7 +182,7 @@ template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, doubl
     return result;
 }
 
-std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps) {
+std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop) {
     const Verdict verdict = classify(maps).verdict;
     if (verdict != Verdict::Hyperbolic && verdict != Verdict::EventuallyContractive) return std::nullopt;
     if (maps.size() == 1) return 0;
@@ -194,7 +194,9 @@ std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps) {
         return moranDimension(similarityRatios<2>(maps));
     const TransferOperator transfer(maps);
     constexpr int Steps = 26;
-    return bisect([&](double t) { return transfer.pressure(t); }, 0, 2, Steps);
+    const double dimension =
+        bisect([&](double t) { return stop.stop_requested() ? 0 : transfer.pressure(t); }, 0, 2, Steps);
+    return stop.stop_requested() ? std::nullopt : std::optional(dimension);
 }
 
 template <int Dim> std::vector<double> dimensionWeights(std::span<const AffineMap<Dim>> maps, double floor) {

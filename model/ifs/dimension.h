@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 
 namespace ifs {
 
@@ -19,7 +20,8 @@ template <int Dim> std::optional<double> similarityDimension(std::span<const Aff
 template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, double t);
 
 // Falconer's affinity dimension (not capped at Dim), by the transfer operator on directions in the plane
-// (error about 1e-6); an upper bound of the box dimension. nullopt without an attractor.
-std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps);
+// (error about 1e-6); an upper bound of the box dimension. nullopt without an attractor,
+// or when stopped.
+std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop = {});
 
 } // namespace ifs

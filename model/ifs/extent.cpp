@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ifs/support_function.h"
+#include "ifs/facts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,18 @@ constexpr int NodesPerFace = 6'000; // keeps a box and a canonical simplex withi
 
 template <int Dim> using Supports = std::vector<SupportValue<Dim>>;
 
+// h_T(A)(u) = h_A(Tᵀu) + ⟨u,t⟩.
 template <int Dim>
 Supports<Dim> supportsIn(const std::vector<Vector<Dim>>& directions, const SupportFunction<Dim>& support,
-                         double tolerance) {
+                         double tolerance, const AffineMap<Dim>& image) {
     Supports<Dim> result;
-    for (const auto& direction : directions)
-        result.push_back(support(direction, tolerance, NodesPerFace));
+    for (const auto& direction : directions) {
+        SupportValue<Dim> h = support(image.linear.transpose() * direction, tolerance, NodesPerFace);
+        h.value += direction.dot(image.translation);
+        h.error += 4 * std::numeric_limits<double>::epsilon() * image.translation.norm();
+        h.point = image(h.point);
+        result.push_back(std::move(h));
+    }
     return result;
 }
 
@@ -76,8 +82,10 @@ template <int Dim> std::vector<Orientation<Dim>> allOrientations() {
 
 } // namespace
 
-template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& support, double tolerance) {
-    const auto faces = supportsIn<Dim>(axes<Dim>(), support, tolerance);
+template <int Dim>
+BoundingBox<Dim> boundingBoxOfImage(const AffineMap<Dim>& transformation, const SupportFunction<Dim>& support,
+                                    double tolerance) {
+    const auto faces = supportsIn<Dim>(axes<Dim>(), support, tolerance, transformation);
     BoundingBox<Dim> box;
     for (int k = 0; k < Dim; ++k) {
         const auto& high = faces[std::size_t(2 * k)];
@@ -90,17 +98,31 @@ template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& supp
     return box;
 }
 
+template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& support, double tolerance) {
+    return boundingBoxOfImage<Dim>({}, support, tolerance);
+}
+
+namespace {
+
 template <int Dim>
-std::vector<CanonicalSimplex<Dim>> canonicalSimplices(const SupportFunction<Dim>& support, double tolerance) {
+std::vector<CanonicalSimplex<Dim>> simplicesOf(const AffineMap<Dim>& image,
+                                               const SupportFunction<Dim>& support, double tolerance) {
     const auto orientations = allOrientations<Dim>();
     auto directions = axes<Dim>();
     for (const auto& orientation : orientations)
         directions.push_back(signs<Dim>(orientation));
-    const auto faces = supportsIn<Dim>(directions, support, tolerance);
+    const auto faces = supportsIn<Dim>(directions, support, tolerance, image);
     std::vector<CanonicalSimplex<Dim>> result;
     for (std::size_t k = 0; k < orientations.size(); ++k)
         result.push_back(simplexFrom<Dim>(faces, faces[2 * Dim + k], orientations[k]));
     return result;
+}
+
+} // namespace
+
+template <int Dim>
+std::vector<CanonicalSimplex<Dim>> canonicalSimplices(const SupportFunction<Dim>& support, double tolerance) {
+    return simplicesOf<Dim>({}, support, tolerance);
 }
 
 template <int Dim>
@@ -112,13 +134,23 @@ CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
 }
 
 template <int Dim>
-CanonicalSimplex<Dim> minimalCanonicalSimplex(const SupportFunction<Dim>& support, double tolerance) {
-    const auto all = canonicalSimplices(support, tolerance);
+CanonicalSimplex<Dim> minimalCanonicalSimplexOfImage(const AffineMap<Dim>& transformation,
+                                                     const SupportFunction<Dim>& support, double tolerance) {
+    const auto all = simplicesOf(transformation, support, tolerance);
     const double smallest = std::ranges::min(all, {}, &CanonicalSimplex<Dim>::leg).leg;
     return *std::ranges::find_if(all, [=](const auto& c) { return c.leg <= smallest * (1 + 1e-12); });
 }
 
+template <int Dim>
+CanonicalSimplex<Dim> minimalCanonicalSimplex(const SupportFunction<Dim>& support, double tolerance) {
+    return minimalCanonicalSimplexOfImage<Dim>({}, support, tolerance);
+}
+
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template BoundingBox<Dim> boundingBoxOfImage(const AffineMap<Dim>&, const SupportFunction<Dim>&,         \
+                                                 double);                                                    \
+    template CanonicalSimplex<Dim> minimalCanonicalSimplexOfImage(const AffineMap<Dim>&,                     \
+                                                                  const SupportFunction<Dim>&, double);      \
     template BoundingBox<Dim> boundingBox<Dim>(const SupportFunction<Dim>&, double);                         \
     template std::vector<CanonicalSimplex<Dim>> canonicalSimplices<Dim>(const SupportFunction<Dim>&,         \
                                                                         double);                             \

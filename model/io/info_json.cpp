@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/info_facts.h"
+#include "ifs/facts.h"
 #include "io/info_report.h"
 #include "io/json_writer.h"
 
@@ -125,7 +125,35 @@ void writeSimplex(JsonWriter& json, const std::optional<ifs::CanonicalSimplex<Di
     json.endObject();
 }
 
-template <int Dim> void writeHull(JsonWriter& json, const std::optional<ifs::HullIn<Dim>>& hull) {
+// Maps counted from 1, in the order of the file.
+void writeWord(JsonWriter& json, const char* key, const ifs::Word& word,
+               const std::vector<std::size_t>& places) {
+    json.key(key);
+    json.beginArray(Layout::Inline);
+    for (const int symbol : word)
+        json.value(int(places[std::size_t(symbol)]) + 1);
+    json.endArray();
+}
+
+// One address for each vertex, null where none is known.
+void writeAddresses(JsonWriter& json, const ifs::Facts<2>& facts) {
+    json.key("addresses");
+    json.beginArray(Layout::Inline);
+    for (const auto& point : facts.extremePoints) {
+        if (!point) {
+            json.null();
+            continue;
+        }
+        json.beginObject(Layout::Inline);
+        writeWord(json, "prefix", point->prefix, facts.active.index);
+        writeWord(json, "period", point->period, facts.active.index);
+        json.endObject();
+    }
+    json.endArray();
+}
+
+template <int Dim> void writeHull(JsonWriter& json, const ifs::Facts<Dim>& facts) {
+    const auto& hull = facts.hull;
     if (!hull) return writeNull(json, "hull");
     json.key("hull");
     json.beginObject(Layout::Inline);
@@ -133,6 +161,7 @@ template <int Dim> void writeHull(JsonWriter& json, const std::optional<ifs::Hul
     writePoints<Dim>(json, hull->vertices);
     if constexpr (Dim == 2) {
         json.member("area", hull->area);
+        writeAddresses(json, facts);
     } else {
         json.member("volume", hull->volume);
         json.key("facets");
@@ -157,13 +186,18 @@ void writeCage(JsonWriter& json, const std::optional<ifs::ControlCage<2>>& cage)
     writePoints<2>(json, cage->rest);
     json.key("current");
     writePoints<2>(json, cage->current);
+    const bool isSimplex = cage->rest.size() == 3;
+    const bool bends = cage->deformation == ifs::Deformation::Bend;
+    json.member("deformation", isSimplex ? QStringLiteral("affine")
+                               : bends   ? QStringLiteral("bend")
+                                         : QStringLiteral("affine_fit"));
     json.endObject();
 }
 
 template <int Dim>
 void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& system,
                  const InfoSubject& subject) {
-    const Facts<Dim> facts = factsOf(system, subject.hullTolerance);
+    const ifs::Facts<Dim> facts = ifs::factsOf(system, subject.hullTolerance);
     json.key("maps");
     json.beginArray();
     for (std::size_t i = 0; i < system.maps.size(); ++i)
@@ -173,7 +207,7 @@ void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& syste
     writeMoments<Dim>(json, facts.moments);
     writeBox<Dim>(json, facts.box);
     writeSimplex<Dim>(json, facts.simplex);
-    writeHull<Dim>(json, facts.hull);
+    writeHull<Dim>(json, facts);
     json.member("similarity_dimension", facts.similarityDimension);
     json.member("affinity_dimension", facts.affinityDimension);
 }

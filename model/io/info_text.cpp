@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "io/info_facts.h"
+#include "ifs/facts.h"
 #include "io/info_report.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace io {
 
@@ -86,7 +88,7 @@ template <int Dim> QString mapLine(const ifs::WeightedMap<Dim>& map, double prob
 
 template <int Dim>
 void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, const InfoSubject& subject) {
-    const Facts<Dim> facts = factsOf(system, subject.hullTolerance);
+    const ifs::Facts<Dim> facts = ifs::factsOf(system, subject.hullTolerance);
     for (std::size_t i = 0; i < system.maps.size(); ++i)
         lines.add(tr("map %1").arg(i + 1), mapLine(system.maps[i], facts.probabilities[i]));
     lines.add(tr("attractor"), verdictSentence(facts.existence));
@@ -99,9 +101,12 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
     if (facts.simplex) lines.add(tr("canonical simplex"), list(facts.simplex->vertices));
     if constexpr (Dim == 2) {
         if (facts.hull)
-            lines.add(tr("convex hull"), tr("%1 vertices, area %2; error at most %3")
-                                             .arg(facts.hull->vertices.size())
-                                             .arg(digits(facts.hull->area), digits(facts.hull->error)));
+            lines.add(tr("convex hull"),
+                      tr("%1 vertices, %2 of them with periodic addresses, area %3; error at most %4")
+                          .arg(facts.hull->vertices.size())
+                          .arg(std::ranges::count_if(facts.extremePoints,
+                                                     [](const auto& point) { return point.has_value(); }))
+                          .arg(digits(facts.hull->area), digits(facts.hull->error)));
     } else if (facts.hull) {
         lines.add(tr("convex hull"), tr("%1 vertices, %2 facets, volume %3; error at most %4")
                                          .arg(facts.hull->vertices.size())
@@ -125,6 +130,9 @@ void addEntry(Lines& lines, const document::Fractal& fractal, const InfoSubject&
     if (fractal.cage) {
         lines.add(tr("cage at rest"), list(fractal.cage->rest));
         lines.add(tr("cage now"), list(fractal.cage->current));
+        if (fractal.cage->rest.size() > 3)
+            lines.add(tr("deformation"),
+                      fractal.cage->deformation == ifs::Deformation::Bend ? tr("bend") : tr("affine fit"));
     }
 }
 

@@ -67,7 +67,7 @@ private slots:
     void fernInSpace() {
         Random random(1);
         const auto hull = hullOf(fern3(), 1e-2);
-        QVERIFY(isClosed(hull) && hull.volume > 24 && hull.volume < 26 && hull.error <= 0.1);
+        QVERIFY(isClosed(hull) && hull.volume > 24 && hull.volume < 26 && hull.error <= 1e-2);
         double highest = 0;
         for (const auto& x : orbit<3>(fern3(), 20'000, random))
             QVERIFY(outside(hull, x) <= hull.error);
@@ -82,7 +82,7 @@ private slots:
             const auto maps = randomContractions<3>(random, 3, 0.6);
             const auto support = *SupportFunction<3>::of(maps);
             const auto hull = convexHull(support, 1e-2 * support.radius());
-            QVERIFY(hull.error <= 0.1 * support.radius());
+            QVERIFY(hull.error <= 1e-2 * support.radius());
             if (hull.volume < 1e-6 * std::pow(support.radius(), 3)) continue;
             QVERIFY(isClosed(hull));
             for (const auto& x : orbit<3>(maps, 300, random))
