@@ -55,6 +55,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_file(&m_document),
       m_recovery(&m_document, &m_file, nullptr),
       m_bridge(new view::RenderBridge(&m_document, this)),
+      m_analysis(new view::AnalysisBridge(&m_document, this)),
       m_arising(new view::Arising(&m_document, m_bridge, this)),
       m_canvas(new view::CanvasView(&m_document, m_bridge, this)),
       m_status(new StatusLine(this)) {
@@ -107,7 +108,7 @@ void MainWindow::createPanels() {
     for (QDockWidget* next :
          {dock(cage, tr("Cage"), QStringLiteral("cage"), Qt::RightDockWidgetArea),
           dock(appearance, tr("Appearance"), QStringLiteral("appearance"), Qt::RightDockWidgetArea),
-          dock(new view::AnalysisPanel(&m_document), tr("Analysis"), QStringLiteral("analysis"),
+          dock(new view::AnalysisPanel(&m_document, m_analysis), tr("Analysis"), QStringLiteral("analysis"),
                Qt::RightDockWidgetArea),
           dock(new view::HistoryPanel(&m_document), tr("History"), QStringLiteral("history"),
                Qt::RightDockWidgetArea)}) {
@@ -161,6 +162,10 @@ void MainWindow::connectDocument() {
     });
     connect(m_arising, &view::Arising::trailChanged, m_canvas,
             [this] { m_canvas->showTrail(m_arising->trail()); });
+    connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
+        const auto analysis = m_analysis->analysis();
+        m_canvas->showOutlines(analysis ? analysis->shapes : std::vector<document::OutlineShape>());
+    });
     m_status->showVerdict(m_document.fractal());
     updateTitle();
 }

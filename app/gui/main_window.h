@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "analysis_bridge.h"
 #include "arising.h"
 #include "canvas/canvas_view.h"
 #include "document/document.h"
@@ -80,6 +81,7 @@ private:
     OpenFile m_file;
     Recovery m_recovery;
     view::RenderBridge* m_bridge;
+    view::AnalysisBridge* m_analysis;
     view::Arising* m_arising;
     view::CanvasView* m_canvas;
     StatusLine* m_status;

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
+#include "analysis_bridge.h"
+#include "canvas/analysis_item.h"
+#include "document/edit_gesture.h"
 #include "panels/analysis_panel.h"
+#include "panels/box_counting_plot.h"
 #include "view/maps_support.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QImage>
+#include <QLabel>
+#include <QPainter>
 
+#include <algorithm>
 #include <memory>
 
 using namespace maps_support;
@@ -14,7 +23,7 @@ class AnalysisPanelTest : public QObject {
 
 private slots:
     void knowsThePublishedFactsOfTheMaple() {
-        const auto facts = view::analysisFacts(maple());
+        const auto facts = factsOf(maple());
         QCOMPARE(valueOf(facts, QStringLiteral("Contraction")),
                  QStringLiteral("0.6896  0.61  0.7225  0.7232"));
         QCOMPARE(valueOf(facts, QStringLiteral("Canonical simplex")),
@@ -24,41 +33,146 @@ private slots:
         QVERIFY(valueOf(facts, QStringLiteral("Attractor")).contains(QStringLiteral("hyperbolic")));
         QVERIFY(valueOf(facts, QStringLiteral("Box")).startsWith(QStringLiteral("[-3.3001, 3.3442]")));
         QVERIFY(valueOf(facts, QStringLiteral("Similarity dimension")).isEmpty());
+        QCOMPARE(valueOf(facts, QStringLiteral("Affinity dimension")), QStringLiteral("2"));
+        QVERIFY(std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).toDouble() - 1.8) < 0.3);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
+        QVERIFY(valueOf(facts, QStringLiteral("Hull vertices")).toInt() > 20);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull error bound")).toDouble() > 0);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull error bound")).toDouble() < 1e-4);
+        QVERIFY(valueOf(facts, QStringLiteral("Fixed points")).contains(QStringLiteral("(0.1795, 5.0725)")));
+        for (const auto& fact : facts)
+            QVERIFY2(fact.definition.size() > 40, qPrintable(fact.name));
     }
 
     void knowsTheDimensionOfTheSierpinskiTriangle() {
-        const auto facts = view::analysisFacts(document::sierpinskiTriangle());
-        QCOMPARE(valueOf(facts, QStringLiteral("Similarity dimension")), QStringLiteral("1.585"));
+        const auto facts = factsOf(document::sierpinskiTriangle());
+        for (const char* name : {"Similarity dimension", "Affinity dimension"})
+            QCOMPARE(valueOf(facts, QLatin1String(name)), QStringLiteral("1.585"));
+        QVERIFY(std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).toDouble() - 1.585) < 0.1);
     }
 
     // Map 1 is off, so the word that proves it must name map 2 as the table does.
     void namesTheMapThatExpandsByItsRow() {
         document::Fractal fractal = fractalOf({{0.5, 0, 0, 0.5, 0, 0, 1}, {2, 0, 0, 2, 1, 0, 1}});
         document::system2(fractal)->maps[0].enabled = false;
-        const QString sentence = view::existenceSentence(*document::system2(fractal));
+        const QString sentence = valueOf(factsOf(fractal), QStringLiteral("Attractor"));
         QVERIFY2(sentence.startsWith(QStringLiteral("None: the word 2 ")), qPrintable(sentence));
         document::system2(fractal)->maps[1].enabled = false;
-        QVERIFY(view::existenceSentence(*document::system2(fractal))
+        QVERIFY(valueOf(factsOf(fractal), QStringLiteral("Attractor"))
                     .contains(QStringLiteral("no map takes part")));
     }
 
     void computesOnlyWhenVisibleAndFollows() {
         document::Document document;
         document.setFile(document::fileOf(maple()));
-        view::AnalysisPanel panel(&document);
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
         QTest::qWait(300);
-        QVERIFY(panel.facts().isEmpty());
+        QVERIFY(panel.facts().isEmpty() && !bridge.analysis());
         panel.show();
         QTRY_VERIFY(!panel.facts().isEmpty());
-        QVERIFY(panel.isVisible());
         document.edit(QStringLiteral("x"), document::sierpinskiTriangle());
         QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Similarity dimension")), QStringLiteral("1.585"));
+        QTRY_VERIFY(bridge.isCurrent());
+        QVERIFY(panel.plot().isVisible());
+        QCOMPARE(panel.plot().table().count(u'\n'), 9); // ten sizes
         panel.copyAll();
         QVERIFY(QGuiApplication::clipboard()->text().contains(
             QStringLiteral("Similarity dimension\t1.58496250072115")));
     }
 
+    // In the middle of the gesture, before the button is let go.
+    void followsADragOfTheCage() {
+        document::Document document;
+        document.setFile(document::fileOf(withTriangle(maple())));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
+        document::EditGesture gesture(document, QStringLiteral("drag"));
+        document::Fractal moved = document.fractal();
+        moved.cage->current = {{-3, -3}, {13, -3}, {-3, 6}}; // twice as wide
+        gesture.preview(moved);
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("71.5")));
+        QVERIFY(document.undoStack()->count() == 0);
+        moved.cage->current = {{-3, -3}, {5, -3}, {-3, -3}}; // flat
+        gesture.preview(moved);
+        QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Hull area")), QStringLiteral("0"));
+    }
+
+    void saysWhoseFactsTheyAreWhenThePictureIsBent() {
+        document::Document document;
+        document::Fractal fractal = maple();
+        fractal.cage =
+            ifs::ControlCage<2>{{{-4, -4}, {4, -4}, {4, 6}, {-4, 6}}, {{-4, -4}, {4, -4}, {8, 9}, {-4, 6}}};
+        document.setFile(document::fileOf(fractal));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
+        const auto labels = panel.findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisible() && label->text().startsWith(QStringLiteral("The cage bends"));
+        }));
+    }
+
+    void checkBoxesOutlineOnTheCanvas() {
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        panel.outlineBox(document::Outline::Hull)->click();
+        QTRY_VERIFY(bridge.analysis() && bridge.analysis()->shapes.size() == 1);
+        panel.outlineBox(document::Outline::FixedPoints)->click();
+        QTRY_COMPARE(bridge.analysis()->shapes.size(), std::size_t(5));
+        panel.hide(); // what is outlined still follows
+        document.edit(QStringLiteral("x"), document::sierpinskiTriangle());
+        QTRY_COMPARE(bridge.analysis()->shapes.size(), std::size_t(4));
+        panel.show();
+        panel.outlineBox(document::Outline::Hull)->click();
+        panel.outlineBox(document::Outline::FixedPoints)->click();
+        QTRY_VERIFY(bridge.analysis()->shapes.empty());
+        QVERIFY(document.undoStack()->count() == 1); // a state of the view
+    }
+
+    // On black and on white, with a halo of the other shade beside the line.
+    void outlinesAreSeenOnAnyPicture() {
+        for (const auto& background : {attractor::Rgba{0, 0, 0}, attractor::Rgba{255, 255, 255}}) {
+            view::AnalysisItem item;
+            attractor::Camera camera;
+            camera.width = camera.height = 100;
+            camera.pixelsPerUnit = 10;
+            camera.centre = {0, 0};
+            item.setView(camera);
+            const view::OverlayStyle style = view::overlayStyle(background, QPalette());
+            item.setStyle(style);
+            item.setShapes({{document::Outline::Box, {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}, {}}});
+            QVERIFY(item.boundingRect().contains(QRectF(20, 20, 60, 60)));
+            QImage image(100, 100, QImage::Format_ARGB32_Premultiplied);
+            image.fill(QColor(128, 128, 128));
+            QPainter painter(&image);
+            item.paint(&painter, nullptr, nullptr);
+            painter.end();
+            int darkest = 255, lightest = 0;
+            for (int x = 15; x < 25; ++x) {
+                const int grey = qGray(image.pixel(x, 50));
+                darkest = std::min(darkest, grey);
+                lightest = std::max(lightest, grey);
+            }
+            QVERIFY2(lightest - darkest > 80, qPrintable(QString::number(lightest - darkest)));
+            QCOMPARE(qGray(image.pixel(50, 50)), 128);
+        }
+    }
+
 private:
+    static QList<view::Fact> factsOf(const document::Fractal& fractal) {
+        document::Analyser analyser;
+        const auto analysis = analyser.completed(
+            analyser.begun({.fractal = std::make_shared<const document::Fractal>(fractal), .outlines = {}}),
+            {});
+        return view::analysisFacts(*analysis);
+    }
     static QString valueOf(const QList<view::Fact>& facts, const QString& name) {
         for (const auto& fact : facts)
             if (fact.name == name) return fact.value;

@@ -6,7 +6,10 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QSignalSpy>
 
 #include <memory>
@@ -142,7 +145,7 @@ private slots:
     void theAffineInvariantFormIsShown() {
         document::Document sierpinski; // over its own triangle: halves and ones
         document::Fractal fractal = sierpinski.fractal();
-        const QStringList lines = view::aifsText(fractal).split(u'\n');
+        const QStringList lines = view::aifsText(fractal, view::Digits::Few).split(u'\n');
         QCOMPARE(lines.filter(QStringLiteral("S")).size(), 3);
         double sum = 0;
         int rows = 0;
@@ -158,8 +161,12 @@ private slots:
         // Dragging the triangle moves its vertices and leaves the matrices.
         fractal.cage = document::effectiveCage(fractal);
         fractal.cage->current[0] = {-3, 2};
-        const QStringList dragged = view::aifsText(fractal).split(u'\n');
+        const QStringList dragged = view::aifsText(fractal, view::Digits::Few).split(u'\n');
         QVERIFY(dragged[0] != lines[0] && dragged.mid(3) == lines.mid(3));
+        document::system2(fractal)->maps[0].map.linear(0, 0) = 1. / 3;
+        view::AifsDialog(fractal).copy();
+        QVERIFY(
+            QGuiApplication::clipboard()->text().contains(QRegularExpression(QStringLiteral("0\\.\\d{15}"))));
     }
 
     void unbakeKeepsThePicture() {

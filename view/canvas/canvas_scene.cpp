@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_scene.h"
 
+#include "canvas/analysis_item.h"
 #include "canvas/attractor_item.h"
 #include "canvas/cage_item.h"
 #include "canvas/canvas_geometry.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace view {
 
@@ -51,6 +53,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_document(document),
       m_attractor(std::make_unique<AttractorItem>()),
       m_grid(std::make_unique<GridItem>()),
+      m_analysisItem(std::make_unique<AnalysisItem>()),
       m_cageItem(std::make_unique<CageItem>()),
       m_gizmo(std::make_unique<GizmoItem>()),
       m_snapMark(std::make_unique<SnapMark>()),
@@ -72,8 +75,8 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
 CanvasScene::~CanvasScene() = default;
 
 std::vector<QGraphicsItem*> CanvasScene::overlays() const {
-    return {m_grid.get(),   m_trailItem.get(), m_gizmo.get(),    m_cageItem.get(),
-            m_rubber.get(), m_snapMark.get(),  m_noteItem.get(), m_promptItem.get()};
+    return {m_grid.get(),   m_analysisItem.get(), m_trailItem.get(), m_gizmo.get(),     m_cageItem.get(),
+            m_rubber.get(), m_snapMark.get(),     m_noteItem.get(),  m_promptItem.get()};
 }
 
 void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRatio) {
@@ -82,6 +85,7 @@ void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRat
     setSceneRect(area);
     m_attractor->setView(camera, devicePixelRatio);
     m_grid->setView(camera);
+    m_analysisItem->setView(camera);
     m_gizmo->setView(area);
     m_noteItem->setView(area);
     m_promptItem->setView(area);
@@ -330,6 +334,10 @@ void CanvasScene::mark() {
     m_gizmo->setMarks(m_hovered, m_pressed, m_focused);
 }
 
+void CanvasScene::showOutlines(std::vector<document::OutlineShape> shapes) {
+    m_analysisItem->setShapes(std::move(shapes));
+}
+
 void CanvasScene::showTrail(const std::vector<ifs::Vector<2>>& points) {
     m_trail = points;
     place();
@@ -339,6 +347,7 @@ void CanvasScene::restyle() {
     const OverlayStyle style = overlayStyle(m_document->fractal().appearance.background, m_palette);
     m_attractor->setStyle(style);
     m_grid->setStyle(style);
+    m_analysisItem->setStyle(style);
     m_cageItem->setStyle(style);
     m_gizmo->setStyle(style);
     m_snapMark->setStyle(style);

@@ -15,8 +15,13 @@
 #include <optional>
 #include <vector>
 
+namespace document {
+struct OutlineShape;
+}
+
 namespace view {
 
+class AnalysisItem;
 class AttractorItem;
 class CageItem;
 class GridItem;
@@ -72,7 +77,8 @@ public:
     void showSnap(const std::optional<Snapped>& snap);
     void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
 
-    void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last
+    void showOutlines(std::vector<document::OutlineShape> shapes); // of an analysis
+    void showTrail(const std::vector<ifs::Vector<2>>& points);     // of a chaos game, the newest last
 
     void setPrompt(const QString& prompt); // what the tool asks for; empty: none
     void setHint(const QString& hint);     // shown while there is no prompt
@@ -124,6 +130,7 @@ private:
 
     std::unique_ptr<AttractorItem> m_attractor;
     std::unique_ptr<GridItem> m_grid;
+    std::unique_ptr<AnalysisItem> m_analysisItem;
     std::unique_ptr<CageItem> m_cageItem;
     std::unique_ptr<GizmoItem> m_gizmo;
     std::unique_ptr<SnapMark> m_snapMark;

@@ -9,6 +9,7 @@
 #include "canvas/canvas_menu.h"
 #include "canvas/canvas_scene.h"
 #include "canvas/define_tool.h"
+#include "document/analysis.h"
 #include "document/fractal.h"
 #include "io/number.h"
 #include "render_bridge.h"
@@ -292,6 +293,10 @@ void CanvasView::setSnapping(Snapping snapping) {
 
 Snapping CanvasView::snapping() const {
     return m_scene->snapping();
+}
+
+void CanvasView::showOutlines(std::vector<document::OutlineShape> shapes) {
+    m_scene->showOutlines(std::move(shapes));
 }
 
 void CanvasView::showTrail(const std::vector<ifs::Vector<2>>& points) {

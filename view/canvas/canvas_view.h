@@ -17,6 +17,10 @@
 
 class QTouchEvent;
 
+namespace document {
+struct OutlineShape;
+}
+
 namespace view {
 
 class CageTool;
@@ -63,7 +67,8 @@ public:
     bool overlaysVisible() const;
     void setSnapping(Snapping snapping);
     Snapping snapping() const;
-    void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last
+    void showOutlines(std::vector<document::OutlineShape> shapes); // of an analysis
+    void showTrail(const std::vector<ifs::Vector<2>>& points);     // of a chaos game, the newest last
     void setHint(const QString& hint); // for a first run: shown until the first gesture
 
     QString note() const; // the sentence about the picture, if one is shown

@@ -43,6 +43,7 @@ OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& pal
         style.checker = darkDesktop ? QColor(46, 48, 53) : QColor(236, 237, 239);
     }
     const bool dark = luminance(style.backdrop) < 0.18;
+    style.onDark = dark;
     const bool strong = wantsHighContrast(palette);
     const QColor ink = dark ? QColor(214, 224, 240) : QColor(28, 36, 50);
     style.gridMinor = translucent(ink, strong ? 0.18 : 0.055);

@@ -29,6 +29,7 @@ struct OverlayStyle {
     QColor noteBackground;
     QColor noteText;
     double lineWidth = 1.5;
+    bool onDark = false; // the backdrop is dark
 };
 
 OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& palette);

@@ -20,8 +20,9 @@ namespace view {
 
 namespace {
 
-// A number without what rounding has left of a zero or a one.
-QString entry(double value) {
+// To be read: without what rounding has left of a zero or a one.
+QString entry(double value, Digits digits) {
+    if (digits == Digits::All) return fullNumber(value).rightJustified(26);
     const double rounded = std::round(value * 1e12) / 1e12;
     return shortNumber(rounded + 0.0).rightJustified(16);
 }
@@ -37,7 +38,8 @@ ifs::ControlCage<2> triangleOf(const document::Fractal& fractal) {
 
 } // namespace
 
-QString aifsText(const document::Fractal& fractal) {
+QString aifsText(const document::Fractal& fractal, Digits digits) {
+    const auto number = digits == Digits::All ? &fullNumber : &shortNumber;
     const document::System2* system = document::system2(fractal);
     if (!system) return AifsDialog::tr("This entry has no maps of the plane.");
     const ifs::ControlCage<2> cage = triangleOf(fractal);
@@ -47,12 +49,12 @@ QString aifsText(const document::Fractal& fractal) {
     for (std::size_t j = 0; j < 3; ++j)
         text += QStringLiteral("V%1 = (%2, %3)\n")
                     .arg(j + 1)
-                    .arg(shortNumber(cage.current[j].x()), shortNumber(cage.current[j].y()));
+                    .arg(number(cage.current[j].x()), number(cage.current[j].y()));
     for (std::size_t i = 0; i < form.maps.size(); ++i) {
         text += QStringLiteral("\nS%1 =\n").arg(i + 1);
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 3; ++column)
-                text += entry(form.maps[i](row, column));
+                text += entry(form.maps[i](row, column), digits);
             text += u'\n';
         }
     }
@@ -60,7 +62,7 @@ QString aifsText(const document::Fractal& fractal) {
 }
 
 AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
-    : QDialog(parent), m_text(new QPlainTextEdit(aifsText(fractal), this)) {
+    : QDialog(parent), m_exact(aifsText(fractal, Digits::All)) {
     setWindowTitle(tr("Affine Invariant Form"));
     auto* explanation = new QLabel(
         tr("Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so "
@@ -68,22 +70,24 @@ AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
            "negative, the map takes the triangle into itself."),
         this);
     explanation->setWordWrap(true);
-    m_text->setReadOnly(true);
-    m_text->setAccessibleName(windowTitle());
-    m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    auto* text = new QPlainTextEdit(aifsText(fractal, Digits::Few), this);
+    text->setReadOnly(true);
+    text->setAccessibleName(windowTitle());
+    text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
-    connect(copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text()); });
+    copy->setToolTip(tr("Copies the triangle and the matrices with all digits"));
+    connect(copy, &QPushButton::clicked, this, &AifsDialog::copy);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(explanation);
-    layout->addWidget(m_text, 1);
+    layout->addWidget(text, 1);
     layout->addWidget(buttons);
     resize(520, 460);
 }
 
-QString AifsDialog::text() const {
-    return m_text->toPlainText();
+void AifsDialog::copy() const {
+    QGuiApplication::clipboard()->setText(m_exact);
 }
 
 } // namespace view

@@ -5,8 +5,6 @@
 
 #include <QDialog>
 
-class QPlainTextEdit;
-
 namespace view {
 
 // The affine invariant form of a fractal, as text: the triangle and one row-stochastic matrix for each map.
@@ -15,13 +13,15 @@ class AifsDialog : public QDialog {
 
 public:
     explicit AifsDialog(const document::Fractal& fractal, QWidget* parent = nullptr);
-    QString text() const;
+    void copy() const; // with all digits
 
 private:
-    QPlainTextEdit* m_text;
+    QString m_exact;
 };
 
-// What the dialog shows; a sentence for an entry that is no system of the plane.
-QString aifsText(const document::Fractal& fractal);
+// What the dialog shows, with few digits, or copies, with all; a sentence for an entry that is no system of
+// the plane.
+enum class Digits { Few, All };
+QString aifsText(const document::Fractal& fractal, Digits digits);
 
 } // namespace view

@@ -2,15 +2,9 @@
 #include "panels/analysis_facts.h"
 
 #include "cage_edits.h"
-#include "ifs/attractor_existence.h"
-#include "ifs/dimension.h"
-#include "ifs/moments.h"
-#include "ifs/support_function.h"
 #include "panels/number_text.h"
 
 #include <QCoreApplication>
-
-#include <utility>
 
 namespace view {
 
@@ -20,123 +14,144 @@ class Facts {
     Q_DECLARE_TR_FUNCTIONS(Analysis)
 
 public:
-    explicit Facts(const document::System2& system) : m_system(system), m_active(ifs::activeMaps(system)) {}
+    explicit Facts(const document::Analysis& analysis) : m_analysis(analysis), m_facts(analysis.facts) {}
     QList<Fact> all();
 
 private:
     using Format = QString (*)(double);
-    struct Text {
-        QString shown;
-        QString exact;
-    };
-    // The same text with few and with all digits.
-    template <class Writer> static Text both(Writer write) {
-        return {write(&shortNumber), write(&fullNumber)};
+    // The same text with few and with all digits; empty when there is nothing to say.
+    template <class Writer>
+    void add(const QString& name, const QString& definition, bool isKnown, Writer write) {
+        m_lines.append({name, isKnown ? write(&shortNumber) : QString(),
+                        isKnown ? write(&fullNumber) : QString(), definition});
     }
     static QString pair(const ifs::Vector<2>& v, Format number) {
         return QStringLiteral("(%1, %2)").arg(number(v.x()), number(v.y()));
     }
-    void add(const QString& name, const Text& text, const QString& definition) {
-        m_facts.append({name, text.shown, text.exact, definition});
-    }
-    void addContraction();
-    void addExtents();
+    void addMaps();
     void addDimensions();
     void addMoments();
+    void addExtents();
 
-    const document::System2& m_system;
-    ifs::ActiveMaps<2> m_active;
-    QList<Fact> m_facts;
+    const document::Analysis& m_analysis;
+    const ifs::Facts<2>& m_facts;
+    QList<Fact> m_lines;
 };
 
+// A bound says its size, not its digits.
+QString bound(double value) {
+    return QString::number(value, 'g', 2);
+}
+
 QList<Fact> Facts::all() {
-    const QString verdict = existenceSentence(m_system);
-    add(tr("Attractor"), {verdict, verdict},
-        tr("A system has one attractor if some power of it contracts: then every start leads to the same "
-           "set."));
-    addContraction();
-    addExtents();
+    addMaps();
     addDimensions();
     addMoments();
-    return m_facts;
+    addExtents();
+    return m_lines;
 }
 
-void Facts::addContraction() {
-    if (m_active.maps.empty()) return;
-    add(tr("Contraction"), both([this](Format number) {
+void Facts::addMaps() {
+    const QString verdict = existenceSentence(m_facts.existence, m_facts.active.index);
+    add(tr("Attractor"),
+        tr("A system has one attractor if some power of it contracts: then every start leads to the same "
+           "set."),
+        true, [&](Format) { return verdict; });
+    add(tr("Contraction"), tr("‖A‖ of each map that takes part: the most by which it stretches distances."),
+        !m_facts.active.maps.empty(), [&](Format number) {
             QStringList factors;
-            for (const auto& map : m_active.maps)
+            for (const auto& map : m_facts.active.maps)
                 factors << number(ifs::spectralNorm<2>(map.linear));
             return factors.join(QStringLiteral("  "));
-        }),
-        tr("‖A‖ of each map that takes part: the most by which it stretches distances."));
-}
-
-void Facts::addExtents() {
-    const auto support = ifs::SupportFunction<2>::of(m_active.maps);
-    if (!support) return;
-    const double tolerance = 1e-10 * support->radius();
-    const auto box = ifs::boundingBox(*support, tolerance);
-    add(tr("Box"), both([&](Format number) {
-            return QStringLiteral("[%1, %2] × [%3, %4]")
-                .arg(number(box.min.x()), number(box.max.x()), number(box.min.y()), number(box.max.y()));
-        }),
-        tr("The smallest box with sides parallel to the axes that holds the attractor; certified."));
-    const auto simplex = ifs::minimalCanonicalSimplex(*support, tolerance);
-    add(tr("Canonical simplex"), both([&](Format number) {
-            return tr("%1, leg %2, corner %3")
-                .arg(orientationText(simplex.orientation), number(simplex.leg),
-                     pair(simplex.vertices[0], number));
-        }),
-        tr("The smallest isosceles right triangle with legs parallel to the axes that holds the attractor. "
-           "The signs "
-           "are the directions of its legs."));
-    const auto hull = ifs::convexHull(*support, 1e-4 * support->radius());
-    add(tr("Convex hull area"), both([&](Format number) { return number(hull.area); }),
-        tr("Area of the convex hull's inner polygon with %1 vertices; the hull reaches at most %2 beyond it.")
-            .arg(hull.vertices.size())
-            .arg(shortNumber(hull.error)));
+        });
+    add(tr("Fixed points"), tr("The point that each map leaves where it is; it lies on the attractor."),
+        !m_analysis.fixedPoints.empty(), [&](Format number) {
+            QStringList points;
+            for (const auto& point : m_analysis.fixedPoints)
+                points << pair(point, number);
+            return points.join(QStringLiteral("  "));
+        });
 }
 
 void Facts::addDimensions() {
-    if (const auto dimension = ifs::similarityDimension<2>(m_active.maps))
-        add(tr("Similarity dimension"), both([&](Format number) { return number(*dimension); }),
-            tr("The D with Σ sᵢᴰ = 1 over the ratios sᵢ. It is the dimension of the attractor when the "
-               "pieces do not "
-               "overlap."));
+    const auto& similarity = m_facts.similarityDimension;
+    add(tr("Similarity dimension"),
+        tr("The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It "
+           "is "
+           "the dimension of the attractor when the pieces do not overlap."),
+        similarity.has_value(), [&](Format number) { return number(*similarity); });
+    const auto& affinity = m_facts.affinityDimension;
+    add(tr("Affinity dimension"),
+        tr("Falconer’s dimension: where the sum of the singular value functions of all words of one length "
+           "neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to "
+           "it "
+           "for almost all translations when the maps contract enough."),
+        affinity.has_value(), [&](Format number) { return number(*affinity); });
+    m_lines.last().isPending = !m_analysis.isComplete;
+    const auto& counting = m_analysis.boxCounting;
+    add(tr("Box-counting dimension"),
+        tr("Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the "
+           "attractor. An estimate: it depends on the sizes counted."),
+        counting.has_value(), [&](Format number) { return number(counting->fit.slope); });
+    m_lines.last().isPending = !m_analysis.isComplete;
 }
 
 void Facts::addMoments() {
-    const auto moments = ifs::moments(m_active);
-    if (!moments) return;
-    add(tr("Mean"), both([&](Format number) { return pair(moments->mean, number); }),
-        tr("Mean of the invariant measure, solved exactly: the centre of mass of the picture."));
-    const auto& covariance = moments->covariance;
-    add(tr("Covariance"), both([&](Format number) {
+    const auto& moments = m_facts.moments;
+    add(tr("Mean"), tr("Mean of the invariant measure, solved exactly: the centre of mass of the picture."),
+        moments.has_value(), [&](Format number) { return pair(moments->mean, number); });
+    add(tr("Covariance"),
+        tr("Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. "
+           "The ellipse is the one on which an even mass has the same mean and covariance."),
+        moments.has_value(), [&](Format number) {
+            const auto& covariance = moments->covariance;
             return QStringLiteral("%1, %2, %3")
                 .arg(number(covariance(0, 0)), number(covariance(0, 1)), number(covariance(1, 1)));
-        }),
-        tr("Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture "
-           "spreads."));
+        });
 }
 
-QString word(const std::vector<int>& address) {
+void Facts::addExtents() {
+    const auto& box = m_facts.box;
+    add(tr("Box"),
+        tr("The smallest box with sides parallel to the axes that holds the attractor; certified."),
+        box.has_value(), [&](Format number) {
+            return QStringLiteral("[%1, %2] × [%3, %4]")
+                .arg(number(box->min.x()), number(box->max.x()), number(box->min.y()), number(box->max.y()));
+        });
+    const auto& simplex = m_facts.simplex;
+    add(tr("Canonical simplex"),
+        tr("The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; "
+           "certified. The signs are the directions of its legs."),
+        simplex.has_value(), [&](Format number) {
+            return tr("%1, leg %2, corner %3")
+                .arg(orientationText(simplex->orientation), number(simplex->leg),
+                     pair(simplex->vertices[0], number));
+        });
+    const auto& hull = m_facts.hull;
+    add(tr("Hull area"),
+        tr("Area of the convex hull: of the polygon whose vertices were found on the "
+           "attractor. The hull itself is larger by at most its border times the error bound."),
+        hull.has_value(), [&](Format number) { return number(hull->area); });
+    add(tr("Hull vertices"),
+        tr("Corners of the convex hull as found, each a point of the attractor. A hull "
+           "with infinitely many has as many as its tolerance asks for."),
+        hull.has_value(), [&](Format) { return QString::number(hull->vertices.size()); });
+    add(tr("Hull error bound"), tr("The attractor reaches at most this far beyond the polygon; certified."),
+        hull.has_value(),
+        [&](Format number) { return number == &shortNumber ? bound(hull->error) : number(hull->error); });
+}
+
+QString word(const std::vector<int>& address, const std::vector<std::size_t>& rows) {
     QStringList letters;
     for (const int letter : address)
-        letters << QString::number(letter + 1);
+        letters << QString::number(rows[std::size_t(letter)] + 1);
     return letters.join(u' ');
 }
 
 } // namespace
 
-QString existenceSentence(const document::System2& system) {
-    const auto active = ifs::activeMaps(system);
-    const auto existence = ifs::classify<2>(active.maps);
+QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("Analysis", text); };
-    // The witness counts maps that take part; the user counts rows.
-    std::vector<int> rows;
-    for (const int letter : existence.witness)
-        rows.push_back(static_cast<int>(active.index[static_cast<std::size_t>(letter)]));
     const QString factor = shortNumber(existence.contractivity);
     switch (existence.verdict) {
     case ifs::Verdict::Hyperbolic:
@@ -150,7 +165,7 @@ QString existenceSentence(const document::System2& system) {
             .arg(factor);
     case ifs::Verdict::None:
         return tr(QT_TRANSLATE_NOOP("Analysis", "None: the word %1 does not contract (%2 a map)."))
-            .arg(word(rows), factor);
+            .arg(word(existence.witness, rows), factor);
     case ifs::Verdict::Undecided:
         return tr(QT_TRANSLATE_NOOP("Analysis", "Undecided: no proof either way was found."));
     case ifs::Verdict::Empty:
@@ -159,9 +174,8 @@ QString existenceSentence(const document::System2& system) {
     return {};
 }
 
-QList<Fact> analysisFacts(const document::Fractal& fractal) {
-    const document::System2* system = document::system2(fractal);
-    return system ? Facts(*system).all() : QList<Fact>{};
+QList<Fact> analysisFacts(const document::Analysis& analysis) {
+    return Facts(analysis).all();
 }
 
 } // namespace view

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
+#include "document/analysis.h"
 
 #include <QList>
 #include <QString>
 
 namespace view {
 
-// One line of what is known of a code.
+// One line of what is known of a picture.
 struct Fact {
     QString name;
-    QString value; // short digits
+    QString value; // short digits; empty: not known
     QString exact; // all digits, to copy
     QString definition;
+    bool isPending = false; // still being worked out
 };
 
-// Facts of the code (not of its placement) that cost a few milliseconds. Empty for an entry without a plane
-// system.
-QList<Fact> analysisFacts(const document::Fractal& fractal);
+// The same lines in the same order for every system of the plane.
+QList<Fact> analysisFacts(const document::Analysis& analysis);
 
-// Whether the system has an attractor, and why, in one sentence; maps are numbered from 1.
-QString existenceSentence(const document::System2& system);
+// Whether the maps that take part have an attractor, and why, in one sentence; maps are numbered from 1.
+QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows);
 
 } // namespace view

@@ -1,119 +1,216 @@
 // SPDX-License-Identifier: MIT
 #include "panels/analysis_panel.h"
 
-#include "cage_edits.h"
+#include "analysis_bridge.h"
+#include "canvas/analysis_item.h"
+#include "panels/box_counting_plot.h"
 
+#include <QCheckBox>
 #include <QClipboard>
+#include <QEvent>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QShowEvent>
+#include <QPainter>
+#include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
-
-#include <chrono>
 
 namespace view {
 
 namespace {
 
-constexpr std::chrono::milliseconds restPause{200};
+constexpr int deepest = 12; // symbols of a cylinder; where there are too many, they stay longer
+
+QIcon swatch(const QColor& colour) {
+    QPixmap pixmap(32, 32);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.fillRect(2, 13, 28, 6, colour);
+    return pixmap;
+}
 
 } // namespace
 
-AnalysisPanel::AnalysisPanel(document::Document* document, QWidget* parent)
-    : QWidget(parent),
-      m_document(document),
-      m_notice(new QLabel(this)),
-      m_box(new QWidget(this)),
-      m_copy(new QToolButton(this)) {
+AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridge, QWidget* parent)
+    : QScrollArea(parent), m_document(document), m_bridge(bridge) {
     setAccessibleName(tr("Analysis"));
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* content = new QWidget(this);
+    m_notice = new QLabel(content);
     m_notice->setWordWrap(true);
     m_notice->setForegroundRole(QPalette::PlaceholderText);
-    m_copy->setText(tr("Copy All"));
-    m_copy->setToolTip(tr("Copy all facts with all digits"));
-    m_copy->setAutoRaise(true);
-    connect(m_copy, &QToolButton::clicked, this, &AnalysisPanel::copyAll);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(12, 12, 12, 12);
-    layout->setSpacing(10);
-    layout->addWidget(m_notice);
-    layout->addWidget(m_box);
-    layout->addWidget(m_copy, 0, Qt::AlignLeft);
-    layout->addStretch();
+    m_box = new QWidget(content);
     m_form = new QFormLayout(m_box);
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setVerticalSpacing(8);
     m_form->setHorizontalSpacing(16);
     m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_settled.setSingleShot(true);
-    m_settled.setInterval(restPause);
-    connect(&m_settled, &QTimer::timeout, this, &AnalysisPanel::compute);
-    connect(document, &document::Document::changed, this, &AnalysisPanel::follow);
+    m_plot = new BoxCountingPlot(content);
+    m_copy = new QToolButton(content);
+    m_copy->setText(tr("Copy All"));
+    m_copy->setToolTip(tr("Copy all facts with all digits"));
+    m_copy->setAutoRaise(true);
+    connect(m_copy, &QToolButton::clicked, this, &AnalysisPanel::copyAll);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(12, 12, 12, 12);
+    layout->setSpacing(10);
+    layout->addWidget(m_notice);
+    layout->addWidget(makeOutlines());
+    layout->addWidget(m_box);
+    layout->addWidget(m_plot);
+    layout->addWidget(m_copy, 0, Qt::AlignLeft);
+    layout->addStretch();
+    setWidget(content);
+    connect(bridge, &AnalysisBridge::changed, this, &AnalysisPanel::showAnalysis);
+    connect(document, &document::Document::changed, this, &AnalysisPanel::showNotice);
+    showAnalysis();
+}
+
+QWidget* AnalysisPanel::makeOutlines() {
+    using document::Outline;
+    m_outlines = new QWidget(this);
+    auto* grid = new QGridLayout(m_outlines);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(6);
+    auto* title = new QLabel(tr("On the canvas"), m_outlines);
+    title->setForegroundRole(QPalette::PlaceholderText);
+    grid->addWidget(title, 0, 0, 1, 2);
+    const auto add = [&](Outline kind, const QString& text, const QString& tip, int row, int column) {
+        auto* box = new QCheckBox(text, m_outlines);
+        box->setToolTip(tip);
+        connect(box, &QCheckBox::toggled, this,
+                [this, kind](bool checked) { m_bridge->setOutlined(kind, checked); });
+        m_outlineBoxes[kind] = box;
+        grid->addWidget(box, row, column);
+    };
+    add(Outline::Box, tr("Box"), tr("Outline the certified bounding box"), 1, 0);
+    add(Outline::Hull, tr("Hull"), tr("Outline the convex hull"), 1, 1);
+    add(Outline::Simplex, tr("Simplex"), tr("Outline the minimal canonical simplex"), 2, 0);
+    add(Outline::Ellipse, tr("Ellipse"), tr("Show the mean and the ellipse of the covariance"), 2, 1);
+    add(Outline::FixedPoints, tr("Fixed points"), tr("Mark the fixed point of each map in its colour"), 3, 0);
+    add(Outline::Cylinders, tr("Cylinders"),
+        tr("Outline the hulls of all pieces with an address of the same length, in the colour of its first "
+           "map"),
+        3, 1);
+    auto* depth = new QWidget(m_outlines);
+    auto* line = new QHBoxLayout(depth);
+    line->setContentsMargins(0, 0, 0, 0);
+    m_depth = new QSpinBox(depth);
+    m_depth->setRange(1, deepest);
+    m_depth->setAccessibleName(tr("Length of the addresses"));
+    m_depth->setToolTip(
+        tr("How many symbols the addresses of the cylinders have; fewer where there would be thousands"));
+    auto* label = new QLabel(tr("Address length"), depth);
+    label->setBuddy(m_depth);
+    line->addWidget(label);
+    line->addWidget(m_depth);
+    line->addStretch();
+    depth->setVisible(false);
+    connect(m_depth, &QSpinBox::valueChanged, m_bridge, &AnalysisBridge::setCylinderDepth);
+    connect(m_outlineBoxes[Outline::Cylinders], &QCheckBox::toggled, depth, &QWidget::setVisible);
+    grid->addWidget(depth, 4, 0, 1, 2);
+    grid->setColumnStretch(1, 1);
+    colourOutlines();
+    return m_outlines;
+}
+
+// In shades that are seen on the panel.
+void AnalysisPanel::colourOutlines() {
+    const bool isDark = palette().color(QPalette::Window).lightness() < 128;
+    for (const auto& [kind, box] : m_outlineBoxes)
+        if (kind != document::Outline::FixedPoints && kind != document::Outline::Cylinders)
+            box->setIcon(swatch(outlineColour(kind, isDark)));
+}
+
+void AnalysisPanel::changeEvent(QEvent* event) {
+    QScrollArea::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) colourOutlines();
 }
 
 void AnalysisPanel::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    m_settled.start(0);
+    QScrollArea::showEvent(event);
+    m_bridge->setWatched(true);
+    showAnalysis();
 }
 
-void AnalysisPanel::follow(const document::Change& change) {
-    using document::Change;
-    if (isVisible() &&
-        change.parts & (Change::System | Change::Cage | Change::Entries | Change::Current | Change::File))
-        m_settled.start(restPause);
+void AnalysisPanel::hideEvent(QHideEvent* event) {
+    QScrollArea::hideEvent(event);
+    m_bridge->setWatched(false);
 }
 
-void AnalysisPanel::compute() {
-    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_settled.start(restPause); // still held
-    showFacts(analysisFacts(m_document->fractal()));
-}
-
-QString AnalysisPanel::notice() const {
+void AnalysisPanel::showNotice() {
     const document::Fractal& fractal = m_document->fractal();
-    if (document::dimension(fractal) == 3) return tr("3D: not yet shown.");
-    if (document::dimension(fractal) == 0)
-        return tr("This entry could not be read, so nothing is known of it.");
-    return isAtRest(fractal)
-               ? QString()
-               : tr("The picture is placed by its cage; these are facts of the code. Bake to see those "
-                    "of the picture.");
+    const auto analysis = m_bridge->analysis();
+    QString text;
+    if (document::dimension(fractal) == 3)
+        text = tr("3D: not yet shown.");
+    else if (document::dimension(fractal) == 0)
+        text = tr("This entry could not be read, so nothing is known of it.");
+    else if (analysis && analysis->isOfCode)
+        text =
+            tr("The cage bends the picture, and no system has it. These are facts of the code; on the canvas "
+               "they are bent with the picture.");
+    m_notice->setText(text);
+    m_notice->setVisible(!text.isEmpty());
+    m_outlines->setVisible(document::dimension(fractal) == 2);
 }
 
-void AnalysisPanel::showFacts(const QList<Fact>& facts) {
-    m_notice->setText(notice());
-    m_notice->setVisible(!m_notice->text().isEmpty());
-    m_copy->setVisible(!facts.isEmpty());
-    if (facts.size() != m_form->rowCount()) {
-        while (m_form->rowCount() > 0)
-            m_form->removeRow(0);
-        for (qsizetype i = 0; i < facts.size(); ++i) {
-            auto* name = new QLabel(m_box);
-            name->setForegroundRole(QPalette::PlaceholderText);
-            auto* value = new QLabel(m_box);
-            value->setWordWrap(true);
-            value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-            value->setContextMenuPolicy(Qt::CustomContextMenu);
-            connect(value, &QWidget::customContextMenuRequested, this, [this, i, value](const QPoint& place) {
-                QMenu menu(value);
-                menu.addAction(tr("Copy with All Digits"),
-                               [this, i] { QGuiApplication::clipboard()->setText(m_facts.value(i).exact); });
-                menu.addAction(tr("Copy All Facts"), this, &AnalysisPanel::copyAll);
-                menu.exec(value->mapToGlobal(place));
-            });
-            m_form->addRow(name, value);
+void AnalysisPanel::showAnalysis() {
+    showNotice();
+    if (!isVisible()) return;
+    const auto analysis = m_bridge->analysis();
+    QList<Fact> facts = analysis ? analysisFacts(*analysis) : QList<Fact>();
+    // What is still being worked out keeps the value of a moment ago.
+    for (qsizetype k = 0; k < facts.size() && k < m_facts.size(); ++k)
+        if (facts[k].isPending) {
+            facts[k].value = m_facts[k].value;
+            facts[k].exact = m_facts[k].exact;
         }
-    }
     m_facts = facts;
+    m_box->setVisible(analysis != nullptr);
+    m_copy->setVisible(analysis != nullptr);
+    m_plot->setCounting(analysis ? analysis->boxCounting : std::nullopt, analysis && !analysis->isComplete);
+    if (!analysis) return;
+    if (m_form->rowCount() == 0) makeLines(facts.size());
+    showLines();
+}
+
+void AnalysisPanel::makeLines(qsizetype count) {
+    for (qsizetype i = 0; i < count; ++i) {
+        auto* name = new QLabel(m_box);
+        name->setForegroundRole(QPalette::PlaceholderText);
+        auto* value = new QLabel(m_box);
+        value->setWordWrap(true);
+        value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        value->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(value, &QWidget::customContextMenuRequested, this, [this, i, value](const QPoint& place) {
+            QMenu menu(value);
+            menu.addAction(tr("Copy with All Digits"),
+                           [this, i] { QGuiApplication::clipboard()->setText(m_facts.value(i).exact); });
+            menu.addAction(tr("Copy All Facts"), this, &AnalysisPanel::copyAll);
+            menu.exec(value->mapToGlobal(place));
+        });
+        m_form->addRow(name, value);
+    }
+}
+
+void AnalysisPanel::showLines() {
     for (int row = 0; row < m_form->rowCount(); ++row) {
         const Fact& fact = m_facts.at(row);
         auto* name = static_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         auto* value = static_cast<QLabel*>(m_form->itemAt(row, QFormLayout::FieldRole)->widget());
         name->setText(fact.name);
         name->setToolTip(fact.definition);
-        value->setText(fact.value);
+        value->setText(fact.value.isEmpty() ? QStringLiteral("–") : fact.value);
+        value->setForegroundRole(fact.isPending ? QPalette::PlaceholderText : QPalette::WindowText);
         value->setToolTip(fact.definition);
         value->setAccessibleName(fact.name);
         value->setAccessibleDescription(fact.definition);
@@ -123,7 +220,7 @@ void AnalysisPanel::showFacts(const QList<Fact>& facts) {
 void AnalysisPanel::copyAll() const {
     QStringList lines;
     for (const Fact& fact : m_facts)
-        lines << fact.name + u'\t' + fact.exact;
+        if (!fact.exact.isEmpty()) lines << fact.name + u'\t' + fact.exact;
     QGuiApplication::clipboard()->setText(lines.join(u'\n'));
 }
 

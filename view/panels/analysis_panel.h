@@ -4,40 +4,57 @@
 #include "document/document.h"
 #include "panels/analysis_facts.h"
 
-#include <QTimer>
-#include <QWidget>
+#include <QScrollArea>
 
+#include <map>
+
+class QCheckBox;
 class QFormLayout;
 class QLabel;
+class QSpinBox;
 class QToolButton;
 
 namespace view {
 
-// What is known of the code, read-only; computed while the panel is visible and the hand rests.
-class AnalysisPanel : public QWidget {
+class AnalysisBridge;
+class BoxCountingPlot;
+
+// What is known of the picture, live while it is dragged, and which of it is outlined on the canvas. Nothing
+// is worked out while the panel is hidden.
+class AnalysisPanel : public QScrollArea {
     Q_OBJECT
 
 public:
-    explicit AnalysisPanel(document::Document* document, QWidget* parent = nullptr);
+    AnalysisPanel(document::Document* document, AnalysisBridge* bridge, QWidget* parent = nullptr);
 
     const QList<Fact>& facts() const { return m_facts; }
+    QCheckBox* outlineBox(document::Outline kind) const { return m_outlineBoxes.at(kind); }
+    const BoxCountingPlot& plot() const { return *m_plot; }
     void copyAll() const; // one "name<tab>value" a line, all digits
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
-    void follow(const document::Change& change);
-    void compute();
-    void showFacts(const QList<Fact>& facts);
-    QString notice() const;
+    QWidget* makeOutlines();
+    void makeLines(qsizetype count);
+    void showAnalysis();
+    void showNotice();
+    void showLines();
+    void colourOutlines();
 
     document::Document* m_document;
+    AnalysisBridge* m_bridge;
     QList<Fact> m_facts;
-    QTimer m_settled;
     QLabel* m_notice;
-    QWidget* m_box;
+    QWidget* m_box; // of the facts
     QFormLayout* m_form = nullptr;
+    BoxCountingPlot* m_plot;
+    QWidget* m_outlines = nullptr;
+    std::map<document::Outline, QCheckBox*> m_outlineBoxes;
+    QSpinBox* m_depth = nullptr;
     QToolButton* m_copy;
 };
 

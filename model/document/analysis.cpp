@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "document/analysis.h"
+
+#include "ifs/dimension.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace document {
+
+namespace {
+
+using ifs::Polygon;
+
+constexpr std::size_t mostCylinders = 4096;
+
+// The ellipse on which an even mass has the same mean and covariance: {x : (x − m)ᵀ C⁻¹ (x − m) ≤ 4}.
+Polygon ellipse(const ifs::Moments<2>& moments) {
+    constexpr int corners = 120;
+    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<2>> axes(moments.covariance);
+    const ifs::Matrix<2> shape =
+        2 * axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+    Polygon result;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * std::numbers::pi * k / corners;
+        result.push_back(moments.mean + shape * ifs::Vector<2>(std::cos(angle), std::sin(angle)));
+    }
+    return result;
+}
+
+// The images of the hull under all words of one length, at most so long that there are few enough to see.
+void addCylinders(std::vector<OutlineShape>& shapes, const ifs::Facts<2>& facts, int depth,
+                  const std::vector<attractor::Rgba>& colours) {
+    const auto& maps = facts.active.maps;
+    if (!facts.hull || maps.empty()) return;
+    const Polygon hull = ifs::convexHull(facts.hull->vertices, 1e-3 * std::sqrt(facts.hull->area));
+    shapes.push_back({Outline::Cylinders, hull, {}});
+    std::size_t first = 0;
+    for (int k = 0; k < depth && (shapes.size() - first) * maps.size() <= mostCylinders; ++k) {
+        const std::size_t end = shapes.size();
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            for (std::size_t shorter = first; shorter < end; ++shorter) {
+                OutlineShape shape{Outline::Cylinders, {}, colours[facts.active.index[i]]};
+                for (const auto& corner : shapes[shorter].points)
+                    shape.points.push_back(maps[i](corner));
+                shapes.push_back(std::move(shape));
+            }
+        first = end;
+    }
+    shapes.erase(shapes.begin(), shapes.begin() + std::ptrdiff_t(first));
+}
+
+std::vector<OutlineShape> shapesOf(const Analysis& analysis, const AnalysisRequest& request) {
+    const ifs::Facts<2>& facts = analysis.facts;
+    const auto wants = [&](Outline kind) { return request.outlines.contains(kind); };
+    std::vector<attractor::Rgba> colours;
+    const System2& system = *system2(*request.fractal);
+    for (std::size_t k = 0; k < system.maps.size(); ++k)
+        colours.push_back(attractor::mapColour(request.fractal->appearance, system.maps[k].id, k));
+    std::vector<OutlineShape> shapes;
+    if (wants(Outline::Cylinders)) addCylinders(shapes, facts, request.cylinderDepth, colours);
+    if (wants(Outline::Box) && facts.box) {
+        const auto &low = facts.box->min, &high = facts.box->max;
+        shapes.push_back({Outline::Box, {low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}});
+    }
+    if (wants(Outline::Simplex) && facts.simplex)
+        shapes.push_back(
+            {Outline::Simplex, {facts.simplex->vertices.begin(), facts.simplex->vertices.end()}, {}});
+    if (wants(Outline::Hull) && facts.hull) shapes.push_back({Outline::Hull, facts.hull->vertices, {}});
+    if (wants(Outline::Ellipse) && facts.moments) {
+        shapes.push_back({Outline::Ellipse, ellipse(*facts.moments), {}});
+        shapes.push_back({Outline::Ellipse, {facts.moments->mean}, {}});
+    }
+    if (wants(Outline::FixedPoints))
+        for (std::size_t k = 0; k < analysis.fixedPoints.size(); ++k)
+            shapes.push_back({Outline::FixedPoints, {analysis.fixedPoints[k]}, colours[analysis.fixedBy[k]]});
+    return shapes;
+}
+
+// The polygon with points along its edges, so that it can follow a bend.
+Polygon bent(const Polygon& polygon, const ifs::Placement& placement) {
+    constexpr int pieces = 24;
+    const int along = std::max(1, pieces * 4 / int(std::max<std::size_t>(polygon.size(), 4)));
+    Polygon result;
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+        for (int n = 0; n < (polygon.size() == 1 ? 1 : along); ++n)
+            result.push_back(placement(polygon[k] + (polygon[(k + 1) % polygon.size()] - polygon[k]) *
+                                                        (double(n) / along)));
+    return result;
+}
+
+} // namespace
+
+Analysis Analyser::begun(const AnalysisRequest& request) {
+    const Fractal& fractal = *request.fractal;
+    const System2& system = *system2(fractal);
+    if (!m_code || m_system != system) {
+        m_code = ifs::geometricFacts(system);
+        m_system = system;
+        m_hasDimension = false;
+    }
+    Analysis analysis;
+    analysis.revision = request.revision;
+    const ifs::Placement placed = placement(fractal);
+    analysis.isOfCode = placed.bend() != nullptr;
+    m_display = analysis.isOfCode ? ifs::AffineMap<2>{} : placed.affine();
+    analysis.facts = ifs::moved(m_display, *m_code);
+    for (std::size_t k = 0; k < m_code->active.maps.size(); ++k)
+        if (const auto fixed = ifs::fixedPoint(m_code->active.maps[k])) {
+            analysis.fixedPoints.push_back(m_display(*fixed));
+            analysis.fixedBy.push_back(m_code->active.index[k]);
+        }
+    analysis.shapes = shapesOf(analysis, request);
+    if (analysis.isOfCode)
+        for (auto& shape : analysis.shapes)
+            shape.points = bent(shape.points, placed);
+    return analysis;
+}
+
+std::optional<Analysis> Analyser::completed(Analysis analysis, const std::stop_token& stop) {
+    if (!m_hasDimension) {
+        m_code->affinityDimension = ifs::affinityDimension(m_code->active.maps, stop);
+        if (stop.stop_requested()) return std::nullopt;
+        if (auto& dimension = m_code->affinityDimension) dimension = std::min(*dimension, 2.0);
+        m_hasDimension = true;
+    }
+    if (!analysis.facts.active.maps.empty()) { // the picture is not flat
+        analysis.facts.affinityDimension = m_code->affinityDimension;
+        if (m_code->support) analysis.boxCounting = ifs::boxCounting(*m_code->support, m_display, stop);
+    }
+    if (stop.stop_requested()) return std::nullopt;
+    analysis.isComplete = true;
+    return analysis;
+}
+
+} // namespace document

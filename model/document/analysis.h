@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "ifs/box_counting.h"
+#include "ifs/facts.h"
+#include "ifs/polygon.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <vector>
+
+namespace document {
+
+// What of an analysis can be drawn over the picture.
+enum class Outline { Box, Hull, Simplex, FixedPoints, Ellipse, Cylinders };
+
+struct AnalysisRequest {
+    std::shared_ptr<const Fractal> fractal;
+    std::set<Outline> outlines;
+    int cylinderDepth = 1; // symbols of the addresses whose cylinders are outlined
+    std::uint64_t revision = 0;
+};
+
+// One shape to draw, in displayed coordinates; more than one point are a closed polygon.
+struct OutlineShape {
+    Outline kind;
+    ifs::Polygon points;
+    std::optional<attractor::Rgba> colour; // of the map of a fixed point, of the first map of a cylinder
+};
+
+// What is known of a picture of the plane: of the code's attractor where its cage puts it. Only a cage that
+// bends leaves no system to analyse; then the facts are those of the code, and the shapes are bent with it.
+struct Analysis {
+    std::uint64_t revision = 0; // of the request
+    bool isOfCode = false;
+    ifs::Facts<2> facts;
+    std::vector<ifs::Vector<2>> fixedPoints; // of the active maps that have one
+    std::vector<std::size_t> fixedBy;        // whose they are: places in the system
+    std::optional<ifs::BoxCounting> boxCounting;
+    std::vector<OutlineShape> shapes;
+    bool isComplete = false; // false: the affinity dimension and the box counting are still under way
+};
+
+// Analyses one fractal after the other; what belongs to the code is worked out once for as long as only the
+// cage moves.
+class Analyser {
+public:
+    // What takes a few milliseconds. The fractal must be a system of the plane.
+    Analysis begun(const AnalysisRequest& request);
+    // The rest of it; nullopt when stopped.
+    std::optional<Analysis> completed(Analysis analysis, const std::stop_token& stop);
+
+private:
+    System2 m_system;
+    std::optional<ifs::Facts<2>> m_code; // of m_system, the affinity dimension once it has been asked for
+    bool m_hasDimension = false;
+    ifs::AffineMap<2> m_display; // of what was begun last
+};
+
+} // namespace document

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/camera.h"
+#include "canvas/overlay_style.h"
+#include "document/analysis.h"
+
+#include <QGraphicsItem>
+#include <QPainterPath>
+
+#include <vector>
+
+namespace view {
+
+// What an analysis draws over the picture: box, hull, simplex, fixed points, ellipse, cylinders.
+class AnalysisItem : public QGraphicsItem {
+public:
+    void setShapes(std::vector<document::OutlineShape> shapes); // in the plane
+    void setView(const attractor::Camera& camera);
+    void setStyle(const OverlayStyle& style);
+
+    QRectF boundingRect() const override { return m_bounds; }
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    void place();
+
+    std::vector<document::OutlineShape> m_shapes;
+    std::vector<QPolygonF> m_pixels; // of the shapes
+    QRectF m_bounds;
+    attractor::Camera m_camera;
+    OverlayStyle m_style;
+};
+
+// The colour of an outline, on the canvas and in legends; that of map shapes is the map's.
+QColor outlineColour(document::Outline kind, bool onDark);
+
+} // namespace view
