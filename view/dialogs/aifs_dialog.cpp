@@ -73,10 +73,12 @@ AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
     auto* text = new QPlainTextEdit(aifsText(fractal, Digits::Few), this);
     text->setReadOnly(true);
     text->setAccessibleName(windowTitle());
+    text->setWhatsThis(tr("Every map as a matrix that takes barycentric coordinates over the control "
+                          "triangle to barycentric coordinates: each row has the sum 1."));
     text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
-    copy->setToolTip(tr("Copies the triangle and the matrices with all digits"));
+    copy->setWhatsThis(tr("Copies the triangle and the matrices with all digits."));
     connect(copy, &QPushButton::clicked, this, &AifsDialog::copy);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);

@@ -40,6 +40,7 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     setAccessibleName(tr("Analysis"));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus); // what can be done is in its fields
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* content = new QWidget(this);
     m_notice = new QLabel(content);
@@ -56,6 +57,7 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     m_copy = new QToolButton(content);
     m_copy->setText(tr("Copy All"));
     m_copy->setToolTip(tr("Copy all facts with all digits"));
+    m_copy->setWhatsThis(tr("Copies every line as its name and its value with all digits."));
     m_copy->setAutoRaise(true);
     connect(m_copy, &QToolButton::clicked, this, &AnalysisPanel::copyAll);
     auto* layout = new QVBoxLayout(content);
@@ -86,6 +88,7 @@ QWidget* AnalysisPanel::makeOutlines() {
     const auto add = [&](Outline kind, const QString& text, const QString& tip, int row, int column) {
         auto* box = new QCheckBox(text, m_outlines);
         box->setToolTip(tip);
+        box->setWhatsThis(tip + u'.');
         connect(box, &QCheckBox::toggled, this,
                 [this, kind](bool checked) { m_bridge->setOutlined(kind, checked); });
         m_outlineBoxes[kind] = box;
@@ -108,6 +111,7 @@ QWidget* AnalysisPanel::makeOutlines() {
     m_depth->setAccessibleName(tr("Length of the addresses"));
     m_depth->setToolTip(
         tr("How many symbols the addresses of the cylinders have; fewer where there would be thousands"));
+    m_depth->setWhatsThis(m_depth->toolTip() + u'.');
     auto* label = new QLabel(tr("Address length"), depth);
     label->setBuddy(m_depth);
     line->addWidget(label);

@@ -21,6 +21,7 @@ BoxCountingPlot::BoxCountingPlot(QWidget* parent) : QWidget(parent) {
         tr("How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side "
            "L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the "
            "line: there the size of the whole or of a cell shows."));
+    setWhatsThis(toolTip());
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
