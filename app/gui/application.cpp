@@ -4,13 +4,16 @@
 #include "identity.h"
 #include "io/fractint_reader.h"
 #include "main_window.h"
+#include "preferences.h"
 #include "recovery.h"
+#include "session.h"
+#include "theme.h"
+#include "tour.h"
 
 #include <QEvent>
 #include <QIcon>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QPalette>
 #include <QTranslator>
 
 Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
@@ -21,35 +24,34 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     setDesktopFileName(resources::applicationId());
     setWindowIcon(QIcon(QStringLiteral(":/icons/barycage.svg")));
 
-    completePalette();
+    const view::Preferences preferences = view::Preferences::stored();
+    view::wear(preferences.theme);
+    speak(preferences.language);
+}
 
+void Application::speak(const QString& language) {
+    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    // Numbers are written in every language as in the files, with a decimal point.
+    QLocale::setDefault(QLocale::c());
     const QString folder = QStringLiteral(":/translations");
     auto* own = new QTranslator(this);
-    if (!own->load(QLocale(), QStringLiteral("barycage"), QStringLiteral("_"), folder) &&
+    if (!own->load(locale, QStringLiteral("barycage"), QStringLiteral("_"), folder) &&
         !own->load(QStringLiteral("barycage_en"), folder))
         return;
     installTranslator(own);
     // The buttons of the toolkit speak the language of the rest.
     auto* toolkit = new QTranslator(this);
-    if (toolkit->load(QLocale(own->language()), QStringLiteral("qtbase"), QStringLiteral("_"),
-                      QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    const QLocale spoken(own->language());
+    if (toolkit->load(spoken, QStringLiteral("qtbase"), QStringLiteral("_"),
+                      QLibraryInfo::path(QLibraryInfo::TranslationsPath)) ||
+        toolkit->load(spoken, QStringLiteral("qtbase"), QStringLiteral("_"), folder))
         installTranslator(toolkit);
 }
 
 bool Application::event(QEvent* event) {
     const bool done = QApplication::event(event);
-    if (event->type() == QEvent::ApplicationPaletteChange) completePalette();
+    if (event->type() == QEvent::ApplicationPaletteChange) view::completePalette();
     return done;
-}
-
-// Quiet text is the text colour of the desktop, fainter: some desktops leave this role black on black.
-void Application::completePalette() {
-    QColor quiet = palette().color(QPalette::Active, QPalette::Text);
-    quiet.setAlpha(150);
-    if (palette().color(QPalette::Active, QPalette::PlaceholderText) == quiet) return;
-    QPalette completed;
-    completed.setColor(QPalette::PlaceholderText, quiet);
-    setPalette(completed);
 }
 
 void Application::openWindows(const QStringList& files) {
@@ -58,10 +60,12 @@ void Application::openWindows(const QStringList& files) {
         window->show();
         window->openRecovered(abandoned);
     }
-    MainWindow::openEach(files);
+    const bool again = files.isEmpty() && view::Preferences::stored().reopen;
+    MainWindow::openEach(again ? session::files() : files);
     if (topLevelWidgets().isEmpty()) {
         auto* window = new MainWindow;
         window->openFirstPicture();
         window->show();
+        Tour::offer(window);
     }
 }

@@ -17,5 +17,5 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void completePalette();
+    void speak(const QString& language); // empty: that of the desktop
 };

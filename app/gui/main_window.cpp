@@ -12,8 +12,11 @@
 #include "panels/history_panel.h"
 #include "panels/maps_panel.h"
 #include "panels/problems_panel.h"
+#include "preferences.h"
 #include "recent_files.h"
+#include "session.h"
 #include "status_line.h"
+#include "whats_this.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -64,14 +67,17 @@ MainWindow::MainWindow(QWidget* parent)
     setCentralWidget(m_canvas);
     setStatusBar(m_status);
 
+    m_bridge->setQuality(view::Preferences::stored().quality);
     createFileActions();
     createEditActions();
     createCageActions();
     createViewActions();
     createPanels();
+    explainPanels();
     createHelpActions();
     createToolBar();
     connectDocument();
+    view::explainByTips(this);
     restoreLayout();
     m_canvas->setFocus();
 }
@@ -142,6 +148,29 @@ void MainWindow::createPanels() {
         addEntry(m_document, fractal);
         m_canvas->fit();
     });
+}
+
+void MainWindow::explainPanels() {
+    for (const auto& [id, text] :
+         {std::pair{"entries", tr("The fractals of the open file. The one chosen here is in the picture.")},
+          {"collection", tr("Fractals to begin with, by theme, and your own folders of them.")},
+          {"maps", tr("The maps of the fractal: its code, one map in a row.")},
+          {"cage",
+           tr("The control cage by numbers: where its vertices are, where they are at rest, what moving "
+              "them does, and other cages to choose from.")},
+          {"appearance",
+           tr("Colours, brightness and background of the picture. They are saved with the fractal.")},
+          {"analysis", tr("What mathematics knows of this fractal. Point at a name to read what it means.")},
+          {"history", tr("Every step since the file was opened. Choose one to go back to it, or forward.")},
+          {"problems", tr("What was odd in the file, with line and column. It is kept as it is.")}})
+        if (auto* panel = findChild<QDockWidget*>(QLatin1String(id))) panel->setWhatsThis(text);
+}
+
+// Dialogs explain themselves before they are seen.
+void MainWindow::childEvent(QChildEvent* event) {
+    QMainWindow::childEvent(event);
+    if (!event->polished() || !event->child()->isWidgetType()) return;
+    if (auto* widget = static_cast<QWidget*>(event->child()); widget->isWindow()) view::explainByTips(widget);
 }
 
 void MainWindow::connectDocument() {
@@ -339,6 +368,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), saveState());
+    session::remember();
     m_recovery.discard();
     event->accept();
 }
@@ -376,6 +406,7 @@ void MainWindow::makeRoomForPicture() {
                 together += panel->width();
                 break;
             }
+    if (together <= 0) return;
     QList<int> widths;
     for (const QDockWidget* panel : beside)
         widths << panel->width() - missing * panel->width() / together;

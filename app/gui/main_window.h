@@ -34,18 +34,22 @@ public:
     void openRecovered(const document::Abandoned& abandoned);
 
     document::Document& document() { return m_document; }
+    QString path() const { return m_file.path(); } // empty while the document has no file
 
 protected:
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void childEvent(QChildEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     void createPanels();
+    void explainPanels();
     void createFileActions();
     void createEditActions();
+    void showPreferences();
     void createCageActions();
     void createViewActions();
     void createHelpActions();

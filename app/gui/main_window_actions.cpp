@@ -6,12 +6,16 @@
 #include "dialogs/export_dialog.h"
 #include "dialogs/guide.h"
 #include "dialogs/mutate_dialog.h"
+#include "dialogs/preferences_dialog.h"
 #include "dialogs/print_fractal.h"
 #include "dialogs/shortcuts_dialog.h"
 #include "dialogs/transform_dialog.h"
 #include "icon.h"
 #include "main_window.h"
 #include "panels/arising_bar.h"
+#include "session.h"
+#include "theme.h"
+#include "tour.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -20,6 +24,7 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QToolBar>
+#include <QWhatsThis>
 
 QAction* MainWindow::action(QMenu* menu, const QString& icon, const QString& text,
                             const QKeySequence& shortcut, const QString& tip) {
@@ -111,7 +116,7 @@ void MainWindow::createFileActions() {
     command(m_fileMenu, QStringLiteral("close"), tr("C&lose"), QKeySequence::Close, tr("Close this window"),
             [this] { close(); });
     command(m_fileMenu, {}, tr("&Quit"), QKeySequence::Quit, tr("Close all windows"),
-            [] { QApplication::closeAllWindows(); });
+            [] { session::quit(); });
     m_toolBarActions << open << saveAction << exportAction << nullptr;
 }
 
@@ -148,7 +153,22 @@ void MainWindow::createEditActions() {
     command(m_editMenu, {}, tr("Add &Random Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
             tr("Pick one of many fractals made by chance, and add it to the file"),
             [pick] { pick(view::MutateDialog::Source::Chance); });
+    m_editMenu->addSeparator();
+    command(m_editMenu, QStringLiteral("settings"), tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
+            tr("Language, theme, quality of the picture at rest, what is opened at the start"),
+            [this] { showPreferences(); });
     m_toolBarActions << undo << redo << nullptr;
+}
+
+void MainWindow::showPreferences() {
+    auto* dialog = new view::PreferencesDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &view::PreferencesDialog::changed, dialog, [](const view::Preferences& preferences) {
+        view::wear(preferences.theme);
+        for (MainWindow* window : session::windows())
+            window->m_bridge->setQuality(preferences.quality);
+    });
+    dialog->show();
 }
 
 void MainWindow::createCageActions() {
@@ -313,6 +333,15 @@ void MainWindow::createHelpActions() {
             });
     command(m_helpMenu, {}, tr("&User Guide"), QKeySequence::HelpContents, tr("Read the user guide"),
             [this] { view::showGuide(this); });
+    command(m_helpMenu, {}, tr("&Tour"), {},
+            tr("Six short steps in this window: contraction, fixed point, chaos game, address, barycentric "
+               "coordinates, dimension"),
+            [this] { Tour::start(this); });
+    QAction* what = QWhatsThis::createAction(this);
+    what->setText(tr("&What’s This?"));
+    what->setIcon(view::icon(QStringLiteral("help")));
+    what->setStatusTip(tr("Click anything to read what it is for"));
+    m_helpMenu->addAction(what);
     m_helpMenu->addSeparator();
     command(m_helpMenu, QStringLiteral("info"), tr("&About Barycage"), {}, tr("Version and licence"), [this] {
         QMessageBox::about(

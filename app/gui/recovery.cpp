@@ -61,7 +61,8 @@ QList<document::Abandoned> Recovery::ask() {
     for (const document::Abandoned& abandoned : found)
         lines << tr("%1, %2", "file, time")
                      .arg(abandoned.snapshot.title,
-                          QLocale().toString(abandoned.snapshot.when.toLocalTime(), QLocale::ShortFormat));
+                          QLocale::system().toString(abandoned.snapshot.when.toLocalTime(),
+                                                     QLocale::ShortFormat));
     QMessageBox box(QMessageBox::Question, tr("Unsaved work was found"),
                     tr("Barycage ended last time before this work was saved:"));
     box.setInformativeText(lines.join(u'\n'));

@@ -169,7 +169,7 @@ public:
           m_height(projection.grid.height),
           m_largest(2.0 * std::max(m_width, m_height)),
           m_mostMiss(mostBendError * projection.cellsPerPixel),
-          m_kept(std::clamp<std::size_t>((std::size_t{1} << 23) / system.maps.size(), 256, View::most)),
+          m_kept(std::clamp<std::size_t>((std::size_t{1} << 20) / system.maps.size(), 64, View::most)),
           m_view(system, projection),
           m_root(m_view.root()) {
         m_root.shown = m_view.shown(m_root);
@@ -188,6 +188,7 @@ public:
         while (threshold > 0 && threshold > visible / m_settings.words)
             threshold /= 2;
         m_exact = m_settings.samples > 0 ? fewest / m_settings.samples * visible : 0;
+        m_atBorder = m_settings.samples > 0 ? atBorder / m_settings.samples * visible : 1;
         m_followsBend = View::bends;
         AddressCut result = words(leaves(threshold, Threshold::Absolute, stop));
         return stop.stop_requested() ? AddressCut{} : result;
@@ -196,10 +197,12 @@ public:
 private:
     enum class Threshold { Absolute, Relative };
 
-    static constexpr std::size_t mostWaiting = 1U << 20; // words of the next level before refining it
-    static constexpr std::size_t mostVisits = 3'000'000;
-    static constexpr double smallest = 0.25; // cells; below, splitting shows nothing new
-    static constexpr double fewest = 32;     // samples for which a first-order map is worth its while
+    static constexpr std::size_t mostWaiting = 1U << 20;  // words of the next level before refining it
+    static constexpr std::size_t mostChildren = 1U << 25; // looked at in all
+    static constexpr std::size_t childrenPerLook = 8192;  // between two looks at the stop token
+    static constexpr double smallest = 0.25;              // cells; below, splitting shows nothing new
+    static constexpr double atBorder = 512; // samples a word may have of which some fall outside
+    static constexpr double fewest = 32;    // samples for which a first-order map is worth its while
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
                                double probability) {
@@ -236,6 +239,12 @@ private:
                s.y - s.halfY <= m_height;
     }
 
+    bool isInside(const Node<Real>& node) const {
+        const Shown& s = node.shown;
+        return s.x - s.halfX >= 0 && s.x + s.halfX <= m_width && s.y - s.halfY >= 0 &&
+               s.y + s.halfY <= m_height;
+    }
+
     bool isTooBent(const Node<Real>& node) const {
         return m_followsBend && !(node.shown.curvedMiss <= m_mostMiss);
     }
@@ -244,7 +253,8 @@ private:
         if (node.depth >= m_settings.maxDepth) return true;
         const double size = node.shown.size;
         if (node.depth < m_settings.minDepth || !(size <= m_largest)) return false;
-        return (node.probability <= threshold || size <= smallest) &&
+        return ((node.probability <= threshold && (node.probability <= m_atBorder || isInside(node))) ||
+                size <= smallest) &&
                (!isTooBent(node) || node.probability <= m_exact);
     }
 
@@ -254,10 +264,11 @@ private:
         std::vector<Node<Real>> done;
         std::vector<Node<Real>> open;
         if (visible(m_root)) open.push_back(m_root);
-        std::size_t visits = 0;
+        std::size_t children = 0;
+        std::size_t nextLook = 0;
         double settled = 0;
         std::vector<Node<Real>> next;
-        while (!open.empty() && visits < mostVisits && !stop.stop_requested()) {
+        while (!open.empty() && children < mostChildren) {
             double threshold = limit;
             if (kind == Threshold::Relative) {
                 double total = settled;
@@ -265,14 +276,18 @@ private:
                     total += node.probability;
                 threshold = total / limit;
             }
-            visits += open.size();
             next.clear();
             for (const Node<Real>& node : open) {
+                if (children >= nextLook) {
+                    if (stop.stop_requested()) return {};
+                    nextLook = children + childrenPerLook;
+                }
                 if (isLeaf(node, threshold)) {
                     done.push_back(node);
                     settled += node.probability;
                     continue;
                 }
+                children += m_branches.size();
                 for (std::size_t i = 0; i < m_branches.size(); ++i) {
                     const Node<Real> candidate = child(node, i);
                     if (visible(candidate)) next.push_back(candidate);
@@ -366,7 +381,8 @@ private:
     double m_height;
     double m_largest;
     double m_mostMiss;
-    double m_exact = 0; // probability below which samples are mapped one by one
+    double m_atBorder = 1; // probability above which a word that is partly in view is divided
+    double m_exact = 0;    // probability below which samples are mapped one by one
     bool m_followsBend = false;
     std::size_t m_kept; // fewer where every word has thousands of children
     View m_view;

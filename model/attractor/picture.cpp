@@ -370,6 +370,7 @@ Frame Picture::frame(Frame reuse, const std::stop_token& stop) {
     result.passes = passes;
     result.iterations = iterations;
     result.note = note;
+    result.opaque = request.appearance.background.alpha == 255;
     result.milliseconds = milliseconds;
     const auto width = static_cast<std::size_t>(std::max(0, request.camera.width));
     const auto height = static_cast<std::size_t>(std::max(0, request.camera.height));

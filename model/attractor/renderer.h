@@ -65,6 +65,7 @@ struct Frame {
     Camera camera;
     // 0xAARRGGBB, premultiplied, rows from the top, camera.width × camera.height
     std::vector<std::uint32_t> pixels;
+    bool opaque = false;       // every pixel has alpha 255
     std::uint64_t samples = 0; // accumulated so far
     double measure = 0;        // of the words that meet the view, estimated; 1 when all of the attractor does
     int passes = 0;

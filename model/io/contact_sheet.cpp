@@ -14,9 +14,9 @@ namespace io {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("io::ContactSheet", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 struct Inks {
     QColor paper, text, quiet, line, placeholder;
@@ -144,7 +144,7 @@ private:
         if (picture.isNull()) {
             m_painter.drawPath(card);
             paintText(place, Qt::AlignCenter, font(m_layout.text), m_inks.quiet,
-                      document::dimension(fractal) == 3 ? tr("in space") : tr("no attractor"));
+                      document::dimension(fractal) == 3 ? Text::tr("in space") : Text::tr("no attractor"));
         } else {
             m_painter.setBrushOrigin(place.topLeft());
             m_painter.fillPath(card, picture);
@@ -202,11 +202,12 @@ DrawnSheet drawSheet(const ContactSheet& sheet, const Progress& progress, const 
     if (size.width() <= largestSide && size.height() <= largestSide)
         drawn.image = QImage(size, QImage::Format_RGB32);
     if (drawn.image.isNull()) {
-        drawn.failure = tr("The sheet would be %1 by %2 pixels; at most %3 a side can be drawn. Take smaller "
-                           "tiles, or other columns.")
-                            .arg(size.width())
-                            .arg(size.height())
-                            .arg(largestSide);
+        drawn.failure =
+            Text::tr("The sheet would be %1 by %2 pixels; at most %3 a side can be drawn. Take smaller "
+                     "tiles, or other columns.")
+                .arg(size.width())
+                .arg(size.height())
+                .arg(largestSide);
         return drawn;
     }
     const bool whole = SheetPainter(sheet, drawn.image).paint(progress, stop);

@@ -21,9 +21,9 @@ namespace {
 
 using document::Problem;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("io::flame", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 constexpr qsizetype maxXforms = 100'000; // per flame
 constexpr qsizetype maxFlames = 200'000; // per file
@@ -106,23 +106,23 @@ double linearAmount(const QXmlStreamAttributes& attributes, QString* refusal) {
         const QList<double> values = numbers(attribute.value(), &ok);
         if (name == u"linear" || name == u"linear3D" || name == u"var1") {
             if (!ok || values.size() != 1)
-                *refusal = tr("the amount of “%1” is not a number").arg(name);
+                *refusal = Text::tr("the amount of “%1” is not a number").arg(name);
             else if (name != u"var1")
                 amount += values.first();
             else if (values.first() == 0)
                 amount += 1; // the old form names the variation by its index; 0 is linear
             else
-                *refusal = tr("it uses a variation other than linear");
+                *refusal = Text::tr("it uses a variation other than linear");
         } else if (name == u"var") {
             if (!ok || values.isEmpty() ||
                 std::any_of(values.begin() + 1, values.end(), [](double v) { return v != 0; }))
-                *refusal = tr("it uses a variation other than linear");
+                *refusal = Text::tr("it uses a variation other than linear");
             else
                 amount += values.first();
         } else if (name.endsWith(u"Coefs") || name.endsWith(u"Post")) {
-            *refusal = tr("it acts in space (“%1”)").arg(name);
+            *refusal = Text::tr("it acts in space (“%1”)").arg(name);
         } else if (!isPlainAttribute(name) && ok && values.size() == 1 && values.first() != 0) {
-            *refusal = tr("it uses the variation “%1”").arg(name);
+            *refusal = Text::tr("it uses the variation “%1”").arg(name);
         }
         if (!refusal->isEmpty()) return 0;
     }
@@ -135,33 +135,33 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
     if (!xform.refusal.isEmpty()) return xform;
     const auto before = affine(attributes.value(QLatin1String("coefs")));
     if (!before) {
-        xform.refusal = tr("its “coefs” are not six numbers");
+        xform.refusal = Text::tr("its “coefs” are not six numbers");
         return xform;
     }
     xform.map = {amount * before->linear, amount * before->translation};
     if (attributes.hasAttribute(QLatin1String("post"))) {
         const auto post = affine(attributes.value(QLatin1String("post")));
         if (!post) {
-            xform.refusal = tr("its “post” is not six numbers");
+            xform.refusal = Text::tr("its “post” is not six numbers");
             return xform;
         }
         xform.map = *post * xform.map;
     }
     if (!isCoefficient(xform.map)) {
-        xform.refusal = tr("a number is larger than a coefficient can be (3.4e38 in size)");
+        xform.refusal = Text::tr("a number is larger than a coefficient can be (3.4e38 in size)");
         return xform;
     }
     bool ok = false;
     const QList<double> chaos = numbers(attributes.value(QLatin1String("chaos")), &ok);
     if (!ok || std::any_of(chaos.begin(), chaos.end(), [](double v) { return v != 1; }))
-        xform.refusal = tr("its “chaos” allows some successors only, which a list of maps cannot say");
+        xform.refusal = Text::tr("its “chaos” allows some successors only, which a list of maps cannot say");
     else if (const auto opacity = parseNumber(attributes.value(QLatin1String("opacity")));
              opacity && *opacity == 0)
-        xform.refusal = tr("it takes part without being drawn (opacity 0)");
+        xform.refusal = Text::tr("it takes part without being drawn (opacity 0)");
     if (attributes.hasAttribute(QLatin1String("weight"))) {
         const auto weight = parseNumber(attributes.value(QLatin1String("weight")));
         if (!weight || !isCoefficient(*weight))
-            xform.refusal = tr("its weight is not a number");
+            xform.refusal = Text::tr("its weight is not a number");
         else
             xform.weight = *weight;
     }
@@ -179,13 +179,13 @@ public:
         while (!m_xml.atEnd()) {
             m_xml.readNext();
             if (m_xml.isDTD()) {
-                m_xml.raiseError(tr("a document type is not accepted in a flame file"));
+                m_xml.raiseError(Text::tr("a document type is not accepted in a flame file"));
                 break;
             }
             if (!m_xml.isStartElement() || m_xml.name() != u"flame") continue;
             if (m_file.entries.size() + m_refused >= maxFlames) {
                 report(Problem::Severity::Error, {},
-                       tr("The file has more than %1 flames; the rest is left out.").arg(maxFlames));
+                       Text::tr("The file has more than %1 flames; the rest is left out.").arg(maxFlames));
                 break;
             }
             readFlame();
@@ -193,12 +193,12 @@ public:
         if (m_xml.hasError()) {
             QString reason = m_xml.errorString();
             if (reason.endsWith(u'.')) reason.chop(1);
-            report(Problem::Severity::Error, {}, tr("The XML ends here: %1.").arg(reason));
+            report(Problem::Severity::Error, {}, Text::tr("The XML ends here: %1.").arg(reason));
         } else if (m_file.entries.isEmpty() && m_file.problems.isEmpty())
-            report(Problem::Severity::Error, {}, tr("There is no flame in this file."));
+            report(Problem::Severity::Error, {}, Text::tr("There is no flame in this file."));
         if (m_refused > mostRefusals)
             report(Problem::Severity::Error, {},
-                   tr("%1 flames in all are no systems of affine maps.").arg(m_refused));
+                   Text::tr("%1 flames in all are no systems of affine maps.").arg(m_refused));
         return std::move(m_file);
     }
 
@@ -222,25 +222,26 @@ private:
             if (m_xml.name() == u"xform")
                 refusal = addXform(system);
             else if (m_xml.name() == u"finalxform")
-                refusal = tr("it has a final transform");
+                refusal = Text::tr("it has a final transform");
             else if (m_xml.name() == u"symmetry")
-                refusal = tr("it adds a symmetry");
+                refusal = Text::tr("it adds a symmetry");
             else if (m_xml.name() == u"motion")
-                refusal = tr("it has motion");
+                refusal = Text::tr("it has motion");
             else if (m_xml.name() == u"layer")
-                refusal = tr("it has layers");
+                refusal = Text::tr("it has layers");
             if (!refusal.isEmpty())
-                refuse(name, tr("The flame “%1” is not a system of affine maps: %2.").arg(name, refusal));
+                refuse(name,
+                       Text::tr("The flame “%1” is not a system of affine maps: %2.").arg(name, refusal));
         }
         if (!m_xml.hasError() && refusal.isEmpty()) addEntry(name, std::move(system));
     }
 
     QString addXform(document::System2& system) {
         if (qsizetype(system.maps.size()) >= maxXforms)
-            return tr("it has more than %1 transforms").arg(maxXforms);
+            return Text::tr("it has more than %1 transforms").arg(maxXforms);
         const Xform xform = readXform(m_xml.attributes());
         if (!xform.refusal.isEmpty())
-            return tr("transform %1: %2").arg(system.maps.size() + 1).arg(xform.refusal);
+            return Text::tr("transform %1: %2").arg(system.maps.size() + 1).arg(xform.refusal);
         system.maps.push_back({.id = static_cast<ifs::MapId>(system.maps.size() + 1),
                                .map = m_axis == FlameAxis::Flipped ? flipped(xform.map) : xform.map,
                                .weight = xform.weight});
@@ -249,7 +250,7 @@ private:
 
     void addEntry(const QString& name, document::System2 system) {
         if (system.maps.empty()) {
-            refuse(name, tr("The flame “%1” has no transforms.").arg(name));
+            refuse(name, Text::tr("The flame “%1” has no transforms.").arg(name));
             return;
         }
         document::Fractal fractal;

@@ -24,9 +24,9 @@ constexpr std::size_t mostMapsElsewhere = 63;
 constexpr qsizetype longestName = 18;
 constexpr std::size_t maxNumbers = maxMaps * 13;
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 struct RawToken {
     Span span;
@@ -172,18 +172,19 @@ ParsedEntry EntryParser::parse() && {
     readName();
     readHeader();
     if (m_lineBegins.size() > maxLines) {
-        fail(0,
-             tr("The entry has more than %1 lines, which is the limit; it is kept as text.").arg(maxLines));
+        fail(0, Text::tr("The entry has more than %1 lines, which is the limit; it is kept as text.")
+                    .arg(maxLines));
     } else {
         readBody();
         readSystem();
     }
     if (m_suppressed > 0)
-        m_entry.problems.append({Problem::Severity::Warning,
-                                 {},
-                                 1,
-                                 1,
-                                 tr("%1 more problems in this entry are not listed.").arg(m_suppressed)});
+        m_entry.problems.append(
+            {Problem::Severity::Warning,
+             {},
+             1,
+             1,
+             Text::tr("%1 more problems in this entry are not listed.").arg(m_suppressed)});
     for (Problem& problem : m_entry.problems)
         problem.entry = m_entry.fractal.name;
     return std::move(m_entry);
@@ -191,8 +192,9 @@ ParsedEntry EntryParser::parse() && {
 
 void EntryParser::readSystem() {
     if (m_entry.layout.block.kind == BlockKind::Unclosed) {
-        fail(m_entry.layout.block.open, tr("The entry that opens here is not closed by “}” before the next "
-                                           "entry or the end of the file."));
+        fail(m_entry.layout.block.open,
+             Text::tr("The entry that opens here is not closed by “}” before the next "
+                      "entry or the end of the file."));
     } else if (const auto chosen = chooseReading()) {
         readNumbers(*chosen);
         warnAboutReading(*chosen);
@@ -207,12 +209,11 @@ void EntryParser::readName() {
     const QByteArrayView name = m_text.sliced(block.name.begin, block.name.size());
     m_entry.fractal.name = block.open < 0 ? QStringLiteral("unnamed") : decoded(name);
     if (std::any_of(name.begin(), name.end(), isBlank))
-        warn(
-            block.name.begin,
-            tr("The name “%1” holds a blank; Fractint takes only its first word.").arg(m_entry.fractal.name));
+        warn(block.name.begin, Text::tr("The name “%1” holds a blank; Fractint takes only its first word.")
+                                   .arg(m_entry.fractal.name));
     else if (name.size() > longestName)
-        warn(block.name.begin,
-             tr("The name “%1” is longer than 18 bytes; Fractint cuts it there.").arg(m_entry.fractal.name));
+        warn(block.name.begin, Text::tr("The name “%1” is longer than 18 bytes; Fractint cuts it there.")
+                                   .arg(m_entry.fractal.name));
 }
 
 void EntryParser::readHeader() {
@@ -229,7 +230,8 @@ void EntryParser::readHeader() {
 
     const qsizetype nameLine = lineEnd(m_text, 0, m_lineEnd);
     if (nameLine < block.open)
-        warn(0, tr("The opening brace stands on a line of its own; Fractint does not find this entry."));
+        warn(0,
+             Text::tr("The opening brace stands on a line of its own; Fractint does not find this entry."));
     QByteArray marker = m_text.first(text.end).toByteArray().toLower();
     if (const qsizetype comment = marker.first(block.open).indexOf(';'); comment >= 0)
         marker.remove(comment, std::max<qsizetype>(0, std::min(nameLine, block.open) - comment));
@@ -378,7 +380,7 @@ std::optional<EntryParser::Reading> EntryParser::chooseReading() {
     const auto tooMany = [&](const std::vector<RawToken>& tokens) {
         if (tokens.size() <= maxNumbers) return false;
         fail(tokens.back().span.begin,
-             tr("The entry has more than %1 maps, which is the limit.").arg(maxMaps));
+             Text::tr("The entry has more than %1 maps, which is the limit.").arg(maxMaps));
         return true;
     };
     if (tooMany(m_bodyTokens)) return std::nullopt;
@@ -404,13 +406,13 @@ std::optional<EntryParser::Reading> EntryParser::chooseReading() {
         decoded(m_text.sliced(first.span.begin, std::min<qsizetype>(first.span.size(), 40)));
     if (separatedFits)
         fail(first.span.begin,
-             tr("“%1”: the comma can be read as a decimal point or between two numbers, and both "
-                "give whole rows. Write decimal points and blanks.")
+             Text::tr("“%1”: the comma can be read as a decimal point or between two numbers, and both "
+                      "give whole rows. Write decimal points and blanks.")
                  .arg(token));
     else if (separated.isValid || decimal.isValid)
         fail(first.span.begin,
-             tr("“%1”: neither as a decimal point nor between two numbers does the comma give "
-                "whole rows of 7 numbers (13 with “(3D)”).")
+             Text::tr("“%1”: neither as a decimal point nor between two numbers does the comma give "
+                      "whole rows of 7 numbers (13 with “(3D)”).")
                  .arg(token));
     else
         explainTokens(separated.tokens);
@@ -426,7 +428,7 @@ void EntryParser::readNumbers(const Reading& chosen) {
         layout.numbers.push_back({token.span, valueOf(token, chosen.decimalComma), token.line});
     if (!chosen.usesHeader && !m_headerTokens.empty()) {
         warn(m_headerTokens.front().span.begin,
-             tr("The numbers on the line of the opening brace are ignored, as Fractint ignores them."));
+             Text::tr("The numbers on the line of the opening brace are ignored, as Fractint ignores them."));
         layout.headerTextEnd = layout.block.open + 1;
         if (layout.headerSemicolon < 0) {
             layout.headerComment = {m_headerTokens.front().span.begin, m_headerTokens.back().span.end};
@@ -461,7 +463,7 @@ void EntryParser::buildSystem() {
             addMap(space, &layout.numbers[i]);
     }
     if (std::max(plane.maps.size(), space.maps.size()) > maxMaps)
-        fail(0, tr("The entry has more than %1 maps, which is the limit.").arg(maxMaps));
+        fail(0, Text::tr("The entry has more than %1 maps, which is the limit.").arg(maxMaps));
     else if (rowLength < 12)
         m_entry.fractal.system = std::move(plane);
     else
@@ -477,7 +479,7 @@ void EntryParser::applyOwnComments() {
     for (const Comment& comment : m_entry.layout.comments)
         if (comment.isOwn && !comment.isUnderstood)
             warn(comment.line.begin,
-                 tr("“%1” is not understood by this version of Barycage; the line is kept.")
+                 Text::tr("“%1” is not understood by this version of Barycage; the line is kept.")
                      .arg(decoded(
                          m_text.sliced(comment.text.begin, std::min<qsizetype>(comment.text.size(), 69)))));
 }
@@ -486,7 +488,7 @@ void EntryParser::explainShape() {
     const int wanted = m_isMarked3D ? 13 : 7;
     if (m_bodyTokens.empty() && m_headerTokens.empty()) {
         fail(m_entry.layout.block.open < 0 ? 0 : m_entry.layout.block.open,
-             tr("The entry holds no numbers."));
+             Text::tr("The entry holds no numbers."));
         return;
     }
     const auto& tokens = m_bodyTokens.empty() ? m_headerTokens : m_bodyTokens;
@@ -504,11 +506,12 @@ void EntryParser::explainShape() {
         i = end;
     }
     fail(odd->span.begin,
-         tr("This line has %1 numbers and the entry %2, which is no multiple of %3: a map is %3 numbers%4.")
+         Text::tr(
+             "This line has %1 numbers and the entry %2, which is no multiple of %3: a map is %3 numbers%4.")
              .arg(oddCount)
              .arg(tokens.size())
              .arg(wanted)
-             .arg(m_isMarked3D ? tr(" in an entry marked “(3D)”") : QString()));
+             .arg(m_isMarked3D ? Text::tr(" in an entry marked “(3D)”") : QString()));
 }
 
 void EntryParser::explainTokens(const std::vector<RawToken>& tokens) {
@@ -523,58 +526,67 @@ void EntryParser::explain(const RawToken& token, const Number& number) {
     const QString text = decoded(bytes);
     switch (number.kind) {
     case Number::Kind::Trailing:
-        return fail(token.span.begin,
-                    tr("“%1” is not a plain number: Fractint reads %2 and ignores the rest. Write it as "
-                       "one decimal number.")
-                        .arg(text, QString::number(number.value)));
+        return fail(
+            token.span.begin,
+            Text::tr("“%1” is not a plain number: Fractint reads %2 and ignores the rest. Write it as "
+                     "one decimal number.")
+                .arg(text, QString::number(number.value)));
     case Number::Kind::NotFinite:
-        return fail(token.span.begin, tr("“%1” is not a finite number.").arg(text));
+        return fail(token.span.begin, Text::tr("“%1” is not a finite number.").arg(text));
     case Number::Kind::Huge:
         return fail(token.span.begin,
-                    tr("“%1” is larger than a coefficient can be (3.4e38 in size).").arg(text));
+                    Text::tr("“%1” is larger than a coefficient can be (3.4e38 in size).").arg(text));
     case Number::Kind::NotANumber:
     case Number::Kind::Good:
         break;
     }
     if (bytes.startsWith("\xe2\x88\x92"))
-        return fail(token.span.begin,
-                    tr("“%1” begins with a typographic minus sign (U+2212). Write the plain “-”.").arg(text));
-    fail(token.span.begin, tr("“%1” is not a number.").arg(text));
+        return fail(
+            token.span.begin,
+            Text::tr("“%1” begins with a typographic minus sign (U+2212). Write the plain “-”.").arg(text));
+    fail(token.span.begin, Text::tr("“%1” is not a number.").arg(text));
 }
 
 void EntryParser::warnAboutReading(const Reading& chosen) {
     const Layout& layout = m_entry.layout;
     const qsizetype first = layout.numbers.front().span.begin;
     if (chosen.usesHeader)
-        warn(first, tr("Numbers stand on the line of the opening brace, where Fractint ignores them; they "
-                       "are read."));
+        warn(first,
+             Text::tr("Numbers stand on the line of the opening brace, where Fractint ignores them; they "
+                      "are read."));
     if (m_hasCommas)
-        warn(first, chosen.decimalComma
-                        ? tr("Commas are read as decimal points; Fractint reads other numbers here.")
-                        : tr("Commas or apostrophes stand between the numbers; Iterated Dynamics cannot read "
-                             "this entry."));
+        warn(first,
+             chosen.decimalComma
+                 ? Text::tr("Commas are read as decimal points; Fractint reads other numbers here.")
+                 : Text::tr("Commas or apostrophes stand between the numbers; Iterated Dynamics cannot read "
+                            "this entry."));
     if (layout.rowLength == 6 || layout.rowLength == 12)
-        warn(first, tr("The maps have no weights (%1 numbers each); weights are taken from the determinants. "
-                       "Fractint cannot read this entry.")
-                        .arg(layout.rowLength));
+        warn(first,
+             Text::tr("The maps have no weights (%1 numbers each); weights are taken from the determinants. "
+                      "Fractint cannot read this entry.")
+                 .arg(layout.rowLength));
     if (chosen.shape.isMarkMissing)
         warn(first,
-             tr("Rows of %1 numbers without “(3D)” after the name are read as a 3D system; Fractint cannot "
-                "read this entry.")
+             Text::tr(
+                 "Rows of %1 numbers without “(3D)” after the name are read as a 3D system; Fractint cannot "
+                 "read this entry.")
                  .arg(layout.rowLength));
     if (chosen.shape.isLineLengthOdd)
         warn(first,
-             tr("The lines do not hold 7 numbers each, but all numbers together fill rows of 7 and are read "
-                "so, as Fractint does. Probably the weights are missing."));
+             Text::tr(
+                 "The lines do not hold 7 numbers each, but all numbers together fill rows of 7 and are read "
+                 "so, as Fractint does. Probably the weights are missing."));
     if (layout.block.open >= 0 && layout.block.close > 0 && !isBlank(m_text[layout.block.close - 1]) &&
         layout.numbers.back().span.end == layout.block.close)
         warn(layout.block.close,
-             tr("The closing brace touches the last number; Fractint cannot read this entry."));
-    if (m_longLine >= 0) warn(m_longLine, tr("The line is longer than 200 bytes; Fractint cuts it there."));
-    if (m_nul >= 0) warn(m_nul, tr("A NUL byte; the rest of the line is ignored, as Fractint ignores it."));
+             Text::tr("The closing brace touches the last number; Fractint cannot read this entry."));
+    if (m_longLine >= 0)
+        warn(m_longLine, Text::tr("The line is longer than 200 bytes; Fractint cuts it there."));
+    if (m_nul >= 0)
+        warn(m_nul, Text::tr("A NUL byte; the rest of the line is ignored, as Fractint ignores it."));
     if (const std::size_t maps = layout.numbers.size() / static_cast<std::size_t>(layout.rowLength);
         maps > mostMapsElsewhere)
-        warn(0, tr("The entry has %1 maps; Fractint and Iterated Dynamics read at most 63.").arg(maps));
+        warn(0, Text::tr("The entry has %1 maps; Fractint and Iterated Dynamics read at most 63.").arg(maps));
 }
 
 void EntryParser::warnAboutWeights() {
@@ -588,17 +600,19 @@ void EntryParser::warnAboutWeights() {
             sum += token.value;
             if (!maps[i].enabled || !maps[i].weight) continue;
             if (token.value < 0)
-                warn(token.span.begin,
-                     tr("The weight of map %1 is negative; the map counts as switched off.").arg(i + 1));
+                warn(
+                    token.span.begin,
+                    Text::tr("The weight of map %1 is negative; the map counts as switched off.").arg(i + 1));
             else if (token.value == 0)
-                warn(token.span.begin, tr("The weight of map %1 is 0; the map takes no part.").arg(i + 1));
+                warn(token.span.begin,
+                     Text::tr("The weight of map %1 is 0; the map takes no part.").arg(i + 1));
         }
         const bool allOn = std::all_of(maps.begin(), maps.end(), [](const auto& map) { return map.enabled; });
         if (!maps.empty() && allOn && !(std::abs(sum - 1) <= 0.02))
             warn(layout.numbers[rowLength - 1].span.begin,
-                 tr("The weights sum to %1, not 1. They are used in proportion; Fractint gives what is "
-                    "missing to the "
-                    "last map and cuts what is too much.")
+                 Text::tr("The weights sum to %1, not 1. They are used in proportion; Fractint gives what is "
+                          "missing to the "
+                          "last map and cuts what is too much.")
                      .arg(sum));
     };
     if (const auto* plane = std::get_if<document::System2>(&m_entry.fractal.system))

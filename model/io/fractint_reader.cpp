@@ -29,9 +29,9 @@ constexpr qsizetype maxFileProblems = 100;
 constexpr qsizetype mostEntriesElsewhere = 2000;
 constexpr qsizetype comparedName = 18;
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 QByteArray firstLineEnd(QByteArrayView bytes) {
     if (fractint::lineEndByte(bytes) == '\r') return "\r";
@@ -143,11 +143,12 @@ FractalFile FileReader::read() && {
     readBlocks();
     if (m_file.entries.isEmpty() && !readBare())
         report(Problem::Severity::Error, 0, 0,
-               m_bytes.trimmed().isEmpty() ? tr("The file is empty.")
-               : m_parameterSets > 0       ? tr("These are Fractint parameter sets or formulas; no iterated "
-                                                      "function system is among them.")
-                                     : tr("No iterated function system was found: an entry is a name, “{”, "
-                                          "rows of 7 numbers and “}”."));
+               m_bytes.trimmed().isEmpty() ? Text::tr("The file is empty.")
+               : m_parameterSets > 0
+                   ? Text::tr("These are Fractint parameter sets or formulas; no iterated "
+                              "function system is among them.")
+                   : Text::tr("No iterated function system was found: an entry is a name, “{”, "
+                              "rows of 7 numbers and “}”."));
     finish();
     return std::move(m_file);
 }
@@ -159,7 +160,7 @@ void FileReader::readBlocks() {
         m_lines.moveTo(block->all.begin);
         if (m_file.entries.size() >= maxEntries) {
             report(Problem::Severity::Error, m_lines.line(), m_lines.column(),
-                   tr("The file has more than %1 entries; the rest is kept as text but not shown.")
+                   Text::tr("The file has more than %1 entries; the rest is kept as text but not shown.")
                        .arg(maxEntries));
             return;
         }
@@ -180,15 +181,17 @@ void FileReader::leaveAsText(const Block& block) {
     const auto name = [&] { return fractint::decoded(slice(block.name.begin, block.name.end).left(40)); };
     QString sentence;
     if (block.kind == BlockKind::Unnamed)
-        sentence = tr("A block without a name is kept as text; Fractint does not list it.");
+        sentence = Text::tr("A block without a name is kept as text; Fractint does not list it.");
     else if (block.kind == BlockKind::TwoBraces)
-        sentence = tr("Two opening braces on one line: no reader finds an entry here. The text is kept.");
+        sentence =
+            Text::tr("Two opening braces on one line: no reader finds an entry here. The text is kept.");
     else if (block.kind != BlockKind::CommentBlock)
         ++m_parameterSets;
     if (block.kind == BlockKind::Entry || block.kind == BlockKind::Unclosed ||
         block.kind == BlockKind::OtherType)
         sentence =
-            tr("“%1” is a parameter set or a formula, not an iterated function system; it is kept as text.")
+            Text::tr(
+                "“%1” is a parameter set or a formula, not an iterated function system; it is kept as text.")
                 .arg(name());
     if (!sentence.isEmpty() && m_textWarnings.size() < maxFileProblems)
         m_textWarnings.append({Problem::Severity::Warning, {}, m_lines.line(), m_lines.column(), sentence});
@@ -265,8 +268,8 @@ void FileReader::checkName(Entry& entry, const EntrySource& source, int column) 
     if (const auto first = m_lineOfName.constFind(compared); first != m_lineOfName.constEnd())
         entry.problems.append(
             {Problem::Severity::Warning, source.fractal.name, source.line, column,
-             tr("The name is taken by the entry in line %1 (Fractint compares 18 characters and "
-                "ignores case); Fractint never reaches this one.")
+             Text::tr("The name is taken by the entry in line %1 (Fractint compares 18 characters and "
+                      "ignores case); Fractint never reaches this one.")
                  .arg(*first)});
     else
         m_lineOfName.insert(compared, source.line);
@@ -278,19 +281,20 @@ void FileReader::finish() {
         for (const Problem& warning : m_textWarnings)
             m_file.problems.append(warning);
     if (m_bytes.startsWith("\xef\xbb\xbf") && !m_file.entries.isEmpty())
-        report(
-            Problem::Severity::Warning, 1, 1,
-            tr("The file begins with a byte order mark, which Fractint takes for a part of the first name."));
+        report(Problem::Severity::Warning, 1, 1,
+               Text::tr("The file begins with a byte order mark, which Fractint takes for a part of the "
+                        "first name."));
     const qsizetype ctrlZ = m_bytes.indexOf('\x1a');
     if (ctrlZ >= 0 && ctrlZ < m_taken) {
         LineCounter lines(m_bytes, m_lineEnd);
         lines.moveTo(ctrlZ);
         report(Problem::Severity::Warning, lines.line(), lines.column(),
-               tr("Fractint stops reading at this byte (^Z); the entries after it are read all the same."));
+               Text::tr(
+                   "Fractint stops reading at this byte (^Z); the entries after it are read all the same."));
     }
     if (m_file.entries.size() > mostEntriesElsewhere)
         report(Problem::Severity::Warning, 0, 0,
-               tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
+               Text::tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
                    .arg(m_file.entries.size()));
 }
 

@@ -22,9 +22,9 @@ constexpr std::size_t mostMaps = 63;
 constexpr std::size_t mostMapsBefore18 = 31;
 constexpr qsizetype mostEntries = 2000;
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 // Letters lose their accents; what has no plain form becomes a question mark, or `replacement` in a name.
 QByteArray ascii(const QString& text, char replacement) {
@@ -44,7 +44,7 @@ public:
         for (const Entry& entry : file.entries)
             if (only.isEmpty() || only.contains(entry.id)) append(*entry.fractal);
         if (m_written > mostEntries)
-            warn({}, tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
+            warn({}, Text::tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
                          .arg(m_written));
         return std::move(m_text);
     }
@@ -53,7 +53,7 @@ private:
     void append(const document::Fractal& fractal) {
         const std::vector<Row> rows = activeRows(fractal);
         if (rows.empty())
-            return warn(fractal.name, tr("The entry has no map that takes part and is left out."));
+            return warn(fractal.name, Text::tr("The entry has no map that takes part and is left out."));
         const QByteArray name = strictName(fractal.name);
         ++m_written;
         if (!m_text.bytes.isEmpty()) m_text.bytes += '\n';
@@ -72,7 +72,7 @@ private:
         const std::size_t all = rows.size();
         std::erase_if(rows, [](const Row& row) { return !(row.probability > 0); });
         if (rows.size() < all && !rows.empty())
-            warn(fractal.name, tr("%1 maps that take no part are left out.").arg(all - rows.size()));
+            warn(fractal.name, Text::tr("%1 maps that take no part are left out.").arg(all - rows.size()));
         return rows;
     }
 
@@ -80,9 +80,9 @@ private:
         QString legal = QString::fromLatin1(ascii(fractint::storedName(name), '_'));
         legal = m_names.give(legal);
         if (legal != name)
-            warn(name, tr("The entry is written under the name “%1”: other programs take 18 plain "
-                          "characters, and each "
-                          "name once.")
+            warn(name, Text::tr("The entry is written under the name “%1”: other programs take 18 plain "
+                                "characters, and each "
+                                "name once.")
                            .arg(legal));
         return legal.toLatin1();
     }
@@ -117,10 +117,12 @@ private:
 
     void checkLimits(const document::Fractal& fractal, std::size_t maps) {
         if (maps > mostMaps)
-            warn(fractal.name,
-                 tr("The entry has %1 maps; Fractint and Iterated Dynamics read at most 63.").arg(maps));
+            warn(
+                fractal.name,
+                Text::tr("The entry has %1 maps; Fractint and Iterated Dynamics read at most 63.").arg(maps));
         else if (maps > mostMapsBefore18)
-            warn(fractal.name, tr("The entry has %1 maps; Fractint up to 17.2 reads at most 31.").arg(maps));
+            warn(fractal.name,
+                 Text::tr("The entry has %1 maps; Fractint up to 17.2 reads at most 31.").arg(maps));
     }
 
     void warn(const QString& entry, const QString& message) {

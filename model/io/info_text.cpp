@@ -8,16 +8,16 @@ namespace io {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("InfoReport", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 QString digits(double number) {
     return QString::number(number == 0 ? 0.0 : number, 'g', 6);
 }
 
 QString digits(const std::optional<double>& number) {
-    return number ? digits(*number) : tr("not known");
+    return number ? digits(*number) : Text::tr("not known");
 }
 
 template <typename Vector> QString tuple(const Vector& v) {
@@ -44,19 +44,19 @@ template <typename Points> QString list(const Points& points) {
 QString verdictSentence(const ifs::Existence& existence) {
     switch (existence.verdict) {
     case ifs::Verdict::Hyperbolic:
-        return tr("hyperbolic, s = %1").arg(digits(existence.contractivity));
+        return Text::tr("hyperbolic, s = %1").arg(digits(existence.contractivity));
     case ifs::Verdict::EventuallyContractive:
-        return tr("eventually contractive, γ = %1 from words of length %2")
+        return Text::tr("eventually contractive, γ = %1 from words of length %2")
             .arg(digits(existence.contractivity))
             .arg(existence.wordLength);
     case ifs::Verdict::None:
-        return tr("none: a word of length %1 does not contract").arg(existence.witness.size());
+        return Text::tr("none: a word of length %1 does not contract").arg(existence.witness.size());
     case ifs::Verdict::Undecided:
-        return tr("undecided");
+        return Text::tr("undecided");
     case ifs::Verdict::Empty:
         break;
     }
-    return tr("none: no map takes part");
+    return Text::tr("none: no map takes part");
 }
 
 class Lines {
@@ -79,7 +79,7 @@ template <int Dim> QString mapLine(const ifs::WeightedMap<Dim>& map, double prob
     for (int i = 0; i < Dim; ++i)
         row << digits(map.map.translation[i]).rightJustified(11);
     row << digits(probability).rightJustified(11);
-    return row.join(u' ') + tr("   norm %1, determinant %2")
+    return row.join(u' ') + Text::tr("   norm %1, determinant %2")
                                 .arg(digits(ifs::spectralNorm<Dim>(map.map.linear)),
                                      digits(ifs::determinant<Dim>(map.map.linear)));
 }
@@ -88,43 +88,44 @@ template <int Dim>
 void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, const InfoSubject& subject) {
     const Facts<Dim> facts = factsOf(system, subject.hullTolerance);
     for (std::size_t i = 0; i < system.maps.size(); ++i)
-        lines.add(tr("map %1").arg(i + 1), mapLine(system.maps[i], facts.probabilities[i]));
-    lines.add(tr("attractor"), verdictSentence(facts.existence));
+        lines.add(Text::tr("map %1").arg(i + 1), mapLine(system.maps[i], facts.probabilities[i]));
+    lines.add(Text::tr("attractor"), verdictSentence(facts.existence));
     if (facts.moments) {
-        lines.add(tr("mean"), tuple(facts.moments->mean));
-        lines.add(tr("covariance"), rows(facts.moments->covariance));
+        lines.add(Text::tr("mean"), tuple(facts.moments->mean));
+        lines.add(Text::tr("covariance"), rows(facts.moments->covariance));
     }
     if (facts.box)
-        lines.add(tr("bounding box"), tuple(facts.box->min) + QStringLiteral(" ") + tuple(facts.box->max));
-    if (facts.simplex) lines.add(tr("canonical simplex"), list(facts.simplex->vertices));
+        lines.add(Text::tr("bounding box"),
+                  tuple(facts.box->min) + QStringLiteral(" ") + tuple(facts.box->max));
+    if (facts.simplex) lines.add(Text::tr("canonical simplex"), list(facts.simplex->vertices));
     if constexpr (Dim == 2) {
         if (facts.hull)
-            lines.add(tr("convex hull"), tr("%1 vertices, area %2; error at most %3")
-                                             .arg(facts.hull->vertices.size())
-                                             .arg(digits(facts.hull->area), digits(facts.hull->error)));
+            lines.add(Text::tr("convex hull"), Text::tr("%1 vertices, area %2; error at most %3")
+                                                   .arg(facts.hull->vertices.size())
+                                                   .arg(digits(facts.hull->area), digits(facts.hull->error)));
     } else if (facts.hull) {
-        lines.add(tr("convex hull"), tr("%1 vertices, %2 facets, volume %3; error at most %4")
-                                         .arg(facts.hull->vertices.size())
-                                         .arg(facts.hull->facets.size())
-                                         .arg(digits(facts.hull->volume), digits(facts.hull->error)));
+        lines.add(Text::tr("convex hull"), Text::tr("%1 vertices, %2 facets, volume %3; error at most %4")
+                                               .arg(facts.hull->vertices.size())
+                                               .arg(facts.hull->facets.size())
+                                               .arg(digits(facts.hull->volume), digits(facts.hull->error)));
     }
-    lines.add(tr("similarity dimension"), digits(facts.similarityDimension));
-    lines.add(tr("affinity dimension"), digits(facts.affinityDimension));
+    lines.add(Text::tr("similarity dimension"), digits(facts.similarityDimension));
+    lines.add(Text::tr("affinity dimension"), digits(facts.affinityDimension));
 }
 
 void addEntry(Lines& lines, const document::Fractal& fractal, const InfoSubject& subject) {
     if (const auto* plane = std::get_if<document::System2>(&fractal.system)) {
-        lines.title(tr("%1 — in the plane, %2 maps").arg(fractal.name).arg(plane->maps.size()));
+        lines.title(Text::tr("%1 — in the plane, %2 maps").arg(fractal.name).arg(plane->maps.size()));
         addSystem(lines, *plane, subject);
     } else if (const auto* space = std::get_if<document::System3>(&fractal.system)) {
-        lines.title(tr("%1 — in space, %2 maps").arg(fractal.name).arg(space->maps.size()));
+        lines.title(Text::tr("%1 — in space, %2 maps").arg(fractal.name).arg(space->maps.size()));
         addSystem(lines, *space, subject);
     } else {
-        lines.title(tr("%1 — could not be read").arg(fractal.name));
+        lines.title(Text::tr("%1 — could not be read").arg(fractal.name));
     }
     if (fractal.cage) {
-        lines.add(tr("cage at rest"), list(fractal.cage->rest));
-        lines.add(tr("cage now"), list(fractal.cage->current));
+        lines.add(Text::tr("cage at rest"), list(fractal.cage->rest));
+        lines.add(Text::tr("cage now"), list(fractal.cage->current));
     }
 }
 

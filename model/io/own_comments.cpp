@@ -238,7 +238,7 @@ void OwnComments::applyCage(document::Fractal& fractal, QStringList& sentences) 
         fractal.cage = m_cage;
     else
         sentences << QCoreApplication::translate(
-            "io",
+            "Text",
             "The stored cage is not usable (its lists of vertices do not match, or its rest vertices lie on "
             "one line, cross each other or are more than 64) and is not applied.");
 }
@@ -252,7 +252,7 @@ void OwnComments::applyPalette(document::Fractal& fractal, QStringList& sentence
     else if (m_stops.empty() && builtIn != nullptr)
         fractal.appearance.palette = *builtIn;
     else
-        sentences << QCoreApplication::translate("io",
+        sentences << QCoreApplication::translate("Text",
                                                  "The stored palette “%1” is unknown and is not applied.")
                          .arg(QString::fromStdString(name));
 }
@@ -281,7 +281,7 @@ QStringList OwnComments::applyTo(document::Fractal& fractal) const {
             auto* map = mapAt(setting.place);
             if (map == nullptr || (map->weight && *map->weight != 0)) {
                 sentences << QCoreApplication::translate(
-                                 "io",
+                                 "Text",
                                  "Map %1 was switched off here, but another program has given it a weight.")
                                  .arg(setting.place);
                 continue;

@@ -23,9 +23,9 @@ constexpr std::size_t mostColours = 4096;
 constexpr qsizetype mostProblems = 10;
 constexpr const char* stopPrefix = "barycage: stop ";
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 void report(PaletteFile& file, Problem::Severity severity, int line, const QString& message) {
     if (file.problems.size() < mostProblems || severity == Problem::Severity::Error)
@@ -68,8 +68,9 @@ public:
     void read(const QByteArray& line, int number) {
         if (m_colours.size() >= mostColours) {
             if (!m_full)
-                report(m_file, Problem::Severity::Warning, number,
-                       tr("A palette has at most %1 colours; the others are left out.").arg(mostColours));
+                report(
+                    m_file, Problem::Severity::Warning, number,
+                    Text::tr("A palette has at most %1 colours; the others are left out.").arg(mostColours));
             m_full = true;
             return;
         }
@@ -77,7 +78,7 @@ public:
             m_colours.push_back(*colour);
         else
             report(m_file, Problem::Severity::Warning, number,
-                   tr("This line is left out: three whole numbers from 0 to 255 make a colour."));
+                   Text::tr("This line is left out: three whole numbers from 0 to 255 make a colour."));
     }
 
     void readStop(const QByteArray& values) {
@@ -88,7 +89,7 @@ public:
     void finish(const QString& name) {
         std::vector<Palette::Stop> stops = isGradient(m_stops) ? m_stops : stopsThrough(m_colours);
         if (stops.empty())
-            report(m_file, Problem::Severity::Error, 0, tr("The file holds no colours."));
+            report(m_file, Problem::Severity::Error, 0, Text::tr("The file holds no colours."));
         else
             m_file.palettes.push_back({name.toStdString(), std::move(stops)});
     }
@@ -133,19 +134,19 @@ PaletteFile readPalettes(const QByteArray& bytes, const QString& name) {
     PaletteFile file;
     if (bytes.size() > largestFile) {
         report(file, Problem::Severity::Error, 0,
-               tr("The file has more than 16 MB, which no palette needs."));
+               Text::tr("The file has more than 16 MB, which no palette needs."));
         return file;
     }
     QByteArray text = bytes.startsWith("\xef\xbb\xbf") ? bytes.sliced(3) : bytes;
     text.replace("\r\n", "\n").replace('\r', '\n');
     const QByteArray head = text.left(64).toLower();
     if (text.contains('\0'))
-        report(file, Problem::Severity::Error, 0, tr("The file is no text, so it is no palette."));
+        report(file, Problem::Severity::Error, 0, Text::tr("The file is no text, so it is no palette."));
     else if (head.startsWith("gimp palette"))
         readGimpPalette(text.split('\n'), name, file);
     else if (head.startsWith("gimp gradient"))
         report(file, Problem::Severity::Error, 1,
-               tr("This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files."));
+               Text::tr("This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files."));
     else if (text.contains('{'))
         readUltraFractalGradients(text, file);
     else

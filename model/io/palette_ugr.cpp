@@ -21,9 +21,9 @@ constexpr int places = 400;
 constexpr std::size_t mostPalettes = 4000;
 constexpr qsizetype mostProblems = 10;
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 // Words of the text: { and } on their own, key=value (the value possibly in quotes), everything else by
 // blanks. Comments run from a semicolon to the end of the line.
@@ -167,11 +167,13 @@ public:
                 name = word + m_words.restOfLine();
             if (m_file.palettes.size() >= mostPalettes) {
                 report(Problem::Severity::Warning,
-                       tr("The file has more than %1 palettes; the others are left out.").arg(mostPalettes));
+                       Text::tr("The file has more than %1 palettes; the others are left out.")
+                           .arg(mostPalettes));
                 break;
             }
         }
-        if (m_file.palettes.empty()) report(Problem::Severity::Error, tr("The file holds no gradient."));
+        if (m_file.palettes.empty())
+            report(Problem::Severity::Error, Text::tr("The file holds no gradient."));
     }
 
 private:
@@ -195,7 +197,7 @@ private:
         }
         if (word.isEmpty())
             report(Problem::Severity::Warning,
-                   tr("The gradient of line %1 is not closed.").arg(gradient.line));
+                   Text::tr("The gradient of line %1 is not closed.").arg(gradient.line));
         if (!gradient.knots.empty())
             m_file.palettes.push_back({gradient.name.toStdString(), stopsOf(gradient)});
     }
@@ -222,7 +224,7 @@ private:
         const long long number = value.toLongLong(&good);
         if (!good) {
             report(Problem::Severity::Warning,
-                   tr("“%1” is no whole number.").arg(QString::fromUtf8(value.left(40))));
+                   Text::tr("“%1” is no whole number.").arg(QString::fromUtf8(value.left(40))));
         } else if (key == "index") {
             place = onCircle(number);
         } else if (key == "rotation") {

@@ -14,9 +14,9 @@ namespace io {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("io::PointCloud", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 class Writer {
 public:
@@ -86,14 +86,15 @@ private:
 Failure obstacle(const PointCloud& cloud) {
     const document::System2* system = document::system2(cloud.fractal);
     if (!system)
-        return tr("“%1” is not a system in the plane, of which alone points are written.")
+        return Text::tr("“%1” is not a system in the plane, of which alone points are written.")
             .arg(cloud.fractal.name);
     if (ifs::activeMaps(*system).maps.empty())
-        return tr("“%1” has no map that takes part, so it has no points.").arg(cloud.fractal.name);
+        return Text::tr("“%1” has no map that takes part, so it has no points.").arg(cloud.fractal.name);
     if (cloud.fractal.cage && cloud.fractal.cage->rest.size() != 3)
-        return tr("A cage of more than three corners bends the picture, and its points are not written.");
+        return Text::tr(
+            "A cage of more than three corners bends the picture, and its points are not written.");
     if (cloud.points < 1 || cloud.points > PointCloud::mostPoints)
-        return tr("A point cloud has from 1 to %1 points.").arg(PointCloud::mostPoints);
+        return Text::tr("A point cloud has from 1 to %1 points.").arg(PointCloud::mostPoints);
     return std::nullopt;
 }
 

@@ -24,9 +24,9 @@ namespace {
 
 constexpr qint64 largestFile = 256LL * 1024 * 1024;
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 QString shown(const QString& path) {
     return QDir::toNativeSeparators(path);
@@ -46,14 +46,16 @@ QString target(QString path) {
 Failure obstacle(const QString& path) {
     const QFileInfo info(path);
     const QFileInfo folder(info.absolutePath());
-    if (info.isDir()) return tr("“%1” is a folder. Choose a file name.").arg(shown(path));
+    if (info.isDir()) return Text::tr("“%1” is a folder. Choose a file name.").arg(shown(path));
     if (info.exists() && !info.isFile())
-        return tr("“%1” is not an ordinary file and is not replaced. Choose another name.").arg(shown(path));
+        return Text::tr("“%1” is not an ordinary file and is not replaced. Choose another name.")
+            .arg(shown(path));
     if (!folder.isDir())
-        return tr("The folder “%1” does not exist. Create it, or save somewhere else.")
+        return Text::tr("The folder “%1” does not exist. Create it, or save somewhere else.")
             .arg(shown(folder.filePath()));
     if (info.exists() && !info.isWritable())
-        return tr("“%1” is read-only. Save under another name, or change its permissions.").arg(shown(path));
+        return Text::tr("“%1” is read-only. Save under another name, or change its permissions.")
+            .arg(shown(path));
     return std::nullopt;
 }
 
@@ -64,19 +66,20 @@ QString reason(int error, const QString& path) {
     switch (error) {
     case ENOSPC:
     case EDQUOT:
-        return tr("“%1” was not saved: the disk is full. Free some space and save again; the file on the "
-                  "disk is as "
-                  "it was.")
+        return Text::tr(
+                   "“%1” was not saved: the disk is full. Free some space and save again; the file on the "
+                   "disk is as "
+                   "it was.")
             .arg(shown(path));
     case EACCES:
     case EPERM:
     case EROFS:
-        return tr("“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.")
+        return Text::tr("“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.")
             .arg(shown(path), folder);
     case ENAMETOOLONG:
-        return tr("“%1” was not saved: the name is too long.").arg(shown(path));
+        return Text::tr("“%1” was not saved: the name is too long.").arg(shown(path));
     default:
-        return tr("“%1” was not saved: %2. The file on the disk is as it was.")
+        return Text::tr("“%1” was not saved: %2. The file on the disk is as it was.")
             .arg(shown(path), QString::fromLocal8Bit(std::strerror(error)));
     }
 }
@@ -154,7 +157,7 @@ Failure replace(const QString& path, const QByteArray& bytes) {
 Failure replace(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return tr("“%1” was not saved: %2. The file on the disk is as it was.")
+        return Text::tr("“%1” was not saved: %2. The file on the disk is as it was.")
             .arg(shown(path), file.errorString());
     return std::nullopt;
 }
@@ -164,7 +167,7 @@ Failure replace(const QString& path, const QByteArray& bytes) {
 } // namespace
 
 Failure saveFile(const QString& path, const QByteArray& bytes) {
-    if (path.isEmpty()) return tr("The file has no name. Choose one.");
+    if (path.isEmpty()) return Text::tr("The file has no name. Choose one.");
     const QString file = target(path);
     if (Failure failure = obstacle(file)) return failure;
     return replace(file, bytes);
@@ -173,13 +176,13 @@ Failure saveFile(const QString& path, const QByteArray& bytes) {
 Loaded loadFile(const QString& path) {
     QFile file(path);
     const QFileInfo info(path);
-    if (!info.exists()) return {{}, tr("“%1” does not exist.").arg(shown(path))};
-    if (info.isDir()) return {{}, tr("“%1” is a folder, not a file.").arg(shown(path))};
+    if (!info.exists()) return {{}, Text::tr("“%1” does not exist.").arg(shown(path))};
+    if (info.isDir()) return {{}, Text::tr("“%1” is a folder, not a file.").arg(shown(path))};
     const QString tooLarge =
-        tr("“%1” is larger than 256 MB, which is the limit for a file.").arg(shown(path));
+        Text::tr("“%1” is larger than 256 MB, which is the limit for a file.").arg(shown(path));
     if (info.size() > largestFile) return {{}, tooLarge};
     if (!file.open(QIODevice::ReadOnly))
-        return {{}, tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
+        return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
     Loaded loaded;
     // A pipe does not know its size beforehand, and one read of the limit would reserve as much memory.
     const qint64 expected = std::max<qint64>(info.size(), 1 << 16);
@@ -189,7 +192,7 @@ Loaded loadFile(const QString& path) {
         loaded.bytes += piece;
     }
     if (file.error() != QFileDevice::NoError)
-        return {{}, tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
+        return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
     if (loaded.bytes.size() > largestFile) return {{}, tooLarge};
     return loaded;
 }

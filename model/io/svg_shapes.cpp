@@ -16,9 +16,9 @@ namespace io {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("SvgWriter", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 // Unions of polygons in whole numbers, in which they are exact. Every level has a grid of its own, in the
 // coordinates of the code, as fine as the numbers allow that are multiplied without overflow.
@@ -96,15 +96,16 @@ private:
 
 ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camera& camera) {
     const document::System2* system = document::system2(fractal);
-    if (!system) return {{}, tr("Only plane systems can be written as a scalable picture.")};
+    if (!system) return {{}, Text::tr("Only plane systems can be written as a scalable picture.")};
     ifs::AffineMap<2> display = worldToPixel(camera);
     if (fractal.cage) display = display * ifs::displayMap(*fractal.cage);
     auto levels = SvgLevels::of(*system, display);
     if (!levels)
         return {
             {},
-            tr("The system has no attractor of which an outline could be certified, so there is nothing to "
-               "make copies of.")};
+            Text::tr(
+                "The system has no attractor of which an outline could be certified, so there is nothing to "
+                "make copies of.")};
     return {std::move(levels), {}};
 }
 

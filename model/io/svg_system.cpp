@@ -20,9 +20,11 @@ EmbeddedSystem textOf(QXmlStreamReader& xml) {
     QString text;
     while (xml.readNext() == QXmlStreamReader::Characters || xml.isComment()) {
         if (xml.isCharacters()) text += xml.text();
-        if (text.size() > largestText) return refusal("The system in the picture has more than 8 MB.");
+        if (text.size() > largestText)
+            return refusal(QT_TRANSLATE_NOOP("SvgSystem", "The system in the picture has more than 8 MB."));
     }
-    if (!xml.isEndElement()) return refusal("The system in the picture is damaged.");
+    if (!xml.isEndElement())
+        return refusal(QT_TRANSLATE_NOOP("SvgSystem", "The system in the picture is damaged."));
     return {text.toUtf8(), {}};
 }
 
@@ -47,14 +49,17 @@ EmbeddedSystem readSvgSystem(const QByteArray& bytes) {
     while (!xml.atEnd()) {
         xml.readNext();
         if (xml.isDTD())
-            return refusal(
-                "The picture declares a document type, which Barycage never writes and does not read.");
+            return refusal(QT_TRANSLATE_NOOP(
+                "SvgSystem",
+                "The picture declares a document type, which Barycage never writes and does not read."));
         if (xml.isStartElement() && xml.name() == u"system" && xml.namespaceUri() == svgSystemNamespace())
             return textOf(xml);
     }
-    if (xml.hasError()) return refusal("The file is no SVG picture, or it is damaged.");
-    return refusal(
-        "The picture holds no system: it was not written by Barycage, or another program removed it.");
+    if (xml.hasError())
+        return refusal(QT_TRANSLATE_NOOP("SvgSystem", "The file is no SVG picture, or it is damaged."));
+    return refusal(QT_TRANSLATE_NOOP(
+        "SvgSystem",
+        "The picture holds no system: it was not written by Barycage, or another program removed it."));
 }
 
 } // namespace io

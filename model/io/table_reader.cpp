@@ -22,9 +22,9 @@ constexpr qsizetype longestRow =
     maxRows + 1; // cells: a label, and of a table that has a column for every map
 constexpr qsizetype maxProblems = 10;
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 struct Cell {
     QString text;
@@ -117,7 +117,9 @@ public:
         : m_text(withLineFeeds(text)),
           m_dialect(dialectOf(m_text)),
           m_chosen(columns.has_value()),
-          m_columns(columns.value_or(fractintColumns())) {}
+          m_columns(columns.value_or(fractintColumns())) {
+        m_table.isOrdered = m_chosen;
+    }
 
     bool beginsWithMatrices() && { return beginsWithACount(rows(5)); }
 
@@ -136,7 +138,7 @@ public:
                 readRow(row.first());
         }
         if (m_table.rows.empty() && m_table.problems.isEmpty())
-            fail({}, tr("There are no rows of numbers: a row is a b c d e f and perhaps a weight."));
+            fail({}, Text::tr("There are no rows of numbers: a row is a b c d e f and perhaps a weight."));
         if (std::find(m_columns.begin(), m_columns.end(), TableColumn::Cumulative) != m_columns.end())
             takeDifferences();
         return std::move(m_table);
@@ -202,25 +204,27 @@ private:
     void readMatrices() {
         const Cell count = rows(1).first().first();
         m_columns = fractintColumns();
+        m_table.isOrdered = true;
         for (QList<Row> map = rows(4); !map.isEmpty() && m_table.problems.isEmpty(); map = rows(4)) {
             if (map.size() != 4 || map[0].size() != 1 || map[1].size() != 3 || map[2].size() != 3 ||
                 map[3].size() != 3)
-                return fail(map[0][0], tr("After the count, a map is its weight and a matrix of 3 rows."));
+                return fail(map[0][0],
+                            Text::tr("After the count, a map is its weight and a matrix of 3 rows."));
             const Row flat{map[1][0], map[1][1], map[2][0], map[2][1], map[1][2], map[2][2], map[0][0]};
             const auto last = [&](qsizetype i) { return value(map[3][i].text, m_dialect); };
             if (last(0) != 0.0 || last(1) != 0.0 || last(2) != 1.0)
-                return fail(map[3][0], tr("The last row of the matrix of an affine map is 0 0 1."));
+                return fail(map[3][0], Text::tr("The last row of the matrix of an affine map is 0 0 1."));
             addRow(flat);
         }
         if (m_table.problems.isEmpty() && value(count.text, m_dialect) != double(m_table.rows.size()))
-            fail(count, tr("The table says that it has %1 maps, and it has %2.")
+            fail(count, Text::tr("The table says that it has %1 maps, and it has %2.")
                             .arg(count.text)
                             .arg(m_table.rows.size()));
     }
 
     void readHeader(const Row& cells) {
         if (!m_table.rows.empty() || m_hasHeader)
-            return fail(cells.first(), tr("“%1” is not a number.").arg(cells.first().text));
+            return fail(cells.first(), Text::tr("“%1” is not a number.").arg(cells.first().text));
         m_hasHeader = true;
         if (m_chosen) return;
         QStringList names = namesIn(cells);
@@ -229,27 +233,30 @@ private:
             names.removeFirst(); // what stands over the labels
             columns = tableColumns(names);
         }
-        if (columns)
+        if (columns) {
             m_columns = *columns;
-        else
+            m_table.isOrdered = true;
+        } else {
             m_unknownHeader = cells;
+        }
     }
 
     void readRow(Row cells) {
         if (isHeader(cells)) return readHeader(cells);
         if (cells.size() == m_unknownHeader.size() && cells.size() >= 6) {
             m_table.isTable = true;
-            return fail(m_unknownHeader.first(),
-                        tr("The header does not say which column is a, b, c, d, e and f; choose the order of "
-                           "the columns."));
+            return fail(
+                m_unknownHeader.first(),
+                Text::tr("The header does not say which column is a, b, c, d, e and f; choose the order of "
+                         "the columns."));
         }
         m_unknownHeader.clear();
         if (!value(cells.first().text, m_dialect) || cells.size() == 8)
             cells.removeFirst(); // a label: ƒ1, w1, 1
         if (cells.size() != 6 && cells.size() != 7)
-            return fail(
-                cells.isEmpty() ? Cell{} : cells.first(),
-                tr("This row has %1 numbers; a map is 6 numbers, or 7 with its weight.").arg(cells.size()));
+            return fail(cells.isEmpty() ? Cell{} : cells.first(),
+                        Text::tr("This row has %1 numbers; a map is 6 numbers, or 7 with its weight.")
+                            .arg(cells.size()));
         addRow(cells);
     }
 
@@ -257,15 +264,16 @@ private:
         std::vector<double> numbers;
         for (const Cell& cell : cells) {
             const auto number = value(cell.text, m_dialect);
-            if (!number) return fail(cell, tr("“%1” is not a decimal number.").arg(cell.text.left(40)));
+            if (!number) return fail(cell, Text::tr("“%1” is not a decimal number.").arg(cell.text.left(40)));
             numbers.push_back(*number);
         }
         if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return isCoefficient(number); }))
-            return fail(cells.first(),
-                        tr("A number of this row is larger than a coefficient can be (3.4e38 in size)."));
+            return fail(
+                cells.first(),
+                Text::tr("A number of this row is larger than a coefficient can be (3.4e38 in size)."));
         if (static_cast<qsizetype>(m_table.rows.size()) >= maxRows)
             return fail(cells.first(),
-                        tr("The table has more than %1 rows, which is the limit.").arg(maxRows));
+                        Text::tr("The table has more than %1 rows, which is the limit.").arg(maxRows));
         m_table.rows.push_back(mapOf(m_columns, numbers));
         m_table.isTable = true;
     }
@@ -305,7 +313,7 @@ Table readTable(const QString& text, const std::optional<TableColumns>& columns)
              {},
              0,
              0,
-             tr("The text has more than 64 MB, which is the limit for a table of numbers.")});
+             Text::tr("The text has more than 64 MB, which is the limit for a table of numbers.")});
         return table;
     }
     return TableParser(text, columns).read();

@@ -19,6 +19,7 @@ struct Table {
     std::vector<ifs::WeightedMap<2>> rows; // without ids
     document::Problems problems;           // any error: nothing is to be pasted
     bool isTable = false;                  // there was a row that could be read, or a header over one
+    bool isOrdered = false;                // the text itself says what its columns are, or the caller did
 };
 Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt);
 

@@ -15,9 +15,9 @@ namespace {
 
 constexpr qsizetype sampleSize = 4096;
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 bool isBinary(QByteArrayView bytes) {
     QByteArrayView head = bytes.first(std::min<qsizetype>(bytes.size(), 512));
@@ -42,29 +42,31 @@ std::optional<QString> byMagic(QByteArrayView bytes) {
     };
     for (const auto& [magic, name] : magics)
         if (name != nullptr && bytes.startsWith(magic))
-            return tr("This is a %1 file, not a text with iterated function systems.")
+            return Text::tr("This is a %1 file, not a text with iterated function systems.")
                 .arg(QLatin1String(name));
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
-        return tr("This is a text in UTF-16. Save it as UTF-8 or ASCII and open it again.");
+        return Text::tr("This is a text in UTF-16. Save it as UTF-8 or ASCII and open it again.");
     return std::nullopt;
 }
 
 std::optional<QString> byBeginning(QByteArrayView text) {
     if (text.startsWith("(("))
-        return tr("This is a list written by a Racket program (wgmitchener's IFS editor), not a Fractint "
-                  "collection.");
+        return Text::tr(
+            "This is a list written by a Racket program (wgmitchener's IFS editor), not a Fractint "
+            "collection.");
     if (text.startsWith('<')) {
-        if (text.contains("<flame")) return tr("This is a flame file (XML), not a Fractint collection.");
-        if (text.contains("<svg")) return tr("This is an SVG picture, not a Fractint collection.");
+        if (text.contains("<flame"))
+            return Text::tr("This is a flame file (XML), not a Fractint collection.");
+        if (text.contains("<svg")) return Text::tr("This is an SVG picture, not a Fractint collection.");
         return text.contains("<Transform") || text.contains("<ifs")
-                   ? tr("This is an XML file of an IFS program such as IFS Explorer, not a Fractint "
-                        "collection.")
-                   : tr("This is an XML or HTML file, not a Fractint collection.");
+                   ? Text::tr("This is an XML file of an IFS program such as IFS Explorer, not a Fractint "
+                              "collection.")
+                   : Text::tr("This is an XML or HTML file, not a Fractint collection.");
     }
     if (text.startsWith('@') || text.contains("$dim"))
-        return tr("This is an IFStile file (.aifs), not a Fractint collection.");
+        return Text::tr("This is an IFStile file (.aifs), not a Fractint collection.");
     if (text.startsWith("(initstate)") || text.contains("(formula '"))
-        return tr("This is a XaoS position file, not a Fractint collection.");
+        return Text::tr("This is a XaoS position file, not a Fractint collection.");
     return std::nullopt;
 }
 
@@ -88,34 +90,36 @@ qsizetype numbersIn(const QByteArray& line) {
 std::optional<QString> byLines(const QByteArrayList& lines) {
     if (lines.size() < 2)
         return lines.size() == 1 && lines[0].contains("*x")
-                   ? std::optional(
-                         tr("The lines are expressions in x and y, as pyfractal writes them, not a Fractint "
-                            "collection."))
+                   ? std::optional(Text::tr(
+                         "The lines are expressions in x and y, as pyfractal writes them, not a Fractint "
+                         "collection."))
                    : std::nullopt;
     const qsizetype first = numbersIn(lines[0]);
     const qsizetype second = numbersIn(lines[1]);
     if (first == 1 && second == 7)
-        return tr("This is a table of the program Fraktale: a count, maps with cumulative percentages and a "
-                  "window. It "
-                  "is not a Fractint collection.");
+        return Text::tr(
+            "This is a table of the program Fraktale: a count, maps with cumulative percentages and a "
+            "window. It "
+            "is not a Fractint collection.");
     if (first == 3 && second == 5)
-        return tr("This table has 5 numbers per map (scales, shifts and a rotation in pixels). It is not a "
-                  "Fractint "
-                  "collection.");
+        return Text::tr(
+            "This table has 5 numbers per map (scales, shifts and a rotation in pixels). It is not a "
+            "Fractint "
+            "collection.");
     const auto isExpression = [](const QByteArray& line) {
         const qsizetype semicolon = line.indexOf(';');
         return semicolon > 0 && line.first(semicolon).contains(',') &&
                (line.contains('x') || line.contains('y')) && (line.contains('*') || line.contains('/'));
     };
     if (isExpression(lines[0]) || isExpression(lines[1]))
-        return tr(
+        return Text::tr(
             "The lines are expressions in x and y, as pyfractal writes them, not a Fractint collection.");
     const auto isScript = [](const QByteArray& line) {
         return line.startsWith("//") || line.startsWith("xform") || line.startsWith("translate") ||
                line.startsWith("rotate") || line.startsWith("scale");
     };
     if (std::count_if(lines.begin(), lines.end(), isScript) * 2 > lines.size())
-        return tr("This is a StyrofoamIFS script, not a Fractint collection.");
+        return Text::tr("This is a StyrofoamIFS script, not a Fractint collection.");
     return std::nullopt;
 }
 
@@ -125,7 +129,7 @@ std::optional<QString> unrelatedFormat(QByteArrayView bytes) {
     if (bytes.startsWith("\xef\xbb\xbf")) bytes = bytes.sliced(3);
     if (const auto magic = byMagic(bytes)) return magic;
     if (isBinary(bytes))
-        return tr(
+        return Text::tr(
             "This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with "
             "iterated function systems.");
     const QByteArrayView text = bytes.first(std::min(bytes.size(), sampleSize)).trimmed();

@@ -11,9 +11,9 @@ constexpr qsizetype largestFile = 64 * 1024 * 1024;
 constexpr int deepest = 1000;
 constexpr int mostAttributes = 1000;
 
-QString tr(const char* sentence) {
-    return QCoreApplication::translate("io", sentence);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 // Past the next `end`, or the end of the text.
 qsizetype behind(QByteArrayView xml, qsizetype from, QByteArrayView end) {
@@ -45,12 +45,14 @@ Failure obstacle(QByteArrayView xml) {
                 else if (c == '"' || c == '\'')
                     quote = c;
                 else if (c == '=' && ++attributes > mostAttributes)
-                    return tr("A tag has more than %1 attributes, which is the limit.").arg(mostAttributes);
+                    return Text::tr("A tag has more than %1 attributes, which is the limit.")
+                        .arg(mostAttributes);
             }
             if (closes)
                 --depth;
             else if (xml[at - 1] != '/' && ++depth > deepest)
-                return tr("The elements are nested more than %1 deep, which is the limit.").arg(deepest);
+                return Text::tr("The elements are nested more than %1 deep, which is the limit.")
+                    .arg(deepest);
         }
     }
     return std::nullopt;
@@ -60,7 +62,7 @@ Failure obstacle(QByteArrayView xml) {
 
 XmlText xmlText(const QByteArray& bytes) {
     if (bytes.size() > largestFile)
-        return {{}, tr("The file has more than 64 MB, which is the limit for XML.")};
+        return {{}, Text::tr("The file has more than 64 MB, which is the limit for XML.")};
     if (Failure failure = obstacle(bytes)) return {{}, std::move(failure)};
     return {QByteArrayView(bytes).isValidUtf8() ? QString::fromUtf8(bytes) : QString::fromLatin1(bytes), {}};
 }

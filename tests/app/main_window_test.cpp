@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "dialogs/preferences_dialog.h"
 #include "main_window.h"
+#include "preferences.h"
 #include "recovery.h"
+#include "session.h"
 #include "support/paths.h"
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QMessageBox>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -23,13 +28,16 @@ private slots:
     void saysWhenWorkCannotBeKept();
     void aNarrowWindowIsHalfPicture_data();
     void aNarrowWindowIsHalfPicture();
+    void preferencesReachEveryWindow();
+    void theFilesOfTheLastRunAreKnown();
 
 private:
-    static QList<MainWindow*> windows() {
-        QList<MainWindow*> found;
-        for (QWidget* widget : QApplication::topLevelWidgets())
-            if (auto* window = qobject_cast<MainWindow*>(widget)) found << window;
-        return found;
+    static QList<MainWindow*> windows() { return session::windows(); }
+    static MainWindow* shown(const QString& path) {
+        auto* window = new MainWindow;
+        if (!path.isEmpty()) window->openPath(path);
+        window->show();
+        return window;
     }
 };
 
@@ -98,6 +106,50 @@ void MainWindowTest::aNarrowWindowIsHalfPicture() {
     QTest::qWait(50);
     window.resize(width, 768); // the same when it is made so
     QTRY_VERIFY(canvas->width() >= width * 46 / 100);
+}
+
+void MainWindowTest::preferencesReachEveryWindow() {
+    view::Preferences{{}, view::Preferences::Theme::Desktop, 50'000'000, false}.store();
+    MainWindow* first = shown({});
+    MainWindow* second = shown({});
+    const auto quality = [](MainWindow* window) {
+        return window->findChild<view::RenderBridge*>()->quality();
+    };
+    QCOMPARE(quality(first), std::uint64_t(50'000'000));
+    for (QAction* action : first->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QStringLiteral("Ctrl+,"))) action->trigger();
+    auto* dialog = first->findChild<view::PreferencesDialog*>();
+    QVERIFY(dialog);
+    for (auto* box : dialog->findChildren<QComboBox*>())
+        if (const int fine = box->findData(quint64(1'000'000'000)); fine >= 0) box->setCurrentIndex(fine);
+    QCOMPARE(quality(first), std::uint64_t(1'000'000'000));
+    QCOMPARE(quality(second), std::uint64_t(1'000'000'000));
+    QCOMPARE(quality(shown({})), std::uint64_t(1'000'000'000));
+    view::Preferences{}.store();
+}
+
+void MainWindowTest::theFilesOfTheLastRunAreKnown() {
+    const QString shapes = support::testData(QStringLiteral("shapes.ifs"));
+    const QString dos = support::testData(QStringLiteral("dos.ifs"));
+    const auto known = [] {
+        QStringList files = session::files();
+        files.sort();
+        return files;
+    };
+    shown(shapes);
+    shown(dos);
+    shown({}); // without a file
+    session::quit();
+    QCOMPARE(known(), QStringList({dos, shapes}));
+    cleanup();
+
+    MainWindow* first = shown(shapes);
+    MainWindow* last = shown(dos);
+    first->close();
+    last->close();
+    QCOMPARE(known(), QStringList({dos}));
+    QSettings().setValue(QStringLiteral("session/files"), QStringList({QStringLiteral("/nowhere/a.ifs")}));
+    QVERIFY(session::files().isEmpty());
 }
 
 QTEST_MAIN(MainWindowTest)

@@ -89,6 +89,37 @@ private slots:
             QCOMPARE(rows[cell], everything[cell + 96U * 320U]);
     }
 
+    void aStoppedCutIsEmpty() {
+        std::stop_source stop;
+        stop.request_stop();
+        const Camera camera = systems::camera(systems::maple(), 320, 320);
+        QVERIFY(addressCut(drawable(systems::maple()), projection(camera, {}, 1), {}, stop.get_token())
+                    .words.empty());
+    }
+
+    // What a word that is partly in view has outside is drawn for nothing.
+    void wordsAtTheBorderAreSmall() {
+        const auto maple = systems::maple();
+        Camera camera = systems::camera(maple, 640, 400);
+        camera.pixelsPerUnit *= 16;
+        CutSettings settings;
+        settings.words = 128;
+        const AddressCut coarse = addressCut(drawable(maple), attractor::projection(camera, {}, 1), settings);
+        settings.samples = 1e6;
+        const AddressCut cut = addressCut(drawable(maple), attractor::projection(camera, {}, 1), settings);
+        QVERIFY(cut.probability < 0.8 * coarse.probability);
+        int straddling = 0;
+        for (const Word& word : cut.words) {
+            const float halfX = std::abs(word.xx) + std::abs(word.xy);
+            const float halfY = std::abs(word.yx) + std::abs(word.yy);
+            if (word.x >= halfX && word.x + halfX <= 640 && word.y >= halfY && word.y + halfY <= 400)
+                continue;
+            ++straddling;
+            QVERIFY(word.probability * settings.samples <= 512);
+        }
+        QVERIFY(straddling > 10);
+    }
+
     // Around a corner of the gasket one word of each length fills the view; others only touch its edge.
     void zoomKeepsTheMeasureExactly() {
         const auto gasket = systems::sierpinski();

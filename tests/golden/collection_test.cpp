@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "collection.h"
 
+#include "attractor/chaos_game.h"
 #include "document/fractal.h"
 #include "ifs/attractor_existence.h"
+#include "ifs/moments.h"
 #include "io/fractint_writer.h"
 #include "support/paths.h"
 
@@ -31,6 +33,8 @@ private slots:
     void boxIsOfReasonableShape_data();
     void boxIsOfReasonableShape();
     void paperSystemsAreAsPrinted();
+    void samplesHaveTheExactMoments_data();
+    void samplesHaveTheExactMoments();
 
 private:
     void entryRows();
@@ -194,6 +198,52 @@ void CollectionTest::paperSystemsAreAsPrinted() {
                                                    ifs::affineMap(0.48, -0.29, 0.29, 0.48, -0.34, 1.75)};
     QVERIFY(rows(QStringLiteral("maple")) == maple);
     QVERIFY(rows(QStringLiteral("flower")) == flower);
+}
+
+void CollectionTest::samplesHaveTheExactMoments_data() {
+    entryRows();
+}
+
+// Within five standard errors. Those of the mean are the exact long-run ones, which vanish along y for the
+// twindragon: then, as for the covariance, those between sample sets, whose streams have nothing in common.
+void CollectionTest::samplesHaveTheExactMoments() {
+    QFETCH(int, theme);
+    QFETCH(int, entry);
+    const document::System2& system = *document::system2(*m_themes[theme].file.entries[entry].fractal);
+    const auto exact = ifs::moments(ifs::activeMaps(system));
+    QVERIFY(exact);
+    const attractor::DrawableSystem drawable = attractor::drawable(system);
+    constexpr int sets = 32;
+    attractor::SampleSet samples;
+    using Moments = Eigen::Vector<double, 5>; // x, y, xx, xy, yy about the exact mean
+    Moments sum = Moments::Zero();
+    Moments squares = Moments::Zero();
+    for (std::uint64_t pass = 0; pass < sets; ++pass) {
+        attractor::drawSamples(drawable, 7, pass, samples);
+        Moments ofSet = Moments::Zero();
+        for (std::size_t k = 0; k < attractor::SampleSet::size; ++k) {
+            const ifs::Vector<2> v =
+                drawable.centre +
+                drawable.halfExtent.cwiseProduct(ifs::Vector<2>(samples.x[k], samples.y[k])) - exact->mean;
+            ofSet += Moments{{v.x(), v.y(), v.x() * v.x(), v.x() * v.y(), v.y() * v.y()}};
+        }
+        ofSet /= attractor::SampleSet::size;
+        sum += ofSet;
+        squares += ofSet.cwiseProduct(ofSet);
+    }
+    const Moments mean = sum / sets;
+    Moments error = ((squares / sets - mean.cwiseProduct(mean)).cwiseMax(0) / (sets - 1)).cwiseSqrt();
+    for (int axis = 0; axis < 2; ++axis) {
+        const double longRun =
+            exact->longRunCovariance(axis, axis) / (sets * double(attractor::SampleSet::size));
+        if (longRun > 1e-6 * error[axis] * error[axis]) error[axis] = std::sqrt(longRun);
+    }
+    const Moments expected{{0, 0, exact->covariance(0, 0), exact->covariance(0, 1), exact->covariance(1, 1)}};
+    const double size = drawable.halfExtent.maxCoeff();
+    for (int k = 0; k < 5; ++k) {
+        const double rounding = 1e-5 * (k < 2 ? size : size * size); // samples are single precision
+        QVERIFY(std::abs(mean[k] - expected[k]) <= 5 * error[k] + rounding);
+    }
 }
 
 QTEST_GUILESS_MAIN(CollectionTest)

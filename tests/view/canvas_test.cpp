@@ -118,6 +118,27 @@ private slots:
         QVERIFY(vertices() == before);
     }
 
+    // Cage and picture move together.
+    void aMoveIsPaintedWithItsPicture() {
+        QTRY_VERIFY(m_bridge->isCurrent());
+        press(vertex(1));
+        move(vertex(1) + QPoint(20, 10));
+        QVERIFY(!m_bridge->isCurrent());
+        QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::NoViewportUpdate);
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::FullViewportUpdate);
+    }
+
+    void aMoveIsPaintedThoughItsPictureIsLate() {
+        QTRY_VERIFY(m_bridge->isCurrent());
+        m_bridge->fixLiveSamples(std::uint64_t{1} << 40);
+        press(vertex(1));
+        move(vertex(1) + QPoint(20, 10));
+        QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::NoViewportUpdate);
+        QTRY_COMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::FullViewportUpdate);
+        QVERIFY(!m_bridge->isCurrent());
+    }
+
     void edgeAndInsideMoveTheirVertices() {
         const std::vector<Vector<2>> before = vertices();
         const Vector<2> offset = view::worldOffset(m_canvas->camera(), {20, 15});

@@ -150,6 +150,16 @@ void ExportDialogTest::lengthsFollowTheResolution() {
     QCOMPARE(editor.pixels(), QSize(600, 450));
     named<QComboBox>(editor, "Unit of length")->setCurrentIndex(1);
     QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 101.6);
+    // Typed with either sign, whatever the language says.
+    for (const char* typed : {"50.5", "50,5"}) {
+        auto* width = named<QDoubleSpinBox>(editor, "Width");
+        width->setFocus();
+        width->selectAll();
+        QTest::keyClicks(width, QLatin1String(typed));
+        QTest::keyClick(width, Qt::Key_Return);
+        QCOMPARE(width->value(), 50.5);
+        width->setValue(20);
+    }
 }
 
 void ExportDialogTest::clipboardHoldsBothForms() {

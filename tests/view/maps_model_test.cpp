@@ -89,14 +89,16 @@ private slots:
         MapsModel model(m_document.get());
         QVERIFY(model.setData(model.index(1, MapsModel::D), QStringLiteral("0.25")));
         QCOMPARE(systemOf(*m_document).maps[1].map.linear(1, 1), 0.25);
-        QVERIFY(!model.setData(model.index(1, MapsModel::D), QStringLiteral("0,5")));
+        QVERIFY(!model.setData(model.index(1, MapsModel::D), QStringLiteral("1/2")));
+        QVERIFY(model.setData(model.index(1, MapsModel::D), QStringLiteral("0,5")));
+        QCOMPARE(systemOf(*m_document).maps[1].map.linear(1, 1), 0.5);
         QVERIFY(!model.setData(model.index(1, MapsModel::Determinant), 3.0));
         QVERIFY(model.setData(model.index(0, MapsModel::Enabled), Qt::Unchecked, Qt::CheckStateRole));
         QVERIFY(!systemOf(*m_document).maps[0].enabled);
         QVERIFY(model.setData(model.index(3, MapsModel::Colour), QColor(10, 20, 30), Qt::DecorationRole));
         QCOMPARE(model.index(3, MapsModel::Colour).data(Qt::DecorationRole).value<QColor>(),
                  QColor(10, 20, 30));
-        QCOMPARE(m_document->undoStack()->count(), 3);
+        QCOMPARE(m_document->undoStack()->count(), 4);
     }
 
     void marksMapsThatDoNotContract() {

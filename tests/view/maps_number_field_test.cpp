@@ -69,16 +69,30 @@ private slots:
         m_field->setValue(2);
         m_field->setFocus();
         m_field->selectAll();
-        QTest::keyClicks(m_field, QStringLiteral("0,5"));
-        QVERIFY(m_field->problem().contains(QStringLiteral("0.5")));
+        QTest::keyClicks(m_field, QStringLiteral("0,5,"));
+        QVERIFY(m_field->problem().contains(QStringLiteral("0,5,")));
         QCOMPARE(m_field->accessibleDescription(), m_field->problem());
         QTest::keyClick(m_field, Qt::Key_Return);
         QCOMPARE(committed.size(), 0);
-        QCOMPARE(m_field->text(), QStringLiteral("0,5")); // still there to be mended
+        QCOMPARE(m_field->text(), QStringLiteral("0,5,")); // still there to be mended
         m_other->setFocus();
         QCOMPARE(committed.size(), 0);
         QCOMPARE(cancelled.size(), 1);
         QVERIFY(m_field->problem().isEmpty());
+    }
+
+    void aCommaMayStandForTheDecimalPoint() {
+        QSignalSpy edited(m_field, &NumberField::edited);
+        m_field->setValue(2);
+        m_field->setFocus();
+        m_field->selectAll();
+        QTest::keyClicks(m_field, QStringLiteral("-0,25"));
+        QCOMPARE(edited.back().front().toDouble(), -0.25);
+        m_other->setFocus();
+        QCOMPARE(m_field->text(), QStringLiteral("-0.25"));
+        QCOMPARE(view::typedNumber(QStringLiteral("1,5e-3")), 1.5e-3);
+        QVERIFY(!view::typedNumber(QStringLiteral("1,234.5"))); // groups of thousands are not guessed at
+        QVERIFY(!view::typedNumber(QStringLiteral("1,234,5")));
     }
 
     void reasonsNameTheMistake() {

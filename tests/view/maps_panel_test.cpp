@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dialogs/paste_table_dialog.h"
 #include "panels/map_shape_editor.h"
 #include "panels/maps_panel.h"
 #include "panels/number_field.h"
@@ -6,11 +7,13 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QShortcut>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTableWidget>
 #include <QToolButton>
 
 using namespace maps_support;
@@ -80,11 +83,11 @@ private slots:
         const document::Fractal before = m_document->fractal();
         QSignalSpy messages(m_panel.get(), &MapsPanel::message);
         NumberField* editor = openEditor(0, MapsModel::B);
-        QTest::keyClicks(editor, QStringLiteral("0,5"));
+        QTest::keyClicks(editor, QStringLiteral("1/2"));
         QTest::keyClick(editor, Qt::Key_Return);
         QCoreApplication::processEvents();
         QVERIFY(editor->isVisible()); // refused where it is typed
-        QVERIFY(editor->problem().contains(QStringLiteral("0.5")));
+        QVERIFY(editor->problem().contains(QStringLiteral("fraction")));
         m_panel->table()->setFocus(); // leaving it
         QTRY_VERIFY(m_document->fractal() == before);
         QCOMPARE(m_document->undoStack()->count(), 0);
@@ -132,7 +135,7 @@ private slots:
         QSignalSpy messages(m_panel.get(), &MapsPanel::message);
         m_panel->selectMaps({m_panel->model()->idAt(3)});
         QGuiApplication::clipboard()->setText(
-            QStringLiteral("0.1\t0.2\t0.3\t0.4\t0.5\t0.6\t0.7\n1 2 3 4 5 6 0.5\n"));
+            QStringLiteral("a b c d e f p\n0.1\t0.2\t0.3\t0.4\t0.5\t0.6\t0.7\n1 2 3 4 5 6 0.5\n"));
         m_panel->pasteMaps();
         QCOMPARE(m_panel->model()->rowCount(), 5);
         QCOMPARE(coefficient(3, 1, 1), 0.4);
@@ -143,6 +146,48 @@ private slots:
         QCOMPARE(m_panel->model()->rowCount(), 5);
         QVERIFY2(messages.back().front().toString().startsWith(QStringLiteral("Nothing was pasted")),
                  qPrintable(messages.back().front().toString()));
+    }
+
+    // Each equation in a row: only in that order does every map contract, and the user may say otherwise.
+    void columnsThatSayNothingAreAskedFor() {
+        const document::Fractal before = m_document->fractal();
+        m_panel->selectMaps({m_panel->model()->idAt(0)});
+        QGuiApplication::clipboard()->setText(
+            QStringLiteral("0.5 0.1 3 0.2 0.4 5 0.25\n0.3 0 2 0 0.3 1 0.75\n"));
+        m_panel->pasteMaps();
+        auto* dialog = m_panel->findChild<view::PasteTableDialog*>();
+        QVERIFY(dialog);
+        auto* columns = dialog->findChild<QComboBox*>();
+        QCOMPARE(columns->currentData().toString(), QStringLiteral("a b e c d f p"));
+        QCOMPARE(coefficient(0, 1, 0), 0.2); // on the canvas already
+        QCOMPARE(systemOf(*m_document).maps[0].map.translation.x(), 3.0);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        columns->setCurrentIndex(0);
+        QCOMPARE(coefficient(0, 1, 0), 3.0);
+        QVERIFY(dialog->findChild<QTableWidget*>()->item(0, 2)->text() == QStringLiteral("3"));
+        dialog->reject();
+        QVERIFY(m_document->fractal() == before);
+
+        QSignalSpy messages(m_panel.get(), &MapsPanel::message);
+        m_panel->pasteMaps();
+        for (auto* open : m_panel->findChildren<view::PasteTableDialog*>())
+            if (open->isVisible()) open->accept();
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(m_panel->model()->rowCount(), 5);
+        QCOMPARE(systemOf(*m_document).maps[1].map.translation.y(), 1.0);
+        QCOMPARE(m_panel->selectedMaps().size(), 2);
+        QCOMPARE(messages.size(), 1);
+    }
+
+    // A header that names no order is no dead end.
+    void anUnknownHeaderIsAskedAbout() {
+        QGuiApplication::clipboard()->setText(
+            QStringLiteral("m11 m12 m21 m22 tx ty\n.5 0 0 .5 1 2\n.5 0 0 .5 0 0\n"));
+        m_panel->appendPasted();
+        auto* dialog = m_panel->findChild<view::PasteTableDialog*>();
+        QVERIFY(dialog);
+        dialog->accept();
+        QCOMPARE(m_panel->model()->rowCount(), 6);
     }
 
     void copiedRowsComeBackTheSame() {

@@ -28,7 +28,8 @@ bool isAligned(const QTransform& toDevice) {
 
 QImage imageOf(const attractor::Frame& frame) {
     return QImage(reinterpret_cast<const uchar*>(frame.pixels.data()), frame.camera.width,
-                  frame.camera.height, QImage::Format_ARGB32_Premultiplied);
+                  frame.camera.height,
+                  frame.opaque ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
 }
 
 void AttractorItem::setFrame(std::shared_ptr<const attractor::Frame> frame) {
@@ -63,7 +64,11 @@ void AttractorItem::paintBackdrop(QPainter& painter) const {
 void AttractorItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing, false);
-    paintBackdrop(*painter);
+    // An opaque picture of just this view is copied; nothing below it is worth a pass over the memory.
+    const bool covers = m_frame && m_frame->opaque && m_frame->camera == deviceCamera(m_camera, m_ratio) &&
+                        m_frame->camera.width >= m_camera.width * m_ratio &&
+                        m_frame->camera.height >= m_camera.height * m_ratio;
+    if (!covers) paintBackdrop(*painter);
     if (m_frame) {
         const QTransform place = pixelTransform(m_frame->camera, deviceCamera(m_camera, m_ratio)) *
                                  QTransform::fromScale(1 / m_ratio, 1 / m_ratio);

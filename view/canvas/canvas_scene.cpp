@@ -346,7 +346,6 @@ void CanvasScene::restyle() {
     m_trailItem->setStyle(style);
     m_noteItem->setStyle(style);
     m_promptItem->setStyle(style);
-    setBackgroundBrush(style.backdrop);
 }
 
 QString CanvasScene::note() const {

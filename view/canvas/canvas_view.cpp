@@ -38,6 +38,7 @@ constexpr double unitPixels = 100; // of one unit of the plane at 100 %
 constexpr double keyZoom = 1.25;
 constexpr double keyPan = 40; // pixels
 constexpr double fitMargin = 0.09;
+constexpr int longestHold = 33; // milliseconds
 
 double wheelFactor(const QWheelEvent& event) {
     // A touchpad reports pixels, a wheel eighths of a degree: one notch is 120 of them, fine wheels send
@@ -97,17 +98,30 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
     setMinimumSize(160, 120);
     setAcceptDrops(false); // a file dropped here is the window's business
     viewport()->setAcceptDrops(false);
+    // The picture covers it all, so nothing is to be filled first.
+    viewport()->setAutoFillBackground(false);
+    viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
     viewport()->setMouseTracking(true);
     viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
     viewport()->setCursor(Qt::CrossCursor);
     setAccessibleName(tr("Canvas"));
+    this->setWhatsThis(
+        tr("The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt "
+           "scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the "
+           "plane. Tab goes from handle to handle, arrow keys move them, F6 leaves."));
     setAccessibleDescription(
         tr("The attractor and its control cage. Tab goes from handle to handle, the arrow keys "
            "move the one in focus, F6 leaves the canvas."));
     m_scene->setDesktop(palette(), font());
 
     connect(document, &document::Document::changed, this, &CanvasView::followDocument);
-    connect(bridge, &RenderBridge::frameChanged, this, [this] { m_scene->setFrame(m_bridge->frame()); });
+    connect(bridge, &RenderBridge::frameChanged, this, [this] {
+        m_scene->setFrame(m_bridge->frame());
+        paintAgain();
+    });
+    m_hold.setSingleShot(true);
+    m_hold.setInterval(longestHold);
+    connect(&m_hold, &QTimer::timeout, this, &CanvasView::paintAgain);
     connect(m_scene, &CanvasScene::focusChanged, this, [this] {
         describeFocus();
         announceFocus(*this);
@@ -318,9 +332,25 @@ void CanvasView::copyPicture() const {
 
 void CanvasView::followDocument(const document::Change& change) {
     using document::Change;
+    if (change.live) holdPainting();
     if (!(change.parts & (Change::Current | Change::File))) return;
     if (m_tool == Tool::DefineTriangle) finishTool();
     if (m_placed) fit();
+}
+
+// Cage and picture move together: during a gesture nothing is painted until the picture has come, unless that
+// takes longer than the eye accepts. It also leaves the processor to those who draw it.
+void CanvasView::holdPainting() {
+    if (m_bridge->isCurrent() || m_hold.isActive()) return;
+    setViewportUpdateMode(QGraphicsView::NoViewportUpdate);
+    m_hold.start();
+}
+
+void CanvasView::paintAgain() {
+    m_hold.stop();
+    if (viewportUpdateMode() == QGraphicsView::FullViewportUpdate) return;
+    setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
+    viewport()->update();
 }
 
 bool CanvasView::event(QEvent* event) {

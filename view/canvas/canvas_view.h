@@ -11,6 +11,7 @@
 
 #include <QGraphicsView>
 #include <QImage>
+#include <QTimer>
 
 #include <memory>
 #include <optional>
@@ -112,6 +113,8 @@ private:
     void setCamera(attractor::Camera camera);
     void adoptViewport(); // its size and pixel ratio
     void followDocument(const document::Change& change);
+    void holdPainting();
+    void paintAgain();
     void finishTool();
     bool offerReset(); // whether the placement is flat, so that a question is open now
     bool canvasKey(const QKeyEvent& event);
@@ -133,6 +136,7 @@ private:
     PanGesture m_pan;
     PinchGesture m_pinch;
     Pointer m_pointer;
+    QTimer m_hold; // runs while painting waits for a frame
     bool m_spaceHeld = false;
     bool m_fitted = true;  // follows the size of the window until the user moves the view
     bool m_placed = false; // has been shown once

@@ -4,6 +4,8 @@
 #include "cage_edits.h"
 #include "document/fractal.h"
 #include "io/number.h"
+#include "panels/number_text.h"
+#include "whats_this.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -27,7 +29,11 @@ VertexDialog::VertexDialog(document::Document* document, int index, QWidget* par
     m_x->setText(QString::fromLatin1(io::formatNumber(position.x())));
     m_y->setText(QString::fromLatin1(io::formatNumber(position.y())));
     m_x->setAccessibleName(tr("x of the vertex"));
+    m_x->setWhatsThis(
+        tr("A coordinate of the vertex, with a decimal point or comma. The picture follows as you type."));
     m_y->setAccessibleName(tr("y of the vertex"));
+    m_y->setWhatsThis(
+        tr("A coordinate of the vertex, with a decimal point or comma. The picture follows as you type."));
     m_problem->setAccessibleName(tr("What is wrong with the numbers"));
     m_problem->setWordWrap(true);
 
@@ -40,6 +46,7 @@ VertexDialog::VertexDialog(document::Document* document, int index, QWidget* par
     layout->addRow(buttons);
     m_x->selectAll();
 
+    explainByTips(this);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_x, &QLineEdit::textEdited, this, &VertexDialog::follow);
@@ -47,8 +54,8 @@ VertexDialog::VertexDialog(document::Document* document, int index, QWidget* par
 }
 
 void VertexDialog::follow() {
-    const std::optional<double> x = io::parseNumber(m_x->text());
-    const std::optional<double> y = io::parseNumber(m_y->text());
+    const std::optional<double> x = typedNumber(m_x->text());
+    const std::optional<double> y = typedNumber(m_y->text());
     m_accept->setEnabled(x && y);
     m_problem->setText(x && y ? QString()
                               : tr("“%1” is not a number. Write it with a decimal point, for example -0.25.")

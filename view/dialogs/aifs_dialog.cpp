@@ -70,9 +70,12 @@ AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
     explanation->setWordWrap(true);
     m_text->setReadOnly(true);
     m_text->setAccessibleName(windowTitle());
+    m_text->setWhatsThis(tr("Every map as a matrix that takes barycentric coordinates over the control "
+                            "triangle to barycentric coordinates: each row has the sum 1."));
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
+    copy->setWhatsThis(tr("Copies the matrices to the clipboard as text."));
     connect(copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text()); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);

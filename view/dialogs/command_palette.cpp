@@ -65,6 +65,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     setAccessibleName(tr("Command palette"));
     m_search->setPlaceholderText(tr("Type what you want to do"));
     m_search->setAccessibleName(tr("Command"));
+    m_search->setWhatsThis(tr("Type some letters of what you want to do. Arrow keys choose, Enter does it."));
     m_search->setClearButtonEnabled(true);
     m_search->installEventFilter(this);
     m_list->setModel(m_model);
@@ -74,6 +75,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     empty.fill(Qt::transparent);
     m_noIcon = QIcon(empty);
     m_list->setAccessibleName(tr("Matching commands"));
+    m_list->setWhatsThis(tr("The commands whose names have these letters."));
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setUniformItemSizes(true);
     m_list->setFocusPolicy(Qt::NoFocus);

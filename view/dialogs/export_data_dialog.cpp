@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export_data_dialog.h"
 
+#include "dialogs/column_orders.h"
 #include "dialogs/save_file_dialog.h"
+#include "dialogs/start_export.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -48,6 +50,7 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     m_preview->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_preview->setAccessibleName(tr("What the file will hold"));
+    m_preview->setWhatsThis(tr("The beginning of the file as it will be written."));
     m_message = new QLabel(this);
     m_message->setWordWrap(true);
     m_message->setAccessibleName(tr("Result"));
@@ -58,7 +61,9 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     m_progress->hide();
     auto* buttons = new QDialogButtonBox(this);
     m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_export->setWhatsThis(tr("Asks for the name of the file and writes it."));
     m_copy = buttons->addButton(tr("Copy &Text"), QDialogButtonBox::ActionRole);
+    m_copy->setWhatsThis(tr("Copies the whole text to the clipboard instead of writing a file."));
     m_close = buttons->addButton(QDialogButtonBox::Close);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(m_form);
@@ -77,24 +82,27 @@ ExportDataDialog::~ExportDataDialog() = default;
 
 void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format = new QComboBox(this);
+    m_format->setWhatsThis(tr("For which program the data are: each format has what that program reads."));
     m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
                         tr("Table with commas (.csv)"), tr("Table with tabs (.tsv)"), tr("Points (.csv)"),
                         tr("Points, coloured (.ply)")});
     m_columns = new QComboBox(this);
-    m_columns->addItem(tr("a b c d e f p: Fractint, Barnsley"), QStringLiteral("abcdefp"));
-    m_columns->addItem(tr("a b e c d f p: each equation in a row"), QStringLiteral("abecdfp"));
-    m_columns->addItem(tr("a c b d e f p: column by column"), QStringLiteral("acbdefp"));
-    m_columns->addItem(tr("p a b c d e f: the weight first"), QStringLiteral("pabcdef"));
-    m_columns->addItem(tr("r s theta phi e f p: scales, and angles in degrees"),
-                       QStringLiteral("r s theta phi e f p"));
+    m_columns->setWhatsThis(
+        tr("The order in which each row has its coefficients; other programs expect other orders."));
+    addColumnOrders(m_columns);
     m_points = new QSpinBox(this);
+    m_points->setWhatsThis(tr("How many points of the chaos game are written."));
     m_points->setRange(1, int(io::PointCloud::mostPoints));
     m_points->setValue(100'000);
     m_points->setSingleStep(100'000);
     m_points->setGroupSeparatorShown(true);
     m_turnY = new QCheckBox(tr("&Turn y around, so that the flame is the same way up"), this);
+    m_turnY->setWhatsThis(tr("Flame programs let y grow downwards. With this the flame looks as the fractal "
+                             "does here; without it the numbers are the same."));
     m_turnY->setChecked(true);
     m_bake = new QCheckBox(tr("&Bake the placement, so that the maps draw what is shown"), this);
+    m_bake->setWhatsThis(tr("With this, the cage is made part of the maps. Without it, the maps are written "
+                            "as they stand in the table."));
     m_bake->setChecked(true);
     form->addRow(tr("&Format:"), m_format);
     form->addRow(tr("&Columns:"), m_columns);
@@ -176,21 +184,14 @@ void ExportDataDialog::exportTo(const QString& path) {
         outcome.failure = io::saveFile(path, text());
         return finish(outcome, path);
     }
-    // Both calls come from the thread of the job, which ends before this dialog does.
-    const auto progress = [this](double fraction) {
-        QMetaObject::invokeMethod(
-            this, [this, fraction] { m_progress->setValue(int(1000 * fraction)); }, Qt::QueuedConnection);
-    };
-    const auto finished = [this, path](const io::ExportOutcome& outcome) {
-        QMetaObject::invokeMethod(
-            this, [this, outcome, path] { finish(outcome, path); }, Qt::QueuedConnection);
-    };
     m_progress->setValue(0);
     m_progress->show();
     m_export->setEnabled(false);
     m_close->setText(tr("&Stop"));
     const io::PointCloud cloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()};
-    m_job = std::make_unique<io::ExportJob>(cloud, path, progress, finished);
+    m_job = startExport(
+        cloud, path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
 }
 
 void ExportDataDialog::copy() {

@@ -3,6 +3,7 @@
 
 #include "dialogs/export_size_editor.h"
 #include "dialogs/save_file_dialog.h"
+#include "dialogs/start_export.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,6 +48,8 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     layout->addWidget(createProgress());
     auto* buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_start->setWhatsThis(
+        tr("Asks for the name of the file and writes it. The window can be used meanwhile."));
     m_close = buttons->addButton(QDialogButtonBox::Close);
     layout->addStretch();
     layout->addWidget(buttons);
@@ -66,10 +69,14 @@ void ExportDialog::createFormat() {
     m_format->addItems(
         {tr("PNG: pixels"), tr("SVG: shapes for drawing programs"), tr("PDF: shapes for print")});
     m_format->setAccessibleName(tr("Format"));
+    m_format->setWhatsThis(
+        tr("PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size."));
     m_size = new ExportSizeEditor({std::max(1, m_camera.width), std::max(1, m_camera.height)}, m_options);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
+    m_transparent->setWhatsThis(tr("The picture has no background and can be laid over another."));
     m_triangle = new QCheckBox(tr("Include the &control triangle"), m_options);
+    m_triangle->setWhatsThis(tr("Draws the cage over the picture."));
     m_pngOptions = createPngOptions();
     m_svgOptions = createSvgOptions();
     auto* form = new QFormLayout(m_options);
@@ -91,15 +98,21 @@ QWidget* ExportDialog::createPngOptions() {
     m_quality->addItem(tr("Finest: 2000 samples a pixel"), 2000);
     m_quality->setCurrentIndex(1);
     m_quality->setAccessibleName(tr("Quality"));
+    m_quality->setWhatsThis(
+        tr("How many points are drawn for each pixel: more make a smoother picture and take longer."));
     m_supersample = new QSpinBox(page);
     m_supersample->setRange(1, 4);
     m_supersample->setValue(m_fractal.appearance.supersample);
     m_supersample->setAccessibleName(tr("Cells along the side of a pixel"));
+    m_supersample->setWhatsThis(tr("Every pixel is drawn from so many finer ones along its side: smoother "
+                                   "edges, for more memory and time."));
     m_depthOfColour = new QComboBox(page);
     m_depthOfColour->addItem(tr("8 bits a channel"), QVariant::fromValue(io::PngFormat::Depth::Bits8));
     m_depthOfColour->addItem(tr("16 bits a channel, for further work on the picture"),
                              QVariant::fromValue(io::PngFormat::Depth::Bits16));
     m_depthOfColour->setAccessibleName(tr("Colour depth"));
+    m_depthOfColour->setWhatsThis(tr("16 bits keep fine steps of brightness for later work in a picture "
+                                     "editor; 8 bits are enough to look at."));
     m_memory = new QLabel(page);
     m_memory->setAccessibleName(tr("Memory needed"));
     auto* form = new QFormLayout(page);
@@ -118,17 +131,24 @@ QWidget* ExportDialog::createSvgOptions() {
     m_style->addItem(tr("Outline, for cutters and plotters"), int(io::ShapeStyle::Outline));
     m_style->addItem(tr("Points"), int(io::ShapeStyle::Points));
     m_style->setAccessibleName(tr("Kind of shapes"));
+    m_style->setWhatsThis(tr("Copies of copies make a small file that drawing programs can edit; the outline "
+                             "is one path; points are dots of the chaos game."));
     m_points = new QSpinBox(page);
     m_points->setRange(1, int(io::SvgFormat::mostPoints));
     m_points->setValue(int(io::SvgFormat().points));
     m_points->setSingleStep(10'000);
     m_points->setGroupSeparatorShown(true);
     m_points->setAccessibleName(tr("Number of points"));
+    m_points->setWhatsThis(tr("How many dots of the chaos game are drawn."));
     m_autoDepth = new QCheckBox(tr("As deep as a pixel &needs"), page);
     m_autoDepth->setChecked(true);
+    m_autoDepth->setWhatsThis(
+        tr("Copies are made smaller until no pixel of this size could tell the difference."));
     m_depth = new QSpinBox(page);
     m_depth->setRange(0, 200);
     m_depth->setAccessibleName(tr("Levels of copies"));
+    m_depth->setWhatsThis(tr("How many levels of copies the picture has. The file hardly grows with it, the "
+                             "time to draw it does."));
     m_plan = new QLabel(page);
     m_plan->setWordWrap(true);
     m_plan->setMinimumHeight(3 * m_plan->fontMetrics().lineSpacing());
@@ -282,17 +302,10 @@ void ExportDialog::chooseFile() {
 }
 
 void ExportDialog::exportTo(const QString& path) {
-    // Both calls come from the thread of the job, which ends before this dialog does.
-    const auto progress = [this](double fraction) {
-        QMetaObject::invokeMethod(
-            this, [this, fraction] { m_progress->setValue(int(1000 * fraction)); }, Qt::QueuedConnection);
-    };
-    const auto finished = [this, path](const io::ExportOutcome& outcome) {
-        QMetaObject::invokeMethod(
-            this, [this, outcome, path] { finish(outcome, path); }, Qt::QueuedConnection);
-    };
     setBusy(true);
-    m_job = std::make_unique<io::ExportJob>(exportNow(), path, progress, finished);
+    m_job = startExport(
+        exportNow(), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
 }
 
 void ExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {

@@ -20,12 +20,23 @@ namespace {
 constexpr int largestSide = 100'000;
 enum Unit { Pixels, Millimetres, Inches };
 
+// A comma is the decimal point here as in the other fields.
+class LengthField : public QDoubleSpinBox {
+public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+    QValidator::State validate(QString& text, int& position) const override {
+        return QDoubleSpinBox::validate(text.replace(u',', u'.'), position);
+    }
+};
+
 QDoubleSpinBox* lengthField(const QString& name, QWidget* parent) {
-    auto* field = new QDoubleSpinBox(parent);
+    auto* field = new LengthField(parent);
     field->setLocale(QLocale::c());
     field->setRange(0.01, largestSide);
     field->setKeyboardTracking(false);
     field->setAccessibleName(name);
+    field->setWhatsThis(ExportSizeEditor::tr(
+        "A length in the unit chosen beside it. The other side follows while the shape is kept."));
     return field;
 }
 
@@ -47,10 +58,12 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
       m_resolution(new QSpinBox(this)) {
     m_unit->addItems({tr("pixels"), tr("mm"), tr("inches")});
     m_unit->setAccessibleName(tr("Unit of length"));
+    m_unit->setWhatsThis(tr("In pixels, or on paper at the resolution given."));
     for (const int factor : {1, 2, 4, 8})
         m_scale->addItem(factor == 1 ? tr("As on the screen") : tr("%1 × the screen").arg(factor), factor);
     m_scale->addItem(tr("Own size"), 0);
     m_scale->setAccessibleName(tr("Size relative to the screen"));
+    m_scale->setWhatsThis(tr("The picture as on the screen or some times as large."));
     m_lock->setText(tr("Keep shape"));
     m_lock->setCheckable(true);
     m_lock->setChecked(true);
@@ -59,6 +72,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     m_resolution->setValue(300);
     m_resolution->setSuffix(tr(" dpi"));
     m_resolution->setAccessibleName(tr("Resolution in dots per inch"));
+    m_resolution->setWhatsThis(tr("How many pixels go on an inch of paper: 300 is usual in print."));
 
     auto* lengths = new QHBoxLayout;
     for (QWidget* widget : std::initializer_list<QWidget*>{m_width, new QLabel(QStringLiteral("×"), this),

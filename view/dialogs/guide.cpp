@@ -15,6 +15,8 @@ void showGuide(QWidget* parent) {
     dialog->setWindowTitle(QCoreApplication::translate("view::Guide", "User Guide"));
     auto* browser = new QTextBrowser(dialog);
     browser->setAccessibleName(dialog->windowTitle());
+    browser->setWhatsThis(QCoreApplication::translate(
+        "view::Guide", "The user guide: what can be done here, in the order in which one needs it."));
     browser->setOpenExternalLinks(true);
     browser->document()->setDocumentMargin(16);
     browser->setSource(QUrl(QStringLiteral("qrc:/guide/guide.md")));

@@ -38,6 +38,8 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     });
     m_grid = new QListWidget(this);
     m_grid->setAccessibleName(tr("Variations"));
+    m_grid->setWhatsThis(tr("Choose one and press OK, or double-click it: it takes the place of the fractal, "
+                            "as one step that can be undone."));
     m_grid->setViewMode(QListView::IconMode);
     m_grid->setMovement(QListView::Static);
     m_grid->setResizeMode(QListView::Adjust);
@@ -49,6 +51,7 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(source == Source::Current ? tr("&Use This One") : tr("&Add to the File"),
                                QDialogButtonBox::AcceptRole);
+    m_use->setWhatsThis(tr("Takes the chosen one, as one step that can be undone."));
     m_vary = buttons->addButton(tr("&Vary This One"), QDialogButtonBox::ActionRole);
     m_vary->setToolTip(tr("Make the chosen one what the variations start from"));
     auto* layout = new QVBoxLayout(this);
@@ -69,6 +72,8 @@ void MutateDialog::createControls() {
     m_strength->setRange(2, strengthSteps);
     m_strength->setValue(30);
     m_strength->setAccessibleName(tr("How different the variations are"));
+    m_strength->setWhatsThis(
+        tr("To the left the variations are much like what they start from, to the right they are wild."));
     m_seed = new QSpinBox(this);
     m_seed->setRange(1, 999'999);
     m_seed->setAccessibleName(tr("Seed of the random numbers"));

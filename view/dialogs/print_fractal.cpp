@@ -21,9 +21,9 @@ namespace {
 constexpr int columns = 7;
 constexpr double largestShare = 0.62; // of the page for the picture
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("PrintFractal", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 using Row = std::array<QString, columns>;
 
@@ -103,7 +103,7 @@ io::PngExport pictureFor(const document::Fractal& fractal, attractor::Camera cam
 
 // Null when the user has changed their mind.
 QImage drawn(const io::PngExport& picture, QWidget* parent) {
-    QProgressDialog progress(tr("Drawing the picture…"), tr("Cancel"), 0, 0, parent);
+    QProgressDialog progress(Text::tr("Drawing the picture…"), Text::tr("Cancel"), 0, 0, parent);
     progress.setWindowModality(Qt::WindowModal);
     QImage image;
     QEventLoop loop;
@@ -150,7 +150,7 @@ void printFractal(document::Document* document, const attractor::Camera& camera,
     QPrinter printer(QPrinter::HighResolution);
     printer.setDocName(fractal.name);
     QPrintPreviewDialog preview(&printer, parent);
-    preview.setWindowTitle(tr("Print “%1”").arg(fractal.name));
+    preview.setWindowTitle(Text::tr("Print “%1”").arg(fractal.name));
     QObject::connect(&preview, &QPrintPreviewDialog::paintRequested, &preview, [&](QPrinter* device) {
         QPainter painter(device);
         paintPage(painter, QRectF(QPointF(0, 0), device->pageRect(QPrinter::DevicePixel).size()), fractal,

@@ -75,9 +75,11 @@ ShortcutsDialog::ShortcutsDialog(const QList<NamedAction>& actions, QWidget* par
     auto* search = new QLineEdit;
     search->setPlaceholderText(tr("Search"));
     search->setAccessibleName(tr("Search the shortcuts"));
+    search->setWhatsThis(tr("Shows only the lines that have these words."));
     search->setClearButtonEnabled(true);
     auto* tree = new QTreeWidget;
     tree->setAccessibleName(tr("Shortcuts"));
+    tree->setWhatsThis(tr("What every key and every movement of the mouse does."));
     tree->setColumnCount(2);
     tree->setHeaderLabels({tr("What it does"), tr("How")});
     tree->setRootIsDecorated(false);

@@ -54,6 +54,7 @@ TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
                                    addField(ScaleY, tr("Scale in y"), 1, 0.05)));
     m_sameScale = new QCheckBox(tr("Same in x and y"), this);
     m_sameScale->setChecked(true);
+    m_sameScale->setWhatsThis(tr("Keeps the factor in y equal to that in x."));
     form->addRow(QString(), m_sameScale);
     form->addRow(tr("Rotate °"), addField(Rotation, tr("Rotation in degrees, counter-clockwise"), 0, 5));
     form->addRow(tr("Translate"), pair(addField(ShiftX, tr("Translation in x"), 0, 0.1),
@@ -111,6 +112,8 @@ QWidget* TransformDialog::makeMode() {
 QWidget* TransformDialog::makeAbout() {
     m_about = new QComboBox(this);
     m_about->setAccessibleName(tr("The point that stays"));
+    m_about->setWhatsThis(
+        tr("About which point the fractal is turned, scaled and reflected: it stays where it is."));
     m_about->addItem(tr("the origin"), static_cast<int>(About::Origin));
     m_about->addItem(tr("the middle of the picture's box"), static_cast<int>(About::BoxMiddle));
     m_about->addItem(tr("the mean of the invariant measure"), static_cast<int>(About::Mean));
@@ -127,6 +130,8 @@ QWidget* TransformDialog::makeReflection() {
     layout->setContentsMargins(0, 0, 0, 0);
     m_reflect = new QCheckBox(tr("in the line at the angle °"), box);
     m_reflect->setAccessibleName(tr("Reflect"));
+    m_reflect->setWhatsThis(
+        tr("Mirrors in a line through the point that stays; the angle is counted from the x axis."));
     NumberField* axis =
         addField(Axis, tr("Angle of the mirror line in degrees: 0 is horizontal, 90 vertical"), 90, 5);
     axis->setEnabled(false);

@@ -19,6 +19,7 @@ attractor::Rgba toRgba(const QColor& colour) {
 ColourButton::ColourButton(const QString& name, Alpha alpha, QWidget* parent)
     : QToolButton(parent), m_alpha(alpha) {
     setAccessibleName(name);
+    setWhatsThis(tr("Click to choose another colour."));
     setText(name);
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::StrongFocus);

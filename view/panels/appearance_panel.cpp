@@ -57,6 +57,8 @@ AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
 void AppearancePanel::makeColourRows(QFormLayout* form) {
     m_colourBy = new QComboBox(this);
     m_colourBy->setAccessibleName(tr("Colour by"));
+    m_colourBy->setWhatsThis(tr("What the colour of a point tells: how many points fall there, which map "
+                                "came last, or the whole address."));
     const auto add = [this](const QString& name, const QString& tip, ColourBy value) {
         m_colourBy->addItem(name, static_cast<int>(value));
         m_colourBy->setItemData(m_colourBy->count() - 1, tip, Qt::ToolTipRole);
@@ -81,6 +83,8 @@ void AppearancePanel::makeColourRows(QFormLayout* form) {
 void AppearancePanel::makeGradientRows(QFormLayout* form) {
     m_gradient = new GradientChooser(this);
     m_gradient->setAccessibleName(tr("Palette"));
+    m_gradient->setWhatsThis(
+        tr("The colours from the thinnest parts to the densest, or along the addresses."));
     m_gradientLabel = new QLabel(tr("Palette"), this);
     connect(m_gradient, &GradientChooser::chosen, this, [this](const attractor::Palette& palette) {
         edit(tr("Change the palette"), [&](Appearance& a) { a.palette = palette; });
@@ -115,6 +119,7 @@ void AppearancePanel::makeToneRows(QFormLayout* form) {
     m_background =
         colourButton(tr("Background colour"), tr("Change the background colour"), &Appearance::background);
     m_transparent = new QCheckBox(tr("Transparent"), this);
+    m_transparent->setWhatsThis(tr("Leaves the background out of exported pictures."));
     connect(m_transparent, &QCheckBox::clicked, this, [this](bool on) {
         edit(on ? tr("Make the background transparent") : tr("Make the background opaque"),
              [on](Appearance& a) { a.background.alpha = on ? 0 : 255; });
@@ -135,6 +140,8 @@ void AppearancePanel::makeToneRows(QFormLayout* form) {
 
     m_supersampling = new QComboBox(this);
     m_supersampling->setAccessibleName(tr("Supersampling"));
+    m_supersampling->setWhatsThis(
+        tr("Draws every pixel from several finer ones: smoother edges, for more memory and time."));
     for (int factor = 1; factor <= 4; ++factor)
         m_supersampling->addItem(factor == 1 ? tr("Off") : tr("%1 × %1 sub-pixels").arg(factor), factor);
     connect(m_supersampling, &QComboBox::activated, this, [this] {

@@ -30,6 +30,7 @@ AppearanceSlider::AppearanceSlider(const QString& name, double min, double max, 
     m_slider->setPageStep(40);
     m_slider->setFocusPolicy(Qt::StrongFocus);
     m_slider->setAccessibleName(name);
+    m_slider->setWhatsThis(tr("Drag, or use the arrow keys. The number beside it is the same value."));
     m_field->setAccessibleName(name);
     m_field->setRange({0.0, std::nullopt, NumberRange::Ends::Open});
     m_field->setStep(0.1);

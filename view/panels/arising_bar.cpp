@@ -84,6 +84,8 @@ QWidget* ArisingBar::makeSteps() {
     auto* page = new QWidget(this);
     m_steps = new QSlider(Qt::Horizontal, page);
     m_steps->setAccessibleName(tr("n: how often all maps are applied"));
+    m_steps->setWhatsThis(tr("How often all maps are applied to the cage: 0 is the cage itself, and with "
+                             "every step the picture comes closer to the attractor."));
     m_steps->setPageStep(1);
     m_steps->setTickPosition(QSlider::TicksBelow);
     m_steps->setTickInterval(1);
@@ -106,6 +108,7 @@ QWidget* ArisingBar::makeChaosGame() {
     m_run = button(QStringLiteral("play"), tr("Start"), tr("Let points appear"));
     m_speed = new QComboBox(page);
     m_speed->setAccessibleName(tr("Points a second"));
+    m_speed->setWhatsThis(tr("How many points the chaos game plots in a second."));
     for (const int speed : {1, 10, 100, 1'000, 10'000, 100'000})
         m_speed->addItem(tr("%1 a second").arg(grouped(speed)), double(speed));
     m_speed->setCurrentIndex(m_speed->findData(m_arising->speed()));

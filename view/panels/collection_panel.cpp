@@ -40,6 +40,7 @@ CollectionPanel::CollectionPanel(QWidget* parent)
     setAccessibleName(tr("Collection"));
     m_thumbnails->setCache(std::make_unique<io::ThumbnailCache>(io::ThumbnailCache::usualFolder()));
     m_search->setAccessibleName(tr("Search the collection"));
+    m_search->setWhatsThis(tr("Shows only the fractals whose name, theme or comment has these words."));
     m_search->setPlaceholderText(tr("Search the collection"));
     m_search->setStatusTip(tr("Show only fractals whose name, title, theme or source contains these words."));
     m_search->setClearButtonEnabled(true);
@@ -69,6 +70,8 @@ void CollectionPanel::createGrid() {
     m_grid->setModel(m_filtered);
     m_grid->setItemDelegate(new CollectionDelegate(m_grid));
     m_grid->setAccessibleName(tr("Fractals of the collection"));
+    m_grid->setWhatsThis(tr("Fractals to begin with. Double-click or Enter opens one in this window; the "
+                            "menu of the right button adds it to the file instead."));
     m_grid->setViewMode(QListView::IconMode);
     m_grid->setMovement(QListView::Static);
     m_grid->setResizeMode(QListView::Adjust);

@@ -4,6 +4,7 @@
 #include "io/fractint_reader.h"
 #include "io/save_file.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -13,6 +14,50 @@
 
 namespace view {
 namespace {
+
+// What the index of the bundled collection says, for the translators.
+[[maybe_unused]] constexpr const char* indexTexts[] = {
+    QT_TRANSLATE_NOOP("Collection", "From the paper"),
+    QT_TRANSLATE_NOOP("Collection",
+                      "The two systems of E. Hadzieva and M. Shuminoska, with the coefficients as printed."),
+    QT_TRANSLATE_NOOP("Collection", "Ferns"),
+    QT_TRANSLATE_NOOP("Collection", "Fronds: a long slow map climbs the rachis, two short ones hang the "
+                                    "pinnae, a flat one draws the stem."),
+    QT_TRANSLATE_NOOP("Collection", "Trees"),
+    QT_TRANSLATE_NOOP("Collection", "Trunks that fork: the whole tree stands on its own branches."),
+    QT_TRANSLATE_NOOP("Collection", "Dragons"),
+    QT_TRANSLATE_NOOP("Collection",
+                      "Folded paper curves and the fractals of two or three twisted similarities."),
+    QT_TRANSLATE_NOOP("Collection", "Sierpiński family"),
+    QT_TRANSLATE_NOOP("Collection",
+                      "Gaskets and carpets: a polygon holds shrunken copies of itself and keeps its holes."),
+    QT_TRANSLATE_NOOP("Collection", "Koch family"),
+    QT_TRANSLATE_NOOP("Collection", "Curves built by replacing a segment, and the islands they bound."),
+    QT_TRANSLATE_NOOP("Collection", "Spirals"),
+    QT_TRANSLATE_NOOP("Collection",
+                      "One map that turns and shrinks a little, and small ones that bead its path."),
+    QT_TRANSLATE_NOOP("Collection", "Leaves and flowers"),
+    QT_TRANSLATE_NOOP("Collection",
+                      "Leaf outlines, and flowers whose petals are turned copies of one another."),
+    QT_TRANSLATE_NOOP("Collection", "Tiles and reptiles"),
+    QT_TRANSLATE_NOOP("Collection", "Sets that tile the plane: copies of themselves, rep-tiles, and the "
+                                    "central tiles of number systems."),
+    QT_TRANSLATE_NOOP("Collection", "Cantor sets and dust"),
+    QT_TRANSLATE_NOOP("Collection",
+                      "Sets full of gaps at every scale: points everywhere near, hardly any of them joined."),
+    QT_TRANSLATE_NOOP("Collection", "Crystals and snowflakes"),
+    QT_TRANSLATE_NOOP("Collection", "Sets with the symmetry of frost: five, six and more arms."),
+    QT_TRANSLATE_NOOP("Collection", "Curves and graphs"),
+    QT_TRANSLATE_NOOP("Collection",
+                      "Graphs of strange functions, smooth curves as attractors, space-filling coordinates."),
+    QT_TRANSLATE_NOOP("Collection", "Abstract"),
+    QT_TRANSLATE_NOOP("Collection",
+                      "Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes."),
+};
+
+QString translated(const QJsonValue& text) {
+    return QCoreApplication::translate("Collection", text.toString().toUtf8().constData());
+}
 
 QString bundledFolder() {
     const QString resources = QStringLiteral(":/ifs_library");
@@ -61,8 +106,9 @@ CollectionTheme readTheme(const QString& path) {
     for (const QJsonValue& value : themesIn(info.path())) {
         const QJsonObject entry = value.toObject();
         if (entry.value(QLatin1String("file")).toString() != info.fileName()) continue;
-        theme.title = entry.value(QLatin1String("title")).toString(theme.title);
-        theme.description = entry.value(QLatin1String("description")).toString();
+        if (entry.contains(QLatin1String("title")))
+            theme.title = translated(entry.value(QLatin1String("title")));
+        theme.description = translated(entry.value(QLatin1String("description")));
     }
     const io::Loaded loaded = io::loadFile(path);
     if (loaded.failure)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels/entries_comment_dialog.h"
+#include "whats_this.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -53,6 +54,7 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
     layout->addWidget(m_buttons);
     resize(460, 320);
 
+    explainByTips(this);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_header, &QLineEdit::textChanged, this, &EntriesCommentDialog::check);

@@ -63,6 +63,7 @@ EntriesPanel::EntriesPanel(document::Document* document, QWidget* parent)
                              this)) {
     setAccessibleName(tr("Entries of the file"));
     m_filter->setAccessibleName(tr("Filter entries by name"));
+    m_filter->setWhatsThis(tr("Shows only the entries whose name has these letters."));
     m_filter->setPlaceholderText(tr("Filter by name"));
     m_filter->setStatusTip(tr("Show only the entries whose name contains this text."));
     m_filter->setClearButtonEnabled(true);
@@ -90,6 +91,8 @@ void EntriesPanel::createList() {
     m_filtered->setFilterCaseSensitivity(Qt::CaseInsensitive);
     m_list->setModel(m_filtered);
     m_list->setAccessibleName(tr("Entries"));
+    m_list->setWhatsThis(tr("The fractals of the file. Click one to edit it, drag it to another place, press "
+                            "F2 to give it another name."));
     m_list->setEmptyText(tr("This file holds no entries. Add one, or paste the text of an .ifs file."));
     m_list->setItemDelegate(new EntriesDelegate(
         [this](const QModelIndex& index, const QString& name) {

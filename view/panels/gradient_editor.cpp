@@ -167,6 +167,7 @@ void GradientEditor::chooseAmong(const std::vector<attractor::Palette>& palettes
     dialog.setWindowTitle(tr("Load Palette"));
     auto* list = new QListWidget(&dialog);
     list->setAccessibleName(tr("Palettes of the file"));
+    list->setWhatsThis(tr("The palettes that the file holds. Choose one."));
     constexpr QSize size(112, 14);
     list->setIconSize(size);
     for (const attractor::Palette& palette : palettes)

@@ -13,6 +13,17 @@ namespace {
 
 constexpr QSize previewSize(112, 14);
 
+// The names of the built-in palettes, for the translators: the palettes themselves know no Qt.
+[[maybe_unused]] constexpr const char* paletteNames[] = {
+    QT_TRANSLATE_NOOP("Palette", "Maple"),     QT_TRANSLATE_NOOP("Palette", "Fern"),
+    QT_TRANSLATE_NOOP("Palette", "Glacier"),   QT_TRANSLATE_NOOP("Palette", "Orchid"),
+    QT_TRANSLATE_NOOP("Palette", "Aurora"),    QT_TRANSLATE_NOOP("Palette", "Dusk"),
+    QT_TRANSLATE_NOOP("Palette", "Copper"),    QT_TRANSLATE_NOOP("Palette", "Lagoon"),
+    QT_TRANSLATE_NOOP("Palette", "Silver"),    QT_TRANSLATE_NOOP("Palette", "Ink"),
+    QT_TRANSLATE_NOOP("Palette", "Herbarium"), QT_TRANSLATE_NOOP("Palette", "Sanguine"),
+    QT_TRANSLATE_NOOP("Palette", "Cyanotype"),
+};
+
 } // namespace
 
 QPixmap gradientPixmap(const attractor::Palette& palette, const QSize& size, qreal pixelRatio) {

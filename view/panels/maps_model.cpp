@@ -350,7 +350,7 @@ bool MapsModel::setData(const QModelIndex& index, const QVariant& value, int rol
         return true;
     }
     if (role != Qt::EditRole || !isEditable(index.column())) return false;
-    const auto number = value.typeId() == QMetaType::QString ? io::parseNumber(value.toString())
+    const auto number = value.typeId() == QMetaType::QString ? typedNumber(value.toString())
                                                              : std::optional(value.toDouble());
     if (!number || !std::isfinite(*number)) return false;
     change(fractal, index, *number);

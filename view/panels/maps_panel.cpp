@@ -2,6 +2,7 @@
 #include "panels/maps_panel.h"
 
 #include "cage_edits.h"
+#include "dialogs/paste_table_dialog.h"
 #include "icon.h"
 #include "io/table_reader.h"
 #include "panels/focus_shortcuts.h"
@@ -18,6 +19,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QMimeData>
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QTableView>
@@ -31,6 +33,9 @@ namespace view {
 namespace {
 
 constexpr int narrowest = 30; // of a number column
+
+// Rows that were copied here: their columns are known.
+const QString rowsType = QStringLiteral("application/x-barycage-maps");
 
 } // namespace
 
@@ -195,6 +200,9 @@ QWidget* MapsPanel::makeColumnBar() {
 
 QWidget* MapsPanel::makeTable() {
     m_table->setAccessibleName(tr("Table of maps"));
+    m_table->setWhatsThis(tr("Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as "
+                             "its weight p says. Double-click a number, or begin to type, to change it; the "
+                             "picture follows every key. Drag the number of a row to move it."));
     QFont small = m_table->font(); // seven columns of numbers in a narrow panel
     small.setPointSizeF(small.pointSizeF() * 0.92);
     m_table->setFont(small);
@@ -254,7 +262,7 @@ bool MapsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_table && event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
-        if (plain && key->text().size() == 1 && QStringLiteral("0123456789+-.").contains(key->text()))
+        if (plain && key->text().size() == 1 && QStringLiteral("0123456789+-.,").contains(key->text()))
             event->accept();
     }
     return QWidget::eventFilter(watched, event);
@@ -467,7 +475,11 @@ void MapsPanel::copyMaps() const {
     MapRows rows;
     for (const int row : selectedRows())
         rows.push_back(m_model->maps()[static_cast<std::size_t>(row)]);
-    if (!rows.empty()) QGuiApplication::clipboard()->setText(io::writeTable(rows));
+    if (rows.empty()) return;
+    auto* copied = new QMimeData;
+    copied->setText(io::writeTable(rows));
+    copied->setData(rowsType, {});
+    QGuiApplication::clipboard()->setMimeData(copied);
 }
 
 void MapsPanel::pasteMaps() {
@@ -480,7 +492,21 @@ void MapsPanel::appendPasted() {
 
 void MapsPanel::paste(const Rows& rows) {
     if (!document::system2(m_document->fractal())) return;
-    const io::Table table = io::readTable(QGuiApplication::clipboard()->text());
+    const QMimeData* copied = QGuiApplication::clipboard()->mimeData();
+    const QString text = copied ? copied->text() : QString();
+    const bool own = copied && copied->hasFormat(rowsType);
+    const io::Table table = own ? io::readTable(text, io::fractintColumns()) : io::readTable(text);
+    if (table.isTable && !table.isOrdered) {
+        auto* dialog = new PasteTableDialog(m_document, rows, text, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &PasteTableDialog::pasted, this,
+                [this, rows, dialog](const std::vector<ifs::MapId>& touched) {
+                    selectMaps(touched);
+                    sayPasted(rows, dialog->count());
+                });
+        dialog->open();
+        return;
+    }
     for (const auto& problem : table.problems) {
         if (problem.severity != document::Problem::Severity::Error) continue;
         emit message(problem.line > 0 ? tr("Nothing was pasted. Line %1 of the clipboard: %2")
@@ -496,10 +522,13 @@ void MapsPanel::paste(const Rows& rows) {
     const auto count = static_cast<int>(table.rows.size());
     applyEdit(count == 1 ? tr("Paste a map") : tr("Paste %1 maps").arg(count),
               withMapsPasted(m_document->fractal(), rows, table.rows));
-    QString text = rows.empty() ? tr("Maps added: %1.").arg(count)
-                                : tr("The selected maps were replaced; maps pasted: %1.").arg(count);
-    if (!table.problems.isEmpty()) text += u' ' + table.problems.front().message;
-    emit message(text);
+    sayPasted(rows, count, table.problems.isEmpty() ? QString() : table.problems.front().message);
+}
+
+void MapsPanel::sayPasted(const Rows& rows, int count, const QString& remark) {
+    const QString text = rows.empty() ? tr("Maps added: %1.").arg(count)
+                                      : tr("The selected maps were replaced; maps pasted: %1.").arg(count);
+    emit message(remark.isEmpty() ? text : text + u' ' + remark);
 }
 
 void MapsPanel::applyWeights(WeightRule rule) {

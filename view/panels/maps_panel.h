@@ -70,6 +70,7 @@ private:
     int widthOf(int column) const;
     void applyEdit(const QString& text, MapsEdit edit);
     void paste(const Rows& rows);
+    void sayPasted(const Rows& rows, int count, const QString& remark = {});
     void moveRowTo(int from, int to);
     void moveSelection(int before);
     void chooseColour(const QModelIndex& index);

@@ -17,6 +17,8 @@ MapsRowHeader::MapsRowHeader(QWidget* parent) : QHeaderView(Qt::Vertical, parent
     setDefaultAlignment(Qt::AlignCenter);
     setMouseTracking(true);
     setAccessibleName(tr("Numbers of the maps"));
+    this->setWhatsThis(
+        tr("Drag a number to put the map elsewhere. A mark warns of a map that does not contract."));
     connect(this, &QHeaderView::sectionMoved, this, &MapsRowHeader::putBack);
 }
 

@@ -36,6 +36,9 @@ QColor problemColour(const QPalette& palette) {
 NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
     setAlignment(Qt::AlignRight);
     setValidator(new NumberValidator(m_range, this));
+    setWhatsThis(tr("A number, with a decimal point or comma. Arrow keys and the wheel change it: with Shift "
+                    "ten times as "
+                    "fast, with Alt a tenth. Esc takes back what was typed."));
     setInputMethodHints(Qt::ImhPreferNumbers | Qt::ImhFormattedNumbersOnly);
     connect(this, &QLineEdit::textEdited, this, &NumberField::takeText);
     showValue();
@@ -75,7 +78,7 @@ void NumberField::takeText() {
     const QString reason = problem();
     showProblem(reason);
     if (!reason.isEmpty()) return;
-    m_value = io::parseNumber(text()).value_or(m_value);
+    m_value = typedNumber(text()).value_or(m_value);
     emit edited(m_value);
 }
 

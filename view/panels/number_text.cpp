@@ -51,14 +51,15 @@ QString fullNumber(double value) {
     return QString::fromLatin1(io::formatNumber(value));
 }
 
+std::optional<double> typedNumber(const QString& text) {
+    const bool comma = text.count(u',') == 1 && !text.contains(u'.');
+    return io::parseNumber(comma ? QString(text).replace(u',', u'.') : text);
+}
+
 QString numberProblem(const QString& text, const NumberRange& range) {
-    if (const auto value = io::parseNumber(text)) return rangeProblem(*value, range);
+    if (const auto value = typedNumber(text)) return rangeProblem(*value, range);
     const QString shown = text.trimmed();
     if (shown.isEmpty()) return sentence(QT_TRANSLATE_NOOP("NumberField", "A number is missing here."));
-    if (shown.count(u',') == 1 && io::parseNumber(QString(shown).replace(u',', u'.')))
-        return sentence(
-                   QT_TRANSLATE_NOOP("NumberField", "“%1” has a comma: write a decimal point, as in %2."))
-            .arg(shown, QString(shown).replace(u',', u'.'));
     if (shown.contains(u'/'))
         return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is a fraction: write it as a decimal number."))
             .arg(shown);

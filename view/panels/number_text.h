@@ -5,7 +5,7 @@
 
 #include <optional>
 
-// Numbers as panels show and take them: always the C locale.
+// Numbers as panels show and take them: in every language with a decimal point.
 namespace view {
 
 // A few digits to read, not to edit: at most four decimals and about six significant digits.
@@ -20,6 +20,10 @@ struct NumberRange {
     std::optional<double> max;
     enum class Ends { Closed, Open } ends = Ends::Closed;
 };
+
+// What `text` says when it is typed alone: as in files, but one comma may stand for the decimal point, which
+// is where many keyboards have it. Files and pasted tables never read it so.
+std::optional<double> typedNumber(const QString& text);
 
 // Why `text` is not a number that can be taken, as a sentence for the user; empty when it is one.
 QString numberProblem(const QString& text, const NumberRange& range = {});

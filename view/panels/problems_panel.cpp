@@ -28,6 +28,8 @@ ProblemsPanel::ProblemsPanel(document::Document* document, QWidget* parent)
     setAccessibleName(tr("Problems found while reading"));
     m_list->setModel(m_model);
     m_list->setAccessibleName(tr("Problems"));
+    m_list->setWhatsThis(tr("What the reader of the file remarked, with line and column. Double-click a line "
+                            "to go to its entry."));
     m_list->setStatusTip(tr("Choose a line to show the entry it concerns."));
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "tour.h"
+
+#include "main_window.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTest>
+#include <QToolBar>
+#include <QUndoStack>
+
+#include <memory>
+
+// The tour shows its six steps where things are, locks nothing, and leaves the window as it found it.
+class TourTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
+        QCoreApplication::setApplicationName(QStringLiteral("BarycageTourTest"));
+        QApplication::setQuitOnLastWindowClosed(false);
+    }
+    void init() {
+        QSettings().clear();
+        m_window = std::make_unique<MainWindow>();
+        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
+        m_window->resize(1280, 800);
+        m_window->openFirstPicture();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+    void cleanup() { m_window.reset(); }
+
+    void sixStepsPointAtWhatTheySpeakOf();
+    void theBarIsPutAway();
+    void theOfferIsMadeOnce();
+    void theWindowMayCloseMeanwhile();
+
+private:
+    Tour* tour() const { return m_window->findChild<Tour*>(); }
+    QPushButton* button(const QString& text) const {
+        for (auto* found : tour()->findChildren<QPushButton*>())
+            if (found->isVisible() && found->text().remove(u'&') == text) return found;
+        return nullptr;
+    }
+    void settle() const {
+        QCoreApplication::processEvents();
+        QCoreApplication::processEvents();
+    }
+
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TourTest::sixStepsPointAtWhatTheySpeakOf() {
+    Tour::start(m_window.get());
+    const char* targets[] = {"maps", "maps", "arising", "appearance", "", "analysis"};
+    QSet<QString> texts;
+    for (int step = 0; step < 6; ++step) {
+        settle();
+        QCOMPARE(tour()->step(), step);
+        QVERIFY(tour()->target() && tour()->target()->isVisible());
+        if (*targets[step]) {
+            QCOMPARE(tour()->target()->objectName(), QLatin1String(targets[step]));
+            QTRY_VERIFY(!tour()->target()->visibleRegion().isEmpty()); // not behind another tab
+        } else {
+            QVERIFY(qobject_cast<view::CanvasView*>(tour()->target()));
+        }
+        // The card is wholly in the window and leaves most of the canvas free.
+        QVERIFY(m_window->rect().contains(tour()->geometry()));
+        const QWidget* canvas = m_window->centralWidget();
+        const QRect room(canvas->mapTo(m_window.get(), QPoint()), canvas->size());
+        const QRect covered = room.intersected(tour()->geometry());
+        QVERIFY(covered.width() * covered.height() < room.width() * room.height() * 45 / 100);
+        texts << tour()->accessibleDescription();
+        QCOMPARE(button(QStringLiteral("Back")) != nullptr, step > 0);
+        QPushButton* next = button(step < 5 ? QStringLiteral("Next") : QStringLiteral("Done"));
+        QVERIFY(next);
+        if (step < 5) next->click();
+    }
+    QCOMPARE(texts.size(), 6);
+    button(QStringLiteral("Back"))->click();
+    QCOMPARE(tour()->step(), 4);
+
+    // Nothing is locked: the fractal can be edited while the card is there.
+    document::Fractal fractal = m_window->document().fractal();
+    fractal.name = QStringLiteral("other");
+    m_window->document().edit(QStringLiteral("rename"), fractal);
+    QCOMPARE(m_window->document().undoStack()->count(), 1);
+    button(QStringLiteral("Close"))->click();
+    QTRY_VERIFY(!tour());
+    m_window->document().undoStack()->setClean();
+}
+
+void TourTest::theBarIsPutAway() {
+    auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("arising"));
+    QVERIFY(bar->isHidden());
+    Tour::start(m_window.get());
+    for (int step = 0; step < 2; ++step)
+        button(QStringLiteral("Next"))->click();
+    QVERIFY(!bar->isHidden());
+    button(QStringLiteral("Next"))->click();
+    QVERIFY(bar->isHidden());
+    button(QStringLiteral("Back"))->click();
+    QVERIFY(!bar->isHidden());
+    QTest::keyClick(tour(), Qt::Key_Escape);
+    QTRY_VERIFY(!tour());
+    QVERIFY(bar->isHidden());
+}
+
+void TourTest::theOfferIsMadeOnce() {
+    Tour::offer(m_window.get());
+    QVERIFY(tour());
+    QCOMPARE(tour()->step(), -1);
+    QVERIFY(!button(QStringLiteral("Back")));
+    button(QStringLiteral("Not Now"))->click();
+    QTRY_VERIFY(!tour());
+    Tour::offer(m_window.get());
+    QVERIFY(!tour());
+    QSettings().clear();
+    Tour::offer(m_window.get());
+    button(QStringLiteral("Start the Tour"))->click();
+    QCOMPARE(tour()->step(), 0);
+}
+
+void TourTest::theWindowMayCloseMeanwhile() {
+    Tour::start(m_window.get());
+    for (int step = 0; step < 2; ++step)
+        button(QStringLiteral("Next"))->click();
+    m_window.reset();
+    m_window = std::make_unique<MainWindow>();
+}
+
+QTEST_MAIN(TourTest)
+#include "tour_test.moc"

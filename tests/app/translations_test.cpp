@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/palette.h"
+#include "support/paths.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMap>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+namespace {
+
+// The languages that promise to lack nothing. The others are reported.
+const QStringList complete{QStringLiteral("en")};
+
+struct Message {
+    QString context;
+    QString source;
+    QString comment;
+    QStringList translations; // one, or as many as the language has numbers
+    bool counts = false;
+    bool finished = false;
+
+    QString key() const { return context + u'|' + source + u'|' + comment; }
+};
+
+QList<Message> messagesOf(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    QXmlStreamReader xml(&file);
+    QList<Message> messages;
+    QString context;
+    while (xml.readNextStartElement() || !xml.atEnd()) {
+        if (!xml.isStartElement()) continue;
+        if (xml.name() == u"name")
+            context = xml.readElementText();
+        else if (xml.name() == u"message")
+            messages.append(
+                {context, {}, {}, {}, xml.attributes().value(QLatin1String("numerus")) == u"yes", true});
+        else if (xml.name() == u"source")
+            messages.last().source = xml.readElementText();
+        else if (xml.name() == u"comment")
+            messages.last().comment = xml.readElementText();
+        else if (xml.name() == u"numerusform")
+            messages.last().translations << xml.readElementText();
+        else if (xml.name() == u"translation") {
+            messages.last().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
+            if (!messages.last().counts) messages.last().translations << xml.readElementText();
+        }
+    }
+    return messages;
+}
+
+QStringList found(const QString& pattern, const QString& text) {
+    QStringList parts;
+    for (auto it = QRegularExpression(pattern).globalMatch(text); it.hasNext();)
+        parts << it.next().captured();
+    parts.sort();
+    return parts;
+}
+
+bool isShortcut(const QString& text) {
+    static const QRegularExpression keys(
+        QStringLiteral("^((Ctrl|Shift|Alt)\\+)*([A-Z0-9,/]|F\\d+|Ins|Del|Up|Down)$"));
+    return keys.match(text).hasMatch();
+}
+
+// What must be the same in every language; empty when it is.
+QString complaint(const Message& message, const QString& translation) {
+    // One of something may do without its number.
+    const QString places = message.counts ? QStringLiteral("%L?[1-9]") : QStringLiteral("%L?[1-9]|%n");
+    const std::pair<const char*, QString> kept[] = {
+        {"placeholders", places},
+        {"tags", QStringLiteral("</?\\w+>")},
+        {"file patterns", QStringLiteral("\\*(\\.\\w+)?(?=[ )])")},
+        {"separators of filters", QStringLiteral(";;")},
+        {"blanks at the ends", QStringLiteral("^\\s+|\\s+$")},
+        {"an ellipsis", QStringLiteral("…$")},
+        {"a colon", QStringLiteral(":$")},
+    };
+    for (const auto& [what, pattern] : kept)
+        if (found(pattern, message.source) != found(pattern, translation)) return QString::fromLatin1(what);
+    const QString mnemonic = QStringLiteral("(?<!&)&(?=[^\\s&])");
+    if (found(mnemonic, message.source).size() != found(mnemonic, translation).size())
+        return QStringLiteral("the letter of the menu (&)");
+    if (isShortcut(message.source) && translation != message.source) return QStringLiteral("a shortcut");
+    return {};
+}
+
+} // namespace
+
+// The catalogues of texts, and what the languages have of them.
+class TranslationsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void placesOfNumbersAreKept_data() { languages(); }
+    void placesOfNumbersAreKept();
+    void nothingIsMissing_data() { languages(); }
+    void nothingIsMissing();
+    void everyTextOfTheProgramIsInTheCatalogues();
+    void namesOfDataAreInTheCatalogues();
+    void qtSpeaksMacedonian();
+    void oneIsSingular();
+
+private:
+    static void languages() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"de", "en", "es", "fr", "mk"})
+            QTest::newRow(language) << QString::fromLatin1(language);
+    }
+    static QString catalogue(const QString& language) {
+        return support::sourcePath(QStringLiteral("resources/translations/barycage_%1.ts").arg(language));
+    }
+};
+
+void TranslationsTest::placesOfNumbersAreKept() {
+    QFETCH(QString, language);
+    const QList<Message> messages = messagesOf(catalogue(language));
+    QVERIFY(messages.size() > 5);
+    QStringList complaints;
+    for (const Message& message : messages)
+        for (const QString& translation : message.translations)
+            if (const QString what = complaint(message, translation);
+                !translation.isEmpty() && !what.isEmpty())
+                complaints << QStringLiteral("%1: “%2” and “%3” differ in %4")
+                                  .arg(message.context, message.source, translation, what);
+    QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join(u'\n')));
+}
+
+void TranslationsTest::nothingIsMissing() {
+    QFETCH(QString, language);
+    QStringList missing;
+    for (const Message& message : messagesOf(catalogue(language)))
+        if (!message.finished || message.translations.contains(QString())) missing << message.key();
+    if (complete.contains(language))
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
+    else if (!missing.isEmpty())
+        qInfo("%s: %lld texts are not translated yet", qPrintable(language), qlonglong(missing.size()));
+}
+
+// As lupdate finds them in the sources as they are now.
+void TranslationsTest::everyTextOfTheProgramIsInTheCatalogues() {
+    QTemporaryDir folder;
+    const QString fresh = folder.filePath(QStringLiteral("fresh.ts"));
+    QProcess lupdate;
+    lupdate.setProcessChannelMode(QProcess::MergedChannels);
+    lupdate.start(QStringLiteral(BARYCAGE_LUPDATE),
+                  {QStringLiteral("-locations"), QStringLiteral("none"),
+                   support::sourcePath(QStringLiteral("app/gui")),
+                   support::sourcePath(QStringLiteral("model")), support::sourcePath(QStringLiteral("view")),
+                   QStringLiteral("-ts"), fresh});
+    QVERIFY(lupdate.waitForFinished(120'000));
+    const QString said = QString::fromUtf8(lupdate.readAll());
+    QCOMPARE(lupdate.exitCode(), 0);
+    // A text whose context lupdate does not know is never found by the program.
+    QVERIFY2(!said.contains(QStringLiteral("lacks Q_OBJECT")) &&
+                 !said.contains(QStringLiteral("without context")),
+             qPrintable(said));
+    QSet<QString> texts;
+    QSet<QString> counting;
+    for (const Message& message : messagesOf(fresh)) {
+        texts.insert(message.key());
+        if (message.counts) counting.insert(message.key());
+    }
+    QVERIFY(texts.size() > 800);
+    for (const char* language : {"de", "en", "es", "fr", "mk"}) {
+        const QString name = QString::fromLatin1(language);
+        QSet<QString> lacking = name == QLatin1String("en") ? counting : texts;
+        for (const Message& message : messagesOf(catalogue(name)))
+            lacking.remove(message.key());
+        const QStringList list = lacking.values();
+        if (complete.contains(name))
+            QVERIFY2(list.isEmpty(),
+                     qPrintable(name + QStringLiteral(" (see ./dev translate):\n") + list.join(u'\n')));
+        else if (!list.isEmpty())
+            qInfo("%s: %lld texts are not in the catalogue; ./dev translate puts them there", language,
+                  qlonglong(list.size()));
+    }
+}
+
+// Texts that no tr() holds: the titles of the collection and the names of palettes.
+void TranslationsTest::namesOfDataAreInTheCatalogues() {
+    QSet<QString> names;
+    QFile index(support::sourcePath(QStringLiteral("ifs_library/index.json")));
+    QVERIFY(index.open(QIODevice::ReadOnly));
+    const QJsonArray themes =
+        QJsonDocument::fromJson(index.readAll()).object().value(QLatin1String("themes")).toArray();
+    for (const QJsonValue& theme : themes)
+        for (const char* text : {"title", "description"})
+            names << QStringLiteral("Collection|") + theme.toObject().value(QLatin1String(text)).toString() +
+                         u'|';
+    for (const attractor::Palette& palette : attractor::builtInPalettes())
+        names << QStringLiteral("Palette|") + QString::fromStdString(palette.name) + u'|';
+    QVERIFY(names.size() > 30);
+    for (const Message& message : messagesOf(catalogue(QStringLiteral("de"))))
+        names.remove(message.key());
+    QVERIFY2(names.isEmpty(), qPrintable(QStringList(names.values()).join(u'\n')));
+}
+
+void TranslationsTest::qtSpeaksMacedonian() {
+    QTranslator toolkit;
+    QVERIFY(toolkit.load(QStringLiteral(":/translations/qtbase_mk.qm")));
+    for (const char* button : {"Cancel", "Close", "Discard", "Save", "Restore Defaults"})
+        QVERIFY2(!toolkit.translate("QPlatformTheme", button).isEmpty(), button);
+}
+
+void TranslationsTest::oneIsSingular() {
+    QTranslator english;
+    QVERIFY(english.load(QStringLiteral(":/translations/barycage_en.qm")));
+    QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 1), QStringLiteral("%n entry"));
+    QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 2), QStringLiteral("%n entries"));
+    QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 0), QStringLiteral("%n entries"));
+}
+
+QTEST_GUILESS_MAIN(TranslationsTest)
+#include "translations_test.moc"

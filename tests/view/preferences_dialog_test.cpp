@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/preferences_dialog.h"
+#include "theme.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QStyle>
+#include <QTest>
+
+using view::Preferences;
+using view::PreferencesDialog;
+
+// What is chosen is stored and told at once, and comes back.
+class PreferencesDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
+        QCoreApplication::setApplicationName(QStringLiteral("BarycagePreferencesTest"));
+    }
+    void init() { QSettings().clear(); }
+    void cleanup() { view::wear(Preferences::Theme::Desktop); }
+    void choicesAreStoredAndTold();
+    void defaultsComeBack();
+    void spoiltSettingsAreTakenAsDefaults();
+    void everyLanguageHasItsCatalogue();
+    void themesAreWornAndTakenOff();
+
+private:
+    static QComboBox* box(const PreferencesDialog& dialog, const QString& name) {
+        for (auto* found : dialog.findChildren<QComboBox*>())
+            if (found->accessibleName() == name) return found;
+        return nullptr;
+    }
+    static void choose(QComboBox* box, const QVariant& value) {
+        const int index = box->findData(value);
+        QVERIFY(index >= 0);
+        box->setCurrentIndex(index);
+    }
+};
+
+void PreferencesDialogTest::choicesAreStoredAndTold() {
+    PreferencesDialog dialog;
+    dialog.show();
+    QSignalSpy told(&dialog, &PreferencesDialog::changed);
+    choose(box(dialog, QStringLiteral("Theme")), int(Preferences::Theme::Dark));
+    choose(box(dialog, QStringLiteral("Picture at rest")), quint64(1'000'000'000));
+    QLabel* restart = nullptr;
+    for (auto* label : dialog.findChildren<QLabel*>())
+        if (label->text().contains(QStringLiteral("started again"))) restart = label;
+    QVERIFY(restart && !restart->isVisible());
+    choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
+    QVERIFY(restart->isVisible());
+    dialog.findChild<QCheckBox*>()->click();
+    const Preferences chosen{QStringLiteral("mk"), Preferences::Theme::Dark, 1'000'000'000, true};
+    QCOMPARE(told.size(), 4);
+    QVERIFY(told.last().first().value<Preferences>() == chosen);
+    QVERIFY(Preferences::stored() == chosen);
+
+    const PreferencesDialog again;
+    QCOMPARE(box(again, QStringLiteral("Language"))->currentText(), QStringLiteral("Македонски"));
+    QVERIFY(again.findChild<QCheckBox*>()->isChecked());
+}
+
+void PreferencesDialogTest::defaultsComeBack() {
+    Preferences{QStringLiteral("fr"), Preferences::Theme::Light, 50'000'000, true}.store();
+    PreferencesDialog dialog;
+    QSignalSpy told(&dialog, &PreferencesDialog::changed);
+    dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
+    QCOMPARE(told.size(), 1);
+    QVERIFY(Preferences::stored() == Preferences{});
+}
+
+void PreferencesDialogTest::spoiltSettingsAreTakenAsDefaults() {
+    QSettings().setValue(QStringLiteral("preferences/theme"), QStringLiteral("purple"));
+    QSettings().setValue(QStringLiteral("preferences/quality"), QStringLiteral("many"));
+    QCOMPARE(Preferences::stored().theme, Preferences::Theme::Desktop);
+    QCOMPARE(Preferences::stored().quality, std::uint64_t(1'000'000)); // the least that is a picture
+    const PreferencesDialog dialog;
+    QCOMPARE(box(dialog, QStringLiteral("Theme"))->currentIndex(), 0);
+}
+
+void PreferencesDialogTest::everyLanguageHasItsCatalogue() {
+    const PreferencesDialog dialog;
+    const QComboBox* languages = box(dialog, QStringLiteral("Language"));
+    QStringList offered;
+    for (int i = 1; i < languages->count(); ++i)
+        offered << QStringLiteral("barycage_%1.qm").arg(languages->itemData(i).toString());
+    QStringList carried = QDir(QStringLiteral(":/translations")).entryList({QStringLiteral("barycage_*.qm")});
+    offered.sort();
+    carried.sort();
+    QCOMPARE(offered, carried);
+}
+
+void PreferencesDialogTest::themesAreWornAndTakenOff() {
+    const QString style = QApplication::style()->name();
+    view::wear(Preferences::Theme::Desktop);
+    const QPalette desktop = QApplication::palette();
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
+        view::wear(theme);
+        const QPalette worn = QApplication::palette();
+        const bool dark = theme == Preferences::Theme::Dark;
+        QCOMPARE(worn.color(QPalette::Window).lightness() < 128, dark);
+        QCOMPARE(worn.color(QPalette::Text).lightness() > 128, dark);
+        QCOMPARE(worn.color(QPalette::PlaceholderText).rgb(), worn.color(QPalette::Text).rgb());
+        QVERIFY(worn.color(QPalette::PlaceholderText).alpha() < 255);
+    }
+    view::wear(Preferences::Theme::Desktop);
+    QCOMPARE(QApplication::style()->name(), style);
+    for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Text, QPalette::Highlight})
+        QCOMPARE(QApplication::palette().color(role), desktop.color(role));
+}
+
+QTEST_MAIN(PreferencesDialogTest)
+#include "preferences_dialog_test.moc"

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edit_gesture.h"
+#include "io/table_reader.h"
+#include "panels/maps_edits.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace view {
+
+// Rows of numbers that do not say which column is which: the user chooses, and sees the maps in the table of
+// the dialog and their picture on the canvas until it is right. One step of the history, or none.
+class PasteTableDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // In place of `rows`; as new maps when there are none. The fractal must hold a plane system.
+    PasteTableDialog(document::Document* document, const Rows& rows, const QString& text,
+                     QWidget* parent = nullptr);
+
+    int count() const { return int(m_table.rows.size()); } // of maps, as read now
+
+signals:
+    void pasted(const std::vector<ifs::MapId>& touched);
+
+protected:
+    void done(int result) override;
+
+private:
+    void guess();
+    void update();
+
+    QString m_text;
+    Rows m_rows;
+    document::EditGesture m_gesture;
+    io::Table m_table;
+    std::vector<ifs::MapId> m_touched;
+    QComboBox* m_columns;
+    QTableWidget* m_maps;
+    QLabel* m_verdict;
+    QPushButton* m_accept = nullptr;
+};
+
+} // namespace view

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/preferences_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace view {
+
+namespace {
+
+// Each in itself, so that whoever does not read the present one finds theirs.
+const QList<std::pair<QString, QString>>& languages() {
+    static const QList<std::pair<QString, QString>> list{
+        {QStringLiteral("en"), QStringLiteral("English")},
+        {QStringLiteral("de"), QStringLiteral("Deutsch")},
+        {QStringLiteral("es"), QStringLiteral("Español")},
+        {QStringLiteral("fr"), QStringLiteral("Français")},
+        {QStringLiteral("mk"), QStringLiteral("Македонски")}};
+    return list;
+}
+
+void choose(QComboBox* box, const QVariant& value) {
+    const QSignalBlocker quiet(box);
+    box->setCurrentIndex(std::max(0, box->findData(value)));
+}
+
+} // namespace
+
+PreferencesDialog::PreferencesDialog(QWidget* parent)
+    : QDialog(parent),
+      m_spoken(Preferences::stored().language),
+      m_language(new QComboBox(this)),
+      m_restart(new QLabel(tr("The language changes when Barycage is started again."), this)),
+      m_theme(new QComboBox(this)),
+      m_quality(new QComboBox(this)),
+      m_reopen(new QCheckBox(tr("&Open the files of last time at the start"), this)) {
+    setWindowTitle(tr("Preferences"));
+    m_language->addItem(tr("That of the desktop"), QString());
+    for (const auto& [code, name] : languages())
+        m_language->addItem(name, code);
+    m_language->setAccessibleName(tr("Language"));
+    m_language->setWhatsThis(tr("The language of menus and messages. Files and numbers are the same in every "
+                                "language."));
+    m_theme->addItem(tr("As the desktop"), int(Preferences::Theme::Desktop));
+    m_theme->addItem(tr("Light"), int(Preferences::Theme::Light));
+    m_theme->addItem(tr("Dark"), int(Preferences::Theme::Dark));
+    m_theme->setAccessibleName(tr("Theme"));
+    m_theme->setWhatsThis(tr("The colours of windows and panels. The picture keeps its own."));
+    m_quality->addItem(tr("Draft: 50 million points"), quint64(50'000'000));
+    m_quality->addItem(tr("Good: 200 million points"), quint64(200'000'000));
+    m_quality->addItem(tr("Fine: 1000 million points"), quint64(1'000'000'000));
+    m_quality->setAccessibleName(tr("Picture at rest"));
+    m_quality->setWhatsThis(
+        tr("How many points are drawn while nothing moves. More points make a smoother picture "
+           "and keep the processor busy for longer."));
+    m_reopen->setWhatsThis(
+        tr("When on, Barycage opens the files that were open when it was closed, a window each."));
+    m_restart->setForegroundRole(QPalette::PlaceholderText);
+    m_restart->setWordWrap(true);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults, this);
+    auto* form = new QFormLayout(this);
+    form->setHorizontalSpacing(16);
+    form->addRow(tr("&Language:"), m_language);
+    form->addRow(QString(), m_restart);
+    form->addRow(tr("&Theme:"), m_theme);
+    form->addRow(tr("&Picture at rest:"), m_quality);
+    form->addRow(QString(), m_reopen);
+    form->addRow(buttons);
+
+    fill(Preferences::stored());
+    for (QComboBox* box : {m_language, m_theme, m_quality})
+        connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
+    connect(m_reopen, &QCheckBox::toggled, this, &PreferencesDialog::take);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    QPushButton* defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
+    defaults->setAutoDefault(false);
+    buttons->button(QDialogButtonBox::Close)->setDefault(true);
+    defaults->setWhatsThis(tr("Puts every choice of this dialog back to what it is at first."));
+    connect(defaults, &QPushButton::clicked, this, [this] {
+        fill({});
+        take();
+    });
+}
+
+void PreferencesDialog::fill(const Preferences& preferences) {
+    choose(m_language, preferences.language);
+    choose(m_theme, int(preferences.theme));
+    choose(m_quality, quint64(preferences.quality));
+    const QSignalBlocker quiet(m_reopen);
+    m_reopen->setChecked(preferences.reopen);
+    m_restart->setVisible(preferences.language != m_spoken);
+}
+
+void PreferencesDialog::take() {
+    Preferences chosen;
+    chosen.language = m_language->currentData().toString();
+    chosen.theme = Preferences::Theme(m_theme->currentData().toInt());
+    chosen.quality = m_quality->currentData().toULongLong();
+    chosen.reopen = m_reopen->isChecked();
+    m_restart->setVisible(chosen.language != m_spoken);
+    chosen.store();
+    emit changed(chosen);
+}
+
+} // namespace view

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "preferences.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace view {
+
+// The few things that are a matter of taste. Each choice is stored and in force at once; the language waits
+// for the next start, and the dialog says so.
+class PreferencesDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit PreferencesDialog(QWidget* parent = nullptr);
+
+signals:
+    void changed(const view::Preferences& preferences); // they are stored already
+
+private:
+    void fill(const Preferences& preferences);
+    void take();
+
+    QString m_spoken; // the choice of language when the dialog was opened
+    QComboBox* m_language;
+    QLabel* m_restart;
+    QComboBox* m_theme;
+    QComboBox* m_quality;
+    QCheckBox* m_reopen;
+};
+
+} // namespace view

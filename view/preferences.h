@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <cstdint>
+
+namespace view {
+
+// What the user prefers in every window, kept between runs. A value: whoever changes it stores it and tells.
+struct Preferences {
+    enum class Theme { Desktop, Light, Dark };
+
+    QString language; // "de", "mk"; empty: that of the desktop. In force from the next start.
+    Theme theme = Theme::Desktop;
+    std::uint64_t quality = 200'000'000; // samples to which a picture at rest is refined
+    bool reopen = false;                 // the files of the last time, at the start
+
+    static Preferences stored();
+    void store() const;
+
+    friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+} // namespace view

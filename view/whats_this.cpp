@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "whats_this.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace view {
+
+namespace {
+
+struct WhatsThis {
+    Q_DECLARE_TR_FUNCTIONS(WhatsThis)
+};
+
+void explain(QDialogButtonBox* box) {
+    for (const auto& [which, text] :
+         {std::pair{QDialogButtonBox::Ok, WhatsThis::tr("Takes what the dialog shows, and closes it.")},
+          {QDialogButtonBox::Cancel, WhatsThis::tr("Closes the dialog and changes nothing.")},
+          {QDialogButtonBox::Close, WhatsThis::tr("Closes the dialog.")}})
+        if (QPushButton* button = box->button(which); button && button->whatsThis().isEmpty())
+            button->setWhatsThis(text);
+}
+
+} // namespace
+
+void explainByTips(QWidget* root) {
+    for (QAction* action : root->findChildren<QAction*>())
+        if (action->whatsThis().isEmpty())
+            action->setWhatsThis(action->statusTip().isEmpty() ? action->toolTip() : action->statusTip());
+    for (auto* box : root->findChildren<QDialogButtonBox*>())
+        explain(box);
+    for (auto* widget : root->findChildren<QWidget*>()) {
+        if (!widget->whatsThis().isEmpty()) continue;
+        const auto* button = qobject_cast<QToolButton*>(widget);
+        const bool acts = button && button->defaultAction();
+        widget->setWhatsThis(acts ? button->defaultAction()->whatsThis() : widget->toolTip());
+    }
+}
+
+} // namespace view
