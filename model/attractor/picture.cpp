@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace attractor {
 
@@ -153,6 +154,8 @@ bool Picture::completeDensity(const std::stop_token& stop) {
         if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;
         AddressCut fresh = addressCut(system, projection, settings, stop);
         if (stop.stop_requested()) return false;
+        // A map that does not contract may lead to words so deep that their measure is 0 to the arithmetic.
+        if (fresh.probability < std::numeric_limits<double>::min()) fresh = {};
         cut = std::move(fresh);
     }
     if (cut->words.empty()) {

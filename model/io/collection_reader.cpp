@@ -32,7 +32,7 @@ std::optional<document::FractalFile> fileOfTable(const QByteArray& bytes, const 
     if (bytes.size() > largestTable) {
         document::FractalFile file;
         file.problems << errorOf(QCoreApplication::translate(
-            "io",
+            "Text",
             "No iterated function system was found, and for a table of numbers the file is too large: the "
             "limit is 64 MB."));
         return file;
