@@ -81,10 +81,9 @@ void RenderBridge::follow(const document::Change& change) {
           (Change::System | Change::Cage | Change::Appearance | Change::Current | Change::File)))
         return;
     m_live = change.live;
-    if (change.parts & (Change::Current | Change::File))
-        m_exposing = Exposing::Measured;
-    else if (!change.live && (change.parts & (Change::System | Change::Appearance)))
-        m_exposing = Exposing::Measured;
+    const bool otherPicture = change.parts & (Change::Current | Change::File);
+    const bool edited = !change.live && (change.parts & (Change::System | Change::Appearance));
+    if (otherPicture || edited) m_exposing = Exposing::Measured;
     request(m_live ? Haste::InTurn : Haste::Now);
 }
 

@@ -144,6 +144,8 @@ void paintPage(QPainter& painter, const QRectF& page, const document::Fractal& f
 }
 
 void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent) {
+    // The document may change while the picture is drawn.
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
     const document::Fractal fractal = document->fractal();
     const QImage picture = drawn(pictureFor(fractal, camera), parent);
     if (picture.isNull()) return;
