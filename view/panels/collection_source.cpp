@@ -17,7 +17,6 @@ namespace view {
 namespace {
 
 // What the index of the bundled collection says, for the translators.
-// NOLINTNEXTLINE(bugprone-suspicious-missing-comma): long lines are broken in two
 [[maybe_unused]] constexpr const char* indexTexts[] = {
     QT_TRANSLATE_NOOP("Collection", "From the paper"),
     QT_TRANSLATE_NOOP("Collection",
