@@ -55,24 +55,8 @@
         <translation>%1, Kathete %2, Ecke %3</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor. The signs are the directions of its legs.</source>
-        <translation>Das kleinste gleichschenklig-rechtwinklige Dreieck mit achsenparallelen Katheten, das den Attraktor enthält. Die Vorzeichen sind die Richtungen der Katheten.</translation>
-    </message>
-    <message>
-        <source>Convex hull area</source>
-        <translation>Fläche der konvexen Hülle</translation>
-    </message>
-    <message>
-        <source>Area of the convex hull&apos;s inner polygon with %1 vertices; the hull reaches at most %2 beyond it.</source>
-        <translation>Fläche des inneren Polygons der konvexen Hülle mit %1 Ecken; die Hülle reicht höchstens %2 darüber hinaus.</translation>
-    </message>
-    <message>
         <source>Similarity dimension</source>
         <translation>Ähnlichkeitsdimension</translation>
-    </message>
-    <message>
-        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation>Das D mit Σ sᵢᴰ = 1 über die Faktoren sᵢ. Es ist die Dimension des Attraktors, wenn die Teile sich nicht überlappen.</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -87,8 +71,64 @@
         <translation>Kovarianz</translation>
     </message>
     <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads.</source>
-        <translation>Kovarianz xx, xy, yy des invarianten Maßes, exakt gelöst: wie weit das Bild streut.</translation>
+        <source>Fixed points</source>
+        <translation>Fixpunkte</translation>
+    </message>
+    <message>
+        <source>The point that each map leaves where it is; it lies on the attractor.</source>
+        <translation>Der Punkt, den jede Abbildung an seinem Ort lässt; er liegt auf dem Attraktor.</translation>
+    </message>
+    <message>
+        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It is the dimension of the attractor when the pieces do not overlap.</source>
+        <translation>Das D mit Σ sᵢᴰ = 1 über die Faktoren sᵢ, wenn alle Abbildungen in gewissen Koordinaten Ähnlichkeiten sind. Es ist die Dimension des Attraktors, wenn die Teile sich nicht überlappen.</translation>
+    </message>
+    <message>
+        <source>Affinity dimension</source>
+        <translation>Affinitätsdimension</translation>
+    </message>
+    <message>
+        <source>Falconer’s dimension: where the sum of the singular value functions of all words of one length neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to it for almost all translations when the maps contract enough.</source>
+        <translation>Falconers Dimension: wo die Summe der Singulärwertfunktionen aller Wörter gleicher Länge weder wächst noch fällt, höchstens 2. Eine obere Schranke der Boxdimension und ihr gleich für fast alle Verschiebungen, wenn die Abbildungen genug kontrahieren.</translation>
+    </message>
+    <message>
+        <source>Box-counting dimension</source>
+        <translation>Boxdimension</translation>
+    </message>
+    <message>
+        <source>Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the attractor. An estimate: it depends on the sizes counted.</source>
+        <translation>Steigung der Ausgleichsgeraden durch ln N gegen ln 1/ε, wo N Kästchen der Seite ε den Attraktor treffen. Eine Schätzung: Sie hängt von den gezählten Größen ab.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. The ellipse is the one on which an even mass has the same mean and covariance.</source>
+        <translation>Kovarianz xx, xy, yy des invarianten Maßes, exakt gelöst: wie weit das Bild streut. Die Ellipse ist die, auf der eine gleichmäßige Masse denselben Mittelwert und dieselbe Kovarianz hat.</translation>
+    </message>
+    <message>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; certified. The signs are the directions of its legs.</source>
+        <translation>Das kleinste gleichschenklig-rechtwinklige Dreieck mit achsenparallelen Katheten, das den Attraktor enthält; bewiesen. Die Vorzeichen sind die Richtungen der Katheten.</translation>
+    </message>
+    <message>
+        <source>Hull area</source>
+        <translation>Fläche der Hülle</translation>
+    </message>
+    <message>
+        <source>Area of the convex hull: of the polygon whose vertices were found on the attractor. The hull itself is larger by at most its border times the error bound.</source>
+        <translation>Fläche der konvexen Hülle: des Vielecks, dessen Ecken auf dem Attraktor gefunden wurden. Die Hülle selbst ist höchstens um ihren Rand mal die Fehlerschranke größer.</translation>
+    </message>
+    <message>
+        <source>Hull vertices</source>
+        <translation>Ecken der Hülle</translation>
+    </message>
+    <message>
+        <source>Corners of the convex hull as found, each a point of the attractor. A hull with infinitely many has as many as its tolerance asks for.</source>
+        <translation>Ecken der konvexen Hülle, wie gefunden, jede ein Punkt des Attraktors. Eine Hülle mit unendlich vielen hat so viele, wie ihre Toleranz verlangt.</translation>
+    </message>
+    <message>
+        <source>Hull error bound</source>
+        <translation>Fehlerschranke der Hülle</translation>
+    </message>
+    <message>
+        <source>The attractor reaches at most this far beyond the polygon; certified.</source>
+        <translation>Der Attraktor reicht höchstens so weit über das Vieleck hinaus; bewiesen.</translation>
     </message>
 </context>
 <context>
@@ -1019,6 +1059,46 @@
         <source>Click anything to read what it is for</source>
         <translation>Klicken Sie irgendwohin, um zu lesen, wozu es dient</translation>
     </message>
+    <message>
+        <source>No recovery</source>
+        <translation>Keine Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>Allow Systems &amp;without an Attractor</source>
+        <translation>Systeme &amp;ohne Attraktor erlauben</translation>
+    </message>
+    <message>
+        <source>Let maps be dragged to where they no longer contract; otherwise the drag stops there</source>
+        <translation>Abbildungen dorthin ziehen lassen, wo sie nicht mehr kontrahieren; sonst hält das Ziehen dort an</translation>
+    </message>
+    <message>
+        <source>Drag t&amp;he Maps</source>
+        <translation>Die &amp;Abbildungen ziehen</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Show the maps as images of the cage and take them by their corners</source>
+        <translation>Die Abbildungen als Bilder des Käfigs zeigen und an ihren Ecken fassen</translation>
+    </message>
+    <message>
+        <source>Drag a Bra&amp;nch</source>
+        <translation>Einen &amp;Ast ziehen</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Click a point of the attractor and take the branch that it belongs to</source>
+        <translation>Auf einen Punkt des Attraktors klicken und den Ast fassen, zu dem er gehört</translation>
+    </message>
+    <message>
+        <source>Maps and Branches</source>
+        <translation>Abbildungen und Äste</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1173,6 +1253,10 @@
         <source>Ask Later</source>
         <translation>Später fragen</translation>
     </message>
+    <message>
+        <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
+        <translation>Nicht gespeicherte Arbeit kann nicht zur Wiederherstellung aufbewahrt werden: In den Ordner „%1“ kann nicht geschrieben werden, oder der Datenträger ist voll. Speichern Sie oft.</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -1213,10 +1297,6 @@
         <translation>Ort des Zeigers</translation>
     </message>
     <message>
-        <source>World and barycentric coordinates of the pointer</source>
-        <translation>Welt- und baryzentrische Koordinaten des Zeigers</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Befund</translation>
     </message>
@@ -1251,6 +1331,18 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>World and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
+        <translation>Welt- und baryzentrische Koordinaten des Zeigers; die Adresse des Punktes des Attraktors darunter, äußerste Abbildung zuerst, und der Fixpunkt seines Astes</translation>
+    </message>
+    <message>
+        <source>  address %1</source>
+        <translation>  Adresse %1</translation>
+    </message>
+    <message>
+        <source>  fixed point of %1 (%2, %3)</source>
+        <translation>  Fixpunkt von %1 (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -1623,10 +1715,6 @@
         <translation>konvexe Hülle</translation>
     </message>
     <message>
-        <source>%1 vertices, area %2; error at most %3</source>
-        <translation>%1 Ecken, Fläche %2; Fehler höchstens %3</translation>
-    </message>
-    <message>
         <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
         <translation>%1 Ecken, %2 Seitenflächen, Volumen %3; Fehler höchstens %4</translation>
     </message>
@@ -1874,6 +1962,62 @@
         <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
         <translation>Dies ist eine Binärdatei (vielleicht ein fraktal komprimiertes Bild oder eine Symbolbibliothek), kein Text mit iterierten Funktionensystemen.</translation>
     </message>
+    <message>
+        <source>No iterated function system was found, and for a table of numbers the file is too large: the limit is 64 MB.</source>
+        <translation>Kein iteriertes Funktionensystem wurde gefunden, und für eine Zahlentabelle ist die Datei zu groß: Die Grenze ist 64 MB.</translation>
+    </message>
+    <message>
+        <source>a number is larger than a coefficient can be (3.4e38 in size)</source>
+        <translation>eine Zahl ist größer, als ein Koeffizient sein kann (3.4e38)</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 flames; the rest is left out.</source>
+        <translation>Die Datei hat mehr als %1 Flames; der Rest wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 flames in all are no systems of affine maps.</source>
+        <translation>Insgesamt %1 Flames sind keine Systeme affiner Abbildungen.</translation>
+    </message>
+    <message>
+        <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
+        <translation>Der Eintrag hat mehr als %1 Zeilen; das ist die Grenze. Er bleibt als Text erhalten.</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 of them with periodic addresses, area %3; error at most %4</source>
+        <translation>%1 Ecken, davon %2 mit periodischen Adressen, Fläche %3; Fehler höchstens %4</translation>
+    </message>
+    <message>
+        <source>deformation</source>
+        <translation>Verformung</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>affine fit</source>
+        <translation>affine Anpassung</translation>
+    </message>
+    <message>
+        <source>A number of this row is larger than a coefficient can be (3.4e38 in size).</source>
+        <translation>Eine Zahl dieser Zeile ist größer, als ein Koeffizient sein kann (3.4e38).</translation>
+    </message>
+    <message>
+        <source>The text has more than 64 MB, which is the limit for a table of numbers.</source>
+        <translation>Der Text hat mehr als 64 MB; das ist die Grenze für eine Zahlentabelle.</translation>
+    </message>
+    <message>
+        <source>A tag has more than %1 attributes, which is the limit.</source>
+        <translation>Ein Element hat mehr als %1 Attribute; das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>The elements are nested more than %1 deep, which is the limit.</source>
+        <translation>Die Elemente sind tiefer als %1 verschachtelt; das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>The file has more than 64 MB, which is the limit for XML.</source>
+        <translation>Die Datei hat mehr als 64 MB; das ist die Grenze für XML.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2004,8 +2148,8 @@
         <translation>Jede Abbildung als Matrix, die baryzentrische Koordinaten über dem Kontrolldreieck in baryzentrische Koordinaten überführt: Jede Zeile hat die Summe 1.</translation>
     </message>
     <message>
-        <source>Copies the matrices to the clipboard as text.</source>
-        <translation>Kopiert die Matrizen als Text in die Zwischenablage.</translation>
+        <source>Copies the triangle and the matrices with all digits.</source>
+        <translation>Kopiert das Dreieck und die Matrizen mit allen Stellen.</translation>
     </message>
 </context>
 <context>
@@ -2031,16 +2175,84 @@
         <translation>Dieser Eintrag konnte nicht gelesen werden; es ist nichts von ihm bekannt.</translation>
     </message>
     <message>
-        <source>The picture is placed by its cage; these are facts of the code. Bake to see those of the picture.</source>
-        <translation>Das Bild wird von seinem Käfig platziert; dies sind Tatsachen des Codes. Rechnen Sie ein, um die des Bildes zu sehen.</translation>
-    </message>
-    <message>
         <source>Copy with All Digits</source>
         <translation>Mit allen Stellen kopieren</translation>
     </message>
     <message>
         <source>Copy All Facts</source>
         <translation>Alle Tatsachen kopieren</translation>
+    </message>
+    <message>
+        <source>Copies every line as its name and its value with all digits.</source>
+        <translation>Kopiert jede Zeile als Namen und Wert mit allen Stellen.</translation>
+    </message>
+    <message>
+        <source>On the canvas</source>
+        <translation>Auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Outline the certified bounding box</source>
+        <translation>Das bewiesene umschließende Rechteck zeichnen</translation>
+    </message>
+    <message>
+        <source>Hull</source>
+        <translation>Hülle</translation>
+    </message>
+    <message>
+        <source>Outline the convex hull</source>
+        <translation>Die konvexe Hülle zeichnen</translation>
+    </message>
+    <message>
+        <source>Simplex</source>
+        <translation>Simplex</translation>
+    </message>
+    <message>
+        <source>Outline the minimal canonical simplex</source>
+        <translation>Das minimale kanonische Simplex zeichnen</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Show the mean and the ellipse of the covariance</source>
+        <translation>Den Mittelwert und die Ellipse der Kovarianz zeigen</translation>
+    </message>
+    <message>
+        <source>Fixed points</source>
+        <translation>Fixpunkte</translation>
+    </message>
+    <message>
+        <source>Mark the fixed point of each map in its colour</source>
+        <translation>Den Fixpunkt jeder Abbildung in ihrer Farbe zeigen</translation>
+    </message>
+    <message>
+        <source>Cylinders</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Outline the hulls of all pieces with an address of the same length, in the colour of its first map</source>
+        <translation>Die Hüllen aller Teile mit gleich langer Adresse zeichnen, in der Farbe ihrer ersten Abbildung</translation>
+    </message>
+    <message>
+        <source>Length of the addresses</source>
+        <translation>Länge der Adressen</translation>
+    </message>
+    <message>
+        <source>How many symbols the addresses of the cylinders have; fewer where there would be thousands</source>
+        <translation>Wie viele Zeichen die Adressen der Zylinder haben; weniger, wo es Tausende wären</translation>
+    </message>
+    <message>
+        <source>Address length</source>
+        <translation>Adresslänge</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
+        <translation>Der Käfig biegt das Bild, und kein System hat es. Dies sind Tatsachen des Codes; auf der Zeichenfläche sind sie mit dem Bild gebogen.</translation>
     </message>
 </context>
 <context>
@@ -2330,6 +2542,139 @@
     <message>
         <source>How many points the chaos game plots in a second.</source>
         <translation>Wie viele Punkte das Chaos-Spiel in einer Sekunde zeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>view::BoxCountingPlot</name>
+    <message>
+        <source>Box-counting plot</source>
+        <translation>Diagramm der Kästchenzählung</translation>
+    </message>
+    <message>
+        <source>How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the line: there the size of the whole or of a cell shows.</source>
+        <translation>Wie viele Kästchen den Attraktor treffen, gegen ihre Feinheit: log₂ N über k für Kästchen der Seite L·2⁻ᵏ, L die Seite des Quadrats um den Attraktor. Umrissene Punkte zählen für die Gerade nicht: Dort zeigt sich die Größe des Ganzen oder einer Zelle.</translation>
+    </message>
+    <message>
+        <source>Slope %1 over %2 sizes</source>
+        <translation>Steigung %1 über %2 Größen</translation>
+    </message>
+    <message>
+        <source>Copy Sizes and Counts</source>
+        <translation>Größen und Anzahlen kopieren</translation>
+    </message>
+    <message>
+        <source>log₂ N</source>
+        <translation>log₂ N</translation>
+    </message>
+    <message>
+        <source>k, boxes of side L·2⁻ᵏ</source>
+        <translation>k, Kästchen der Seite L·2⁻ᵏ</translation>
+    </message>
+    <message>
+        <source>slope %1</source>
+        <translation>Steigung %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchBar</name>
+    <message>
+        <source>Maps and branches</source>
+        <translation>Abbildungen und Äste</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth of the branch</source>
+        <translation>Tiefe des Astes</translation>
+    </message>
+    <message>
+        <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
+        <translation>Wie viele Abbildungen der Adresse den Ast benennen (Umschalt + Rad über der Zeichenfläche)</translation>
+    </message>
+    <message>
+        <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
+        <translation>Die Adresse des angeklickten Punktes, äußerste Abbildung zuerst; der Ast ist, was fett ist</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>Ä&amp;ndern</translation>
+    </message>
+    <message>
+        <source>this branch, as a map of its own</source>
+        <translation>diesen Ast, als eigene Abbildung</translation>
+    </message>
+    <message>
+        <source>The system gets a map for this branch and one for every branch beside it. Its change is seen again at all smaller scales.</source>
+        <translation>Das System bekommt eine Abbildung für diesen Ast und eine für jeden Ast daneben. Die Änderung zeigt sich in allen kleineren Größen wieder.</translation>
+    </message>
+    <message>
+        <source>the last map of its address</source>
+        <translation>die letzte Abbildung seiner Adresse</translation>
+    </message>
+    <message>
+        <source>The code keeps its maps. All branches that this map makes change alike.</source>
+        <translation>Der Code behält seine Abbildungen. Alle Äste, die diese Abbildung macht, ändern sich gleich.</translation>
+    </message>
+    <message>
+        <source>What changing the branch changes</source>
+        <translation>Was die Änderung des Astes ändert</translation>
+    </message>
+    <message>
+        <source>&amp;Weave</source>
+        <translation>&amp;Weben</translation>
+    </message>
+    <message>
+        <source>Angle by which the selected maps swing about their roots</source>
+        <translation>Winkel, um den die gewählten Abbildungen um ihre Wurzeln schwingen</translation>
+    </message>
+    <message>
+        <source>Lets the selected maps swing, each about the image of the lowest point of the fractal; the slider goes back to the middle when it is let go</source>
+        <translation>Lässt die gewählten Abbildungen schwingen, jede um das Bild des tiefsten Punktes des Fraktals; losgelassen geht der Regler in die Mitte zurück</translation>
+    </message>
+    <message>
+        <source>no branch selected</source>
+        <translation>kein Ast gewählt</translation>
+    </message>
+    <message>
+        <source>branch &lt;b&gt;%1&lt;/b&gt; %2</source>
+        <translation>Ast &lt;b&gt;%1&lt;/b&gt; %2</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Let maps swing</source>
+        <translation>Abbildungen schwingen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchTool</name>
+    <message>
+        <source>Click a point of the attractor to select its branch.</source>
+        <translation>Klicken Sie auf einen Punkt des Attraktors, um seinen Ast zu wählen.</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Ast %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Ecke %1 des Astes %2 bewegen</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Ast %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Rotate branch %1</source>
+        <translation>Ast %1 drehen</translation>
+    </message>
+    <message>
+        <source>Scale branch %1</source>
+        <translation>Ast %1 skalieren</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +3083,18 @@
         <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
         <translation>Der Käfig ist flach und das Bild auch. Ziehen Sie eine Ecke, um ihn zu öffnen: Nichts geht verloren.</translation>
     </message>
+    <message>
+        <source>Stopped: any farther, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <translation>Angehalten: Weiter würde Abbildung %1 nicht kontrahieren (größter Singulärwert %2, Spektralradius %3), und es gäbe keinen Attraktor.</translation>
+    </message>
+    <message>
+        <source>Stopped: any farther, the maps %1, one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <translation>Angehalten: Weiter würden die Abbildungen %1, nacheinander angewandt, nicht kontrahieren (größter Singulärwert %2, Spektralradius %3), und es gäbe keinen Attraktor.</translation>
+    </message>
+    <message>
+        <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
+        <translation>Angehalten: Weiter steht nicht fest, ob es einen Attraktor gäbe (Abbildung %1 hat den größten Singulärwert, %2).</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
@@ -2941,6 +3298,54 @@
         <source>Canvas</source>
         <translation>Zeichenfläche</translation>
     </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>&amp;Switch On</source>
+        <translation>&amp;Einschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Switch Off</source>
+        <translation>&amp;Ausschalten</translation>
+    </message>
+    <message>
+        <source>Lets this map take part, or not</source>
+        <translation>Diese Abbildung teilnehmen lassen oder nicht</translation>
+    </message>
+    <message>
+        <source>Switch on map %1</source>
+        <translation>Abbildung %1 einschalten</translation>
+    </message>
+    <message>
+        <source>Switch off map %1</source>
+        <translation>Abbildung %1 ausschalten</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>D&amp;uplizieren</translation>
+    </message>
+    <message>
+        <source>Puts a copy of this map beside it</source>
+        <translation>Eine Kopie dieser Abbildung daneben setzen</translation>
+    </message>
+    <message>
+        <source>Duplicate map %1</source>
+        <translation>Abbildung %1 duplizieren</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Takes this map out of the system</source>
+        <translation>Diese Abbildung aus dem System nehmen</translation>
+    </message>
+    <message>
+        <source>Delete map %1</source>
+        <translation>Abbildung %1 löschen</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -2977,24 +3382,36 @@
         <translation>die Pfeiltasten bewegen es</translation>
     </message>
     <message>
-        <source>the arrow keys turn the cage by one degree</source>
-        <translation>die Pfeiltasten drehen den Käfig um ein Grad</translation>
+        <source>Branch %1</source>
+        <translation>Ast %1</translation>
     </message>
     <message>
-        <source>the arrow keys scale the cage by one percent</source>
-        <translation>die Pfeiltasten skalieren den Käfig um ein Prozent</translation>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
     </message>
     <message>
-        <source>Drag the pivot: the cage turns and scales about it.</source>
-        <translation>Den Drehpunkt ziehen: Um ihn dreht und skaliert der Käfig.</translation>
+        <source>%1, corner %2</source>
+        <translation>%1, Ecke %2</translation>
     </message>
     <message>
-        <source>Drag to turn the cage about the pivot; Shift: in steps of 15°.</source>
-        <translation>Ziehen dreht den Käfig um den Drehpunkt; Umschalt: in Schritten von 15°.</translation>
+        <source>the arrow keys turn by one degree</source>
+        <translation>die Pfeiltasten drehen um ein Grad</translation>
     </message>
     <message>
-        <source>Drag to scale the cage about the pivot; Shift: along x or y only.</source>
-        <translation>Ziehen skaliert den Käfig um den Drehpunkt; Umschalt: nur in x oder y.</translation>
+        <source>the arrow keys scale by one percent</source>
+        <translation>die Pfeiltasten skalieren um ein Prozent</translation>
+    </message>
+    <message>
+        <source>Drag the pivot: turning and scaling are about it.</source>
+        <translation>Den Drehpunkt ziehen: Um ihn wird gedreht und skaliert.</translation>
+    </message>
+    <message>
+        <source>Drag to turn about the pivot; Shift: in steps of 15°.</source>
+        <translation>Ziehen dreht um den Drehpunkt; Umschalt: in Schritten von 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to scale about the pivot; Shift: along x or y only.</source>
+        <translation>Ziehen skaliert um den Drehpunkt; Umschalt: nur in x oder y.</translation>
     </message>
 </context>
 <context>
@@ -4660,6 +5077,41 @@ Der Eintrag bleibt, wie er ist.</translation>
     </message>
 </context>
 <context>
+    <name>view::MapsTool</name>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Ecke %1 der Abbildung %2 bewegen</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Abbildung %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Move %1 maps</source>
+        <translation>%1 Abbildungen bewegen</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Abbildung %1 drehen</translation>
+    </message>
+    <message>
+        <source>Rotate %1 maps</source>
+        <translation>%1 Abbildungen drehen</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Abbildung %1 skalieren</translation>
+    </message>
+    <message>
+        <source>Scale %1 maps</source>
+        <translation>%1 Abbildungen skalieren</translation>
+    </message>
+    <message>
+        <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
+        <translation>Was auf dem Bildschirm flach ist, lässt sich nicht fassen. Öffnen Sie zuerst den Käfig oder die Abbildungen.</translation>
+    </message>
+</context>
+<context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
@@ -5093,6 +5545,30 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>What every key and every movement of the mouse does.</source>
         <translation>Was jede Taste und jede Bewegung der Maus tut.</translation>
+    </message>
+    <message>
+        <source>Select one more map, or one less</source>
+        <translation>Eine Abbildung mehr oder weniger wählen</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl + click</source>
+        <translation>Umschalt oder Strg + Klick</translation>
+    </message>
+    <message>
+        <source>Select map 1 … 9, all maps</source>
+        <translation>Abbildung 1 … 9 wählen, alle Abbildungen</translation>
+    </message>
+    <message>
+        <source>Alt + digit, Ctrl+A</source>
+        <translation>Alt + Ziffer, Strg+A</translation>
+    </message>
+    <message>
+        <source>A deeper or a larger branch</source>
+        <translation>Ein tieferer oder größerer Ast</translation>
+    </message>
+    <message>
+        <source>Shift + wheel, Page Down, Page Up</source>
+        <translation>Umschalt + Rad, Bild ab, Bild auf</translation>
     </message>
 </context>
 <context>

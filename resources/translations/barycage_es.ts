@@ -55,24 +55,8 @@
         <translation>%1, cateto %2, vértice %3</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor. The signs are the directions of its legs.</source>
-        <translation>El menor triángulo rectángulo isósceles de catetos paralelos a los ejes que contiene el atractor. Los signos son los sentidos de sus catetos.</translation>
-    </message>
-    <message>
-        <source>Convex hull area</source>
-        <translation>Área de la envolvente convexa</translation>
-    </message>
-    <message>
-        <source>Area of the convex hull&apos;s inner polygon with %1 vertices; the hull reaches at most %2 beyond it.</source>
-        <translation>Área del polígono interior de la envolvente convexa, con %1 vértices; la envolvente sobresale de él a lo sumo %2.</translation>
-    </message>
-    <message>
         <source>Similarity dimension</source>
         <translation>Dimensión de semejanza</translation>
-    </message>
-    <message>
-        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation>El valor D para el que Σ sᵢᴰ = 1, donde sᵢ son las razones. Es la dimensión del atractor cuando las piezas no se solapan.</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -87,8 +71,64 @@
         <translation>Covarianza</translation>
     </message>
     <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads.</source>
-        <translation>Covarianza xx, xy, yy de la medida invariante, resuelta de forma exacta: cuánto se extiende la imagen.</translation>
+        <source>Fixed points</source>
+        <translation>Puntos fijos</translation>
+    </message>
+    <message>
+        <source>The point that each map leaves where it is; it lies on the attractor.</source>
+        <translation>El punto que cada aplicación deja donde está; pertenece al atractor.</translation>
+    </message>
+    <message>
+        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It is the dimension of the attractor when the pieces do not overlap.</source>
+        <translation>El D con Σ sᵢᴰ = 1 sobre las razones sᵢ, cuando todas las aplicaciones son semejanzas en ciertas coordenadas. Es la dimensión del atractor cuando las partes no se solapan.</translation>
+    </message>
+    <message>
+        <source>Affinity dimension</source>
+        <translation>Dimensión de afinidad</translation>
+    </message>
+    <message>
+        <source>Falconer’s dimension: where the sum of the singular value functions of all words of one length neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to it for almost all translations when the maps contract enough.</source>
+        <translation>La dimensión de Falconer: donde la suma de las funciones de valores singulares de todas las palabras de una longitud ni crece ni decrece, a lo sumo 2. Una cota superior de la dimensión por conteo de cajas, igual a ella para casi todas las traslaciones si las aplicaciones contraen lo suficiente.</translation>
+    </message>
+    <message>
+        <source>Box-counting dimension</source>
+        <translation>Dimensión por conteo de cajas</translation>
+    </message>
+    <message>
+        <source>Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the attractor. An estimate: it depends on the sizes counted.</source>
+        <translation>Pendiente de la recta de mínimos cuadrados de ln N frente a ln 1/ε, donde N cajas de lado ε tocan el atractor. Una estimación: depende de los tamaños contados.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. The ellipse is the one on which an even mass has the same mean and covariance.</source>
+        <translation>Covarianza xx, xy, yy de la medida invariante, resuelta exactamente: cuánto se extiende la imagen. La elipse es aquella en la que una masa uniforme tiene la misma media y covarianza.</translation>
+    </message>
+    <message>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; certified. The signs are the directions of its legs.</source>
+        <translation>El menor triángulo rectángulo isósceles con catetos paralelos a los ejes que contiene el atractor; certificado. Los signos son las direcciones de sus catetos.</translation>
+    </message>
+    <message>
+        <source>Hull area</source>
+        <translation>Área de la envolvente</translation>
+    </message>
+    <message>
+        <source>Area of the convex hull: of the polygon whose vertices were found on the attractor. The hull itself is larger by at most its border times the error bound.</source>
+        <translation>Área de la envolvente convexa: del polígono cuyos vértices se hallaron en el atractor. La envolvente misma es mayor a lo sumo en su borde por la cota de error.</translation>
+    </message>
+    <message>
+        <source>Hull vertices</source>
+        <translation>Vértices de la envolvente</translation>
+    </message>
+    <message>
+        <source>Corners of the convex hull as found, each a point of the attractor. A hull with infinitely many has as many as its tolerance asks for.</source>
+        <translation>Vértices de la envolvente convexa hallados, cada uno un punto del atractor. Una envolvente con infinitos tiene tantos como pide su tolerancia.</translation>
+    </message>
+    <message>
+        <source>Hull error bound</source>
+        <translation>Cota de error de la envolvente</translation>
+    </message>
+    <message>
+        <source>The attractor reaches at most this far beyond the polygon; certified.</source>
+        <translation>El atractor sobresale del polígono a lo sumo esta distancia; certificado.</translation>
     </message>
 </context>
 <context>
@@ -1019,6 +1059,46 @@
         <source>Click anything to read what it is for</source>
         <translation>Hacer clic en cualquier cosa para leer para qué sirve</translation>
     </message>
+    <message>
+        <source>No recovery</source>
+        <translation>Sin recuperación</translation>
+    </message>
+    <message>
+        <source>Allow Systems &amp;without an Attractor</source>
+        <translation>Permitir sistemas &amp;sin atractor</translation>
+    </message>
+    <message>
+        <source>Let maps be dragged to where they no longer contract; otherwise the drag stops there</source>
+        <translation>Dejar arrastrar las aplicaciones hasta donde ya no contraen; si no, el arrastre se detiene ahí</translation>
+    </message>
+    <message>
+        <source>Drag t&amp;he Maps</source>
+        <translation>Arrastrar las &amp;aplicaciones</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Show the maps as images of the cage and take them by their corners</source>
+        <translation>Mostrar las aplicaciones como imágenes de la jaula y tomarlas por sus esquinas</translation>
+    </message>
+    <message>
+        <source>Drag a Bra&amp;nch</source>
+        <translation>Arrastrar una &amp;rama</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Click a point of the attractor and take the branch that it belongs to</source>
+        <translation>Pulsar en un punto del atractor y tomar la rama a la que pertenece</translation>
+    </message>
+    <message>
+        <source>Maps and Branches</source>
+        <translation>Aplicaciones y ramas</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1173,6 +1253,10 @@
         <source>Ask Later</source>
         <translation>Preguntar después</translation>
     </message>
+    <message>
+        <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
+        <translation>El trabajo sin guardar no se puede conservar para recuperarlo: no se puede escribir en la carpeta «%1», o el disco está lleno. Guarde a menudo.</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -1213,10 +1297,6 @@
         <translation>Posición del puntero</translation>
     </message>
     <message>
-        <source>World and barycentric coordinates of the pointer</source>
-        <translation>Coordenadas cartesianas y baricéntricas del puntero</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Dictamen</translation>
     </message>
@@ -1251,6 +1331,18 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>World and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
+        <translation>Coordenadas cartesianas y baricéntricas del puntero; la dirección del punto del atractor bajo él, la aplicación más externa primero, y el punto fijo de su rama</translation>
+    </message>
+    <message>
+        <source>  address %1</source>
+        <translation>  dirección %1</translation>
+    </message>
+    <message>
+        <source>  fixed point of %1 (%2, %3)</source>
+        <translation>  punto fijo de %1 (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -1623,10 +1715,6 @@
         <translation>envolvente convexa</translation>
     </message>
     <message>
-        <source>%1 vertices, area %2; error at most %3</source>
-        <translation>%1 vértices, área %2; error a lo sumo %3</translation>
-    </message>
-    <message>
         <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
         <translation>%1 vértices, %2 caras, volumen %3; error a lo sumo %4</translation>
     </message>
@@ -1874,6 +1962,62 @@
         <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
         <translation>Esto es un archivo binario (quizá una imagen con compresión fractal o una biblioteca de iconos), no un texto con sistemas de funciones iteradas.</translation>
     </message>
+    <message>
+        <source>No iterated function system was found, and for a table of numbers the file is too large: the limit is 64 MB.</source>
+        <translation>No se encontró ningún sistema de funciones iteradas, y para una tabla de números el archivo es demasiado grande: el límite es de 64 MB.</translation>
+    </message>
+    <message>
+        <source>a number is larger than a coefficient can be (3.4e38 in size)</source>
+        <translation>un número es mayor de lo que puede ser un coeficiente (3.4e38 en valor absoluto)</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 flames; the rest is left out.</source>
+        <translation>El archivo tiene más de %1 llamas; el resto se omite.</translation>
+    </message>
+    <message>
+        <source>%1 flames in all are no systems of affine maps.</source>
+        <translation>%1 llamas en total no son sistemas de aplicaciones afines.</translation>
+    </message>
+    <message>
+        <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
+        <translation>La entrada tiene más de %1 líneas, que es el límite; se conserva como texto.</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 of them with periodic addresses, area %3; error at most %4</source>
+        <translation>%1 vértices, %2 de ellos con direcciones periódicas, área %3; error a lo sumo %4</translation>
+    </message>
+    <message>
+        <source>deformation</source>
+        <translation>deformación</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>curvatura</translation>
+    </message>
+    <message>
+        <source>affine fit</source>
+        <translation>ajuste afín</translation>
+    </message>
+    <message>
+        <source>A number of this row is larger than a coefficient can be (3.4e38 in size).</source>
+        <translation>Un número de esta fila es mayor de lo que puede ser un coeficiente (3.4e38 en valor absoluto).</translation>
+    </message>
+    <message>
+        <source>The text has more than 64 MB, which is the limit for a table of numbers.</source>
+        <translation>El texto tiene más de 64 MB, que es el límite para una tabla de números.</translation>
+    </message>
+    <message>
+        <source>A tag has more than %1 attributes, which is the limit.</source>
+        <translation>Una etiqueta tiene más de %1 atributos, que es el límite.</translation>
+    </message>
+    <message>
+        <source>The elements are nested more than %1 deep, which is the limit.</source>
+        <translation>Los elementos están anidados a más de %1 niveles, que es el límite.</translation>
+    </message>
+    <message>
+        <source>The file has more than 64 MB, which is the limit for XML.</source>
+        <translation>El archivo tiene más de 64 MB, que es el límite para XML.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2004,8 +2148,8 @@
         <translation>Cada aplicación como matriz que lleva coordenadas baricéntricas respecto del triángulo de control a coordenadas baricéntricas: cada fila suma 1.</translation>
     </message>
     <message>
-        <source>Copies the matrices to the clipboard as text.</source>
-        <translation>Copia las matrices al portapapeles como texto.</translation>
+        <source>Copies the triangle and the matrices with all digits.</source>
+        <translation>Copia el triángulo y las matrices con todas las cifras.</translation>
     </message>
 </context>
 <context>
@@ -2031,16 +2175,84 @@
         <translation>Esta entrada no se pudo leer, así que nada se sabe de ella.</translation>
     </message>
     <message>
-        <source>The picture is placed by its cage; these are facts of the code. Bake to see those of the picture.</source>
-        <translation>La imagen está colocada por su jaula; estos son los datos del código. Incorpore la colocación para ver los de la imagen.</translation>
-    </message>
-    <message>
         <source>Copy with All Digits</source>
         <translation>Copiar con todas las cifras</translation>
     </message>
     <message>
         <source>Copy All Facts</source>
         <translation>Copiar todos los datos</translation>
+    </message>
+    <message>
+        <source>Copies every line as its name and its value with all digits.</source>
+        <translation>Copia cada línea como su nombre y su valor con todas las cifras.</translation>
+    </message>
+    <message>
+        <source>On the canvas</source>
+        <translation>En el lienzo</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>Outline the certified bounding box</source>
+        <translation>Dibujar la caja envolvente certificada</translation>
+    </message>
+    <message>
+        <source>Hull</source>
+        <translation>Envolvente</translation>
+    </message>
+    <message>
+        <source>Outline the convex hull</source>
+        <translation>Dibujar la envolvente convexa</translation>
+    </message>
+    <message>
+        <source>Simplex</source>
+        <translation>Símplex</translation>
+    </message>
+    <message>
+        <source>Outline the minimal canonical simplex</source>
+        <translation>Dibujar el símplex canónico mínimo</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Elipse</translation>
+    </message>
+    <message>
+        <source>Show the mean and the ellipse of the covariance</source>
+        <translation>Mostrar la media y la elipse de la covarianza</translation>
+    </message>
+    <message>
+        <source>Fixed points</source>
+        <translation>Puntos fijos</translation>
+    </message>
+    <message>
+        <source>Mark the fixed point of each map in its colour</source>
+        <translation>Marcar el punto fijo de cada aplicación en su color</translation>
+    </message>
+    <message>
+        <source>Cylinders</source>
+        <translation>Cilindros</translation>
+    </message>
+    <message>
+        <source>Outline the hulls of all pieces with an address of the same length, in the colour of its first map</source>
+        <translation>Dibujar las envolventes de todas las partes con dirección de igual longitud, en el color de su primera aplicación</translation>
+    </message>
+    <message>
+        <source>Length of the addresses</source>
+        <translation>Longitud de las direcciones</translation>
+    </message>
+    <message>
+        <source>How many symbols the addresses of the cylinders have; fewer where there would be thousands</source>
+        <translation>Cuántos símbolos tienen las direcciones de los cilindros; menos donde habría miles</translation>
+    </message>
+    <message>
+        <source>Address length</source>
+        <translation>Longitud de dirección</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
+        <translation>La jaula curva la imagen, y ningún sistema la tiene. Estos son hechos del código; en el lienzo se curvan con la imagen.</translation>
     </message>
 </context>
 <context>
@@ -2330,6 +2542,139 @@
     <message>
         <source>How many points the chaos game plots in a second.</source>
         <translation>Cuántos puntos dibuja el juego del caos en un segundo.</translation>
+    </message>
+</context>
+<context>
+    <name>view::BoxCountingPlot</name>
+    <message>
+        <source>Box-counting plot</source>
+        <translation>Diagrama del conteo de cajas</translation>
+    </message>
+    <message>
+        <source>How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the line: there the size of the whole or of a cell shows.</source>
+        <translation>Cuántas cajas tocan el atractor según su finura: log₂ N frente a k para cajas de lado L·2⁻ᵏ, L el lado del cuadrado alrededor del atractor. Los puntos huecos no cuentan para la recta: ahí se nota el tamaño del conjunto o de una celda.</translation>
+    </message>
+    <message>
+        <source>Slope %1 over %2 sizes</source>
+        <translation>Pendiente %1 sobre %2 tamaños</translation>
+    </message>
+    <message>
+        <source>Copy Sizes and Counts</source>
+        <translation>Copiar tamaños y recuentos</translation>
+    </message>
+    <message>
+        <source>log₂ N</source>
+        <translation>log₂ N</translation>
+    </message>
+    <message>
+        <source>k, boxes of side L·2⁻ᵏ</source>
+        <translation>k, cajas de lado L·2⁻ᵏ</translation>
+    </message>
+    <message>
+        <source>slope %1</source>
+        <translation>pendiente %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchBar</name>
+    <message>
+        <source>Maps and branches</source>
+        <translation>Aplicaciones y ramas</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Profundidad</translation>
+    </message>
+    <message>
+        <source>Depth of the branch</source>
+        <translation>Profundidad de la rama</translation>
+    </message>
+    <message>
+        <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
+        <translation>Cuántas aplicaciones de la dirección nombran la rama (Mayús + rueda sobre el lienzo)</translation>
+    </message>
+    <message>
+        <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
+        <translation>La dirección del punto pulsado, la aplicación más externa primero; la rama es lo que está en negrita</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>&amp;Cambiar</translation>
+    </message>
+    <message>
+        <source>this branch, as a map of its own</source>
+        <translation>esta rama, como aplicación propia</translation>
+    </message>
+    <message>
+        <source>The system gets a map for this branch and one for every branch beside it. Its change is seen again at all smaller scales.</source>
+        <translation>El sistema recibe una aplicación para esta rama y una para cada rama vecina. El cambio se ve de nuevo en todas las escalas menores.</translation>
+    </message>
+    <message>
+        <source>the last map of its address</source>
+        <translation>la última aplicación de su dirección</translation>
+    </message>
+    <message>
+        <source>The code keeps its maps. All branches that this map makes change alike.</source>
+        <translation>El código conserva sus aplicaciones. Todas las ramas que hace esta aplicación cambian igual.</translation>
+    </message>
+    <message>
+        <source>What changing the branch changes</source>
+        <translation>Qué cambia al cambiar la rama</translation>
+    </message>
+    <message>
+        <source>&amp;Weave</source>
+        <translation>&amp;Tejer</translation>
+    </message>
+    <message>
+        <source>Angle by which the selected maps swing about their roots</source>
+        <translation>Ángulo en que las aplicaciones elegidas oscilan sobre sus raíces</translation>
+    </message>
+    <message>
+        <source>Lets the selected maps swing, each about the image of the lowest point of the fractal; the slider goes back to the middle when it is let go</source>
+        <translation>Hace oscilar las aplicaciones elegidas, cada una sobre la imagen del punto más bajo del fractal; al soltarlo, el deslizador vuelve al centro</translation>
+    </message>
+    <message>
+        <source>no branch selected</source>
+        <translation>ninguna rama elegida</translation>
+    </message>
+    <message>
+        <source>branch &lt;b&gt;%1&lt;/b&gt; %2</source>
+        <translation>rama &lt;b&gt;%1&lt;/b&gt; %2</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Let maps swing</source>
+        <translation>Hacer oscilar aplicaciones</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchTool</name>
+    <message>
+        <source>Click a point of the attractor to select its branch.</source>
+        <translation>Pulse en un punto del atractor para elegir su rama.</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Rama %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Mover la esquina %1 de la rama %2</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Mover la rama %1</translation>
+    </message>
+    <message>
+        <source>Rotate branch %1</source>
+        <translation>Girar la rama %1</translation>
+    </message>
+    <message>
+        <source>Scale branch %1</source>
+        <translation>Escalar la rama %1</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +3083,18 @@
         <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
         <translation>La jaula está aplastada, y la imagen también. Arrastre un vértice para abrirla: no se pierde nada.</translation>
     </message>
+    <message>
+        <source>Stopped: any farther, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <translation>Detenido: más allá, la aplicación %1 no contraería (mayor valor singular %2, radio espectral %3) y no habría atractor.</translation>
+    </message>
+    <message>
+        <source>Stopped: any farther, the maps %1, one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <translation>Detenido: más allá, las aplicaciones %1, una tras otra, no contraerían (mayor valor singular %2, radio espectral %3) y no habría atractor.</translation>
+    </message>
+    <message>
+        <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
+        <translation>Detenido: más allá, no está resuelto si habría atractor (la aplicación %1 tiene el mayor valor singular, %2).</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
@@ -2941,6 +3298,54 @@
         <source>Canvas</source>
         <translation>Lienzo</translation>
     </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Aplicación %1</translation>
+    </message>
+    <message>
+        <source>&amp;Switch On</source>
+        <translation>&amp;Activar</translation>
+    </message>
+    <message>
+        <source>&amp;Switch Off</source>
+        <translation>&amp;Desactivar</translation>
+    </message>
+    <message>
+        <source>Lets this map take part, or not</source>
+        <translation>Hace participar a esta aplicación, o no</translation>
+    </message>
+    <message>
+        <source>Switch on map %1</source>
+        <translation>Activar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Switch off map %1</source>
+        <translation>Desactivar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>D&amp;uplicar</translation>
+    </message>
+    <message>
+        <source>Puts a copy of this map beside it</source>
+        <translation>Pone una copia de esta aplicación al lado</translation>
+    </message>
+    <message>
+        <source>Duplicate map %1</source>
+        <translation>Duplicar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Takes this map out of the system</source>
+        <translation>Quita esta aplicación del sistema</translation>
+    </message>
+    <message>
+        <source>Delete map %1</source>
+        <translation>Eliminar la aplicación %1</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -2977,24 +3382,36 @@
         <translation>las teclas de flecha lo mueven</translation>
     </message>
     <message>
-        <source>the arrow keys turn the cage by one degree</source>
-        <translation>las teclas de flecha giran la jaula un grado</translation>
+        <source>Branch %1</source>
+        <translation>Rama %1</translation>
     </message>
     <message>
-        <source>the arrow keys scale the cage by one percent</source>
-        <translation>las teclas de flecha escalan la jaula un uno por ciento</translation>
+        <source>Map %1</source>
+        <translation>Aplicación %1</translation>
     </message>
     <message>
-        <source>Drag the pivot: the cage turns and scales about it.</source>
-        <translation>Arrastre el pivote: la jaula gira y se escala en torno a él.</translation>
+        <source>%1, corner %2</source>
+        <translation>%1, esquina %2</translation>
     </message>
     <message>
-        <source>Drag to turn the cage about the pivot; Shift: in steps of 15°.</source>
-        <translation>Arrastre para girar la jaula en torno al pivote; con Mayús, en pasos de 15°.</translation>
+        <source>the arrow keys turn by one degree</source>
+        <translation>las flechas giran un grado</translation>
     </message>
     <message>
-        <source>Drag to scale the cage about the pivot; Shift: along x or y only.</source>
-        <translation>Arrastre para escalar la jaula respecto del pivote; con Mayús, solo en x o en y.</translation>
+        <source>the arrow keys scale by one percent</source>
+        <translation>las flechas escalan un uno por ciento</translation>
+    </message>
+    <message>
+        <source>Drag the pivot: turning and scaling are about it.</source>
+        <translation>Arrastre el pivote: se gira y se escala en torno a él.</translation>
+    </message>
+    <message>
+        <source>Drag to turn about the pivot; Shift: in steps of 15°.</source>
+        <translation>Arrastre para girar en torno al pivote; Mayús: en pasos de 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to scale about the pivot; Shift: along x or y only.</source>
+        <translation>Arrastre para escalar en torno al pivote; Mayús: solo en x o en y.</translation>
     </message>
 </context>
 <context>
@@ -4660,6 +5077,41 @@ La entrada se conserva tal cual.</translation>
     </message>
 </context>
 <context>
+    <name>view::MapsTool</name>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Mover la esquina %1 de la aplicación %2</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Mover la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Move %1 maps</source>
+        <translation>Mover %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Girar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Rotate %1 maps</source>
+        <translation>Girar %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Escalar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Scale %1 maps</source>
+        <translation>Escalar %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
+        <translation>Lo que es plano en la pantalla no se puede tomar. Abra primero la jaula o las aplicaciones.</translation>
+    </message>
+</context>
+<context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
@@ -5093,6 +5545,30 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>What every key and every movement of the mouse does.</source>
         <translation>Lo que hace cada tecla y cada movimiento del ratón.</translation>
+    </message>
+    <message>
+        <source>Select one more map, or one less</source>
+        <translation>Elegir una aplicación más o una menos</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl + click</source>
+        <translation>Mayús o Ctrl + clic</translation>
+    </message>
+    <message>
+        <source>Select map 1 … 9, all maps</source>
+        <translation>Elegir la aplicación 1 … 9, todas las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Alt + digit, Ctrl+A</source>
+        <translation>Alt + cifra, Ctrl+A</translation>
+    </message>
+    <message>
+        <source>A deeper or a larger branch</source>
+        <translation>Una rama más profunda o más grande</translation>
+    </message>
+    <message>
+        <source>Shift + wheel, Page Down, Page Up</source>
+        <translation>Mayús + rueda, Av Pág, Re Pág</translation>
     </message>
 </context>
 <context>

@@ -55,24 +55,8 @@
         <translation>%1, cathète %2, angle droit en %3</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor. The signs are the directions of its legs.</source>
-        <translation>Le plus petit triangle rectangle isocèle aux cathètes parallèles aux axes qui contient l’attracteur. Les signes indiquent le sens de ses cathètes.</translation>
-    </message>
-    <message>
-        <source>Convex hull area</source>
-        <translation>Aire de l’enveloppe convexe</translation>
-    </message>
-    <message>
-        <source>Area of the convex hull&apos;s inner polygon with %1 vertices; the hull reaches at most %2 beyond it.</source>
-        <translation>Aire du polygone intérieur à %1 sommets inscrit dans l’enveloppe convexe&#x202f;; celle-ci le dépasse d’au plus %2.</translation>
-    </message>
-    <message>
         <source>Similarity dimension</source>
         <translation>Dimension de similitude</translation>
-    </message>
-    <message>
-        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation>Le nombre D tel que Σ sᵢᴰ = 1 pour les rapports sᵢ. C’est la dimension de l’attracteur quand les morceaux ne se chevauchent pas.</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -87,8 +71,64 @@
         <translation>Covariance</translation>
     </message>
     <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads.</source>
-        <translation>Covariances xx, xy, yy de la mesure invariante, calculées exactement&#x202f;: elles disent combien l’image s’étale.</translation>
+        <source>Fixed points</source>
+        <translation>Points fixes</translation>
+    </message>
+    <message>
+        <source>The point that each map leaves where it is; it lies on the attractor.</source>
+        <translation>Le point que chaque application laisse à sa place ; il est sur l’attracteur.</translation>
+    </message>
+    <message>
+        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It is the dimension of the attractor when the pieces do not overlap.</source>
+        <translation>Le D tel que Σ sᵢᴰ = 1 sur les rapports sᵢ, quand toutes les applications sont des similitudes dans certaines coordonnées. C’est la dimension de l’attracteur quand les morceaux ne se recouvrent pas.</translation>
+    </message>
+    <message>
+        <source>Affinity dimension</source>
+        <translation>Dimension d’affinité</translation>
+    </message>
+    <message>
+        <source>Falconer’s dimension: where the sum of the singular value functions of all words of one length neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to it for almost all translations when the maps contract enough.</source>
+        <translation>La dimension de Falconer : là où la somme des fonctions de valeurs singulières de tous les mots d’une même longueur ni ne croît ni ne décroît, au plus 2. Une borne supérieure de la dimension par comptage de boîtes, égale à elle pour presque toutes les translations quand les applications contractent assez.</translation>
+    </message>
+    <message>
+        <source>Box-counting dimension</source>
+        <translation>Dimension par comptage de boîtes</translation>
+    </message>
+    <message>
+        <source>Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the attractor. An estimate: it depends on the sizes counted.</source>
+        <translation>Pente de la droite des moindres carrés de ln N en fonction de ln 1/ε, où N boîtes de côté ε rencontrent l’attracteur. Une estimation : elle dépend des tailles comptées.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. The ellipse is the one on which an even mass has the same mean and covariance.</source>
+        <translation>Covariance xx, xy, yy de la mesure invariante, résolue exactement : l’étendue de l’image. L’ellipse est celle sur laquelle une masse uniforme a la même moyenne et la même covariance.</translation>
+    </message>
+    <message>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; certified. The signs are the directions of its legs.</source>
+        <translation>Le plus petit triangle rectangle isocèle à côtés parallèles aux axes qui contient l’attracteur ; certifié. Les signes sont les directions de ses côtés.</translation>
+    </message>
+    <message>
+        <source>Hull area</source>
+        <translation>Aire de l’enveloppe</translation>
+    </message>
+    <message>
+        <source>Area of the convex hull: of the polygon whose vertices were found on the attractor. The hull itself is larger by at most its border times the error bound.</source>
+        <translation>Aire de l’enveloppe convexe : du polygone dont les sommets ont été trouvés sur l’attracteur. L’enveloppe elle-même est plus grande d’au plus son bord fois la borne d’erreur.</translation>
+    </message>
+    <message>
+        <source>Hull vertices</source>
+        <translation>Sommets de l’enveloppe</translation>
+    </message>
+    <message>
+        <source>Corners of the convex hull as found, each a point of the attractor. A hull with infinitely many has as many as its tolerance asks for.</source>
+        <translation>Sommets de l’enveloppe convexe tels que trouvés, chacun un point de l’attracteur. Une enveloppe qui en a une infinité en a autant que sa tolérance l’exige.</translation>
+    </message>
+    <message>
+        <source>Hull error bound</source>
+        <translation>Borne d’erreur de l’enveloppe</translation>
+    </message>
+    <message>
+        <source>The attractor reaches at most this far beyond the polygon; certified.</source>
+        <translation>L’attracteur dépasse le polygone d’au plus cette distance ; certifié.</translation>
     </message>
 </context>
 <context>
@@ -1019,6 +1059,46 @@
         <source>Click anything to read what it is for</source>
         <translation>Cliquez sur un élément pour lire à quoi il sert</translation>
     </message>
+    <message>
+        <source>No recovery</source>
+        <translation>Pas de récupération</translation>
+    </message>
+    <message>
+        <source>Allow Systems &amp;without an Attractor</source>
+        <translation>Autoriser les systèmes &amp;sans attracteur</translation>
+    </message>
+    <message>
+        <source>Let maps be dragged to where they no longer contract; otherwise the drag stops there</source>
+        <translation>Laisser tirer les applications là où elles ne contractent plus ; sinon le glissement s’arrête là</translation>
+    </message>
+    <message>
+        <source>Drag t&amp;he Maps</source>
+        <translation>Tirer les a&amp;pplications</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Show the maps as images of the cage and take them by their corners</source>
+        <translation>Montrer les applications comme images de la cage et les saisir par leurs coins</translation>
+    </message>
+    <message>
+        <source>Drag a Bra&amp;nch</source>
+        <translation>Tirer une bra&amp;nche</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Click a point of the attractor and take the branch that it belongs to</source>
+        <translation>Cliquer sur un point de l’attracteur et saisir la branche à laquelle il appartient</translation>
+    </message>
+    <message>
+        <source>Maps and Branches</source>
+        <translation>Applications et branches</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1173,6 +1253,10 @@
         <source>Ask Later</source>
         <translation>Demander plus tard</translation>
     </message>
+    <message>
+        <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
+        <translation>Le travail non enregistré ne peut pas être gardé pour la récupération : on ne peut pas écrire dans le dossier « %1 », ou le disque est plein. Enregistrez souvent.</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -1213,10 +1297,6 @@
         <translation>Position du pointeur</translation>
     </message>
     <message>
-        <source>World and barycentric coordinates of the pointer</source>
-        <translation>Coordonnées du pointeur dans le plan et coordonnées barycentriques</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Verdict</translation>
     </message>
@@ -1251,6 +1331,18 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>World and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
+        <translation>Coordonnées cartésiennes et barycentriques du pointeur ; l’adresse du point de l’attracteur qui est dessous, l’application la plus extérieure d’abord, et le point fixe de sa branche</translation>
+    </message>
+    <message>
+        <source>  address %1</source>
+        <translation>  adresse %1</translation>
+    </message>
+    <message>
+        <source>  fixed point of %1 (%2, %3)</source>
+        <translation>  point fixe de %1 (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -1623,10 +1715,6 @@
         <translation>enveloppe convexe</translation>
     </message>
     <message>
-        <source>%1 vertices, area %2; error at most %3</source>
-        <translation>%1 sommets, aire %2&#x202f;; erreur d’au plus %3</translation>
-    </message>
-    <message>
         <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
         <translation>%1 sommets, %2 faces, volume %3&#x202f;; erreur d’au plus %4</translation>
     </message>
@@ -1874,6 +1962,62 @@
         <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
         <translation>C’est un fichier binaire (peut-être une image à compression fractale ou une bibliothèque d’icônes), et non un texte contenant des systèmes de fonctions itérées.</translation>
     </message>
+    <message>
+        <source>No iterated function system was found, and for a table of numbers the file is too large: the limit is 64 MB.</source>
+        <translation>Aucun système de fonctions itérées n’a été trouvé, et pour un tableau de nombres le fichier est trop grand : la limite est de 64 Mo.</translation>
+    </message>
+    <message>
+        <source>a number is larger than a coefficient can be (3.4e38 in size)</source>
+        <translation>un nombre est plus grand que ne peut l’être un coefficient (3.4e38 en valeur absolue)</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 flames; the rest is left out.</source>
+        <translation>Le fichier a plus de %1 flammes ; le reste est omis.</translation>
+    </message>
+    <message>
+        <source>%1 flames in all are no systems of affine maps.</source>
+        <translation>%1 flammes en tout ne sont pas des systèmes d’applications affines.</translation>
+    </message>
+    <message>
+        <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
+        <translation>L’entrée a plus de %1 lignes, ce qui est la limite ; elle est gardée comme texte.</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 of them with periodic addresses, area %3; error at most %4</source>
+        <translation>%1 sommets, dont %2 à adresse périodique, aire %3 ; erreur d’au plus %4</translation>
+    </message>
+    <message>
+        <source>deformation</source>
+        <translation>déformation</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>courbure</translation>
+    </message>
+    <message>
+        <source>affine fit</source>
+        <translation>ajustement affine</translation>
+    </message>
+    <message>
+        <source>A number of this row is larger than a coefficient can be (3.4e38 in size).</source>
+        <translation>Un nombre de cette ligne est plus grand que ne peut l’être un coefficient (3.4e38 en valeur absolue).</translation>
+    </message>
+    <message>
+        <source>The text has more than 64 MB, which is the limit for a table of numbers.</source>
+        <translation>Le texte dépasse 64 Mo, ce qui est la limite pour un tableau de nombres.</translation>
+    </message>
+    <message>
+        <source>A tag has more than %1 attributes, which is the limit.</source>
+        <translation>Une balise a plus de %1 attributs, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>The elements are nested more than %1 deep, which is the limit.</source>
+        <translation>Les éléments sont imbriqués à plus de %1 niveaux, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>The file has more than 64 MB, which is the limit for XML.</source>
+        <translation>Le fichier dépasse 64 Mo, ce qui est la limite pour le XML.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2004,8 +2148,8 @@
         <translation>Chaque application comme une matrice qui, relativement au triangle de contrôle, envoie des coordonnées barycentriques sur des coordonnées barycentriques&#x202f;: la somme de chaque ligne est 1.</translation>
     </message>
     <message>
-        <source>Copies the matrices to the clipboard as text.</source>
-        <translation>Copie les matrices dans le presse-papiers sous forme de texte.</translation>
+        <source>Copies the triangle and the matrices with all digits.</source>
+        <translation>Copie le triangle et les matrices avec tous les chiffres.</translation>
     </message>
 </context>
 <context>
@@ -2031,16 +2175,84 @@
         <translation>Cette entrée n’a pas pu être lue&#x202f;: on n’en sait donc rien.</translation>
     </message>
     <message>
-        <source>The picture is placed by its cage; these are facts of the code. Bake to see those of the picture.</source>
-        <translation>L’image est placée par sa cage&#x202f;; ces propriétés sont celles du code. Intégrez le placement au code pour voir celles de l’image.</translation>
-    </message>
-    <message>
         <source>Copy with All Digits</source>
         <translation>Copier avec tous les chiffres</translation>
     </message>
     <message>
         <source>Copy All Facts</source>
         <translation>Copier toutes les propriétés</translation>
+    </message>
+    <message>
+        <source>Copies every line as its name and its value with all digits.</source>
+        <translation>Copie chaque ligne comme son nom et sa valeur avec tous les chiffres.</translation>
+    </message>
+    <message>
+        <source>On the canvas</source>
+        <translation>Sur le canevas</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>Outline the certified bounding box</source>
+        <translation>Tracer la boîte englobante certifiée</translation>
+    </message>
+    <message>
+        <source>Hull</source>
+        <translation>Enveloppe</translation>
+    </message>
+    <message>
+        <source>Outline the convex hull</source>
+        <translation>Tracer l’enveloppe convexe</translation>
+    </message>
+    <message>
+        <source>Simplex</source>
+        <translation>Simplexe</translation>
+    </message>
+    <message>
+        <source>Outline the minimal canonical simplex</source>
+        <translation>Tracer le simplexe canonique minimal</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Show the mean and the ellipse of the covariance</source>
+        <translation>Montrer la moyenne et l’ellipse de la covariance</translation>
+    </message>
+    <message>
+        <source>Fixed points</source>
+        <translation>Points fixes</translation>
+    </message>
+    <message>
+        <source>Mark the fixed point of each map in its colour</source>
+        <translation>Marquer le point fixe de chaque application dans sa couleur</translation>
+    </message>
+    <message>
+        <source>Cylinders</source>
+        <translation>Cylindres</translation>
+    </message>
+    <message>
+        <source>Outline the hulls of all pieces with an address of the same length, in the colour of its first map</source>
+        <translation>Tracer les enveloppes de tous les morceaux dont l’adresse a la même longueur, dans la couleur de sa première application</translation>
+    </message>
+    <message>
+        <source>Length of the addresses</source>
+        <translation>Longueur des adresses</translation>
+    </message>
+    <message>
+        <source>How many symbols the addresses of the cylinders have; fewer where there would be thousands</source>
+        <translation>Combien de symboles ont les adresses des cylindres ; moins là où il y en aurait des milliers</translation>
+    </message>
+    <message>
+        <source>Address length</source>
+        <translation>Longueur d’adresse</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
+        <translation>La cage courbe l’image, et aucun système ne l’a. Ce sont des faits du code ; sur le canevas ils sont courbés avec l’image.</translation>
     </message>
 </context>
 <context>
@@ -2330,6 +2542,139 @@
     <message>
         <source>How many points the chaos game plots in a second.</source>
         <translation>Combien de points le jeu du chaos trace en une seconde.</translation>
+    </message>
+</context>
+<context>
+    <name>view::BoxCountingPlot</name>
+    <message>
+        <source>Box-counting plot</source>
+        <translation>Diagramme du comptage de boîtes</translation>
+    </message>
+    <message>
+        <source>How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the line: there the size of the whole or of a cell shows.</source>
+        <translation>Combien de boîtes rencontrent l’attracteur selon leur finesse : log₂ N en fonction de k pour des boîtes de côté L·2⁻ᵏ, L le côté du carré autour de l’attracteur. Les points évidés ne comptent pas pour la droite : là se voit la taille de l’ensemble ou d’une cellule.</translation>
+    </message>
+    <message>
+        <source>Slope %1 over %2 sizes</source>
+        <translation>Pente %1 sur %2 tailles</translation>
+    </message>
+    <message>
+        <source>Copy Sizes and Counts</source>
+        <translation>Copier les tailles et les nombres</translation>
+    </message>
+    <message>
+        <source>log₂ N</source>
+        <translation>log₂ N</translation>
+    </message>
+    <message>
+        <source>k, boxes of side L·2⁻ᵏ</source>
+        <translation>k, boîtes de côté L·2⁻ᵏ</translation>
+    </message>
+    <message>
+        <source>slope %1</source>
+        <translation>pente %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchBar</name>
+    <message>
+        <source>Maps and branches</source>
+        <translation>Applications et branches</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Profondeur</translation>
+    </message>
+    <message>
+        <source>Depth of the branch</source>
+        <translation>Profondeur de la branche</translation>
+    </message>
+    <message>
+        <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
+        <translation>Combien d’applications de l’adresse nomment la branche (Maj + molette sur le canevas)</translation>
+    </message>
+    <message>
+        <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
+        <translation>L’adresse du point cliqué, l’application la plus extérieure d’abord ; la branche est ce qui est en gras</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>&amp;Modifier</translation>
+    </message>
+    <message>
+        <source>this branch, as a map of its own</source>
+        <translation>cette branche, comme application à part</translation>
+    </message>
+    <message>
+        <source>The system gets a map for this branch and one for every branch beside it. Its change is seen again at all smaller scales.</source>
+        <translation>Le système reçoit une application pour cette branche et une pour chaque branche voisine. Le changement se revoit à toutes les échelles plus petites.</translation>
+    </message>
+    <message>
+        <source>the last map of its address</source>
+        <translation>la dernière application de son adresse</translation>
+    </message>
+    <message>
+        <source>The code keeps its maps. All branches that this map makes change alike.</source>
+        <translation>Le code garde ses applications. Toutes les branches que fait cette application changent de même.</translation>
+    </message>
+    <message>
+        <source>What changing the branch changes</source>
+        <translation>Ce que change la modification de la branche</translation>
+    </message>
+    <message>
+        <source>&amp;Weave</source>
+        <translation>&amp;Tisser</translation>
+    </message>
+    <message>
+        <source>Angle by which the selected maps swing about their roots</source>
+        <translation>Angle dont les applications choisies oscillent autour de leurs racines</translation>
+    </message>
+    <message>
+        <source>Lets the selected maps swing, each about the image of the lowest point of the fractal; the slider goes back to the middle when it is let go</source>
+        <translation>Fait osciller les applications choisies, chacune autour de l’image du point le plus bas de la fractale ; relâché, le curseur revient au milieu</translation>
+    </message>
+    <message>
+        <source>no branch selected</source>
+        <translation>aucune branche choisie</translation>
+    </message>
+    <message>
+        <source>branch &lt;b&gt;%1&lt;/b&gt; %2</source>
+        <translation>branche &lt;b&gt;%1&lt;/b&gt; %2</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Let maps swing</source>
+        <translation>Faire osciller des applications</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchTool</name>
+    <message>
+        <source>Click a point of the attractor to select its branch.</source>
+        <translation>Cliquez sur un point de l’attracteur pour choisir sa branche.</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Branche %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Déplacer le coin %1 de la branche %2</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Déplacer la branche %1</translation>
+    </message>
+    <message>
+        <source>Rotate branch %1</source>
+        <translation>Tourner la branche %1</translation>
+    </message>
+    <message>
+        <source>Scale branch %1</source>
+        <translation>Mettre à l’échelle la branche %1</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +3083,18 @@
         <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
         <translation>La cage est plate, et l’image aussi. Tirez un sommet pour l’ouvrir&#x202f;: rien n’est perdu.</translation>
     </message>
+    <message>
+        <source>Stopped: any farther, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <translation>Arrêté : plus loin, l’application %1 ne contracterait pas (plus grande valeur singulière %2, rayon spectral %3), et il n’y aurait pas d’attracteur.</translation>
+    </message>
+    <message>
+        <source>Stopped: any farther, the maps %1, one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <translation>Arrêté : plus loin, les applications %1, l’une après l’autre, ne contracteraient pas (plus grande valeur singulière %2, rayon spectral %3), et il n’y aurait pas d’attracteur.</translation>
+    </message>
+    <message>
+        <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
+        <translation>Arrêté : plus loin, il n’est pas établi qu’il y aurait un attracteur (l’application %1 a la plus grande valeur singulière, %2).</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
@@ -2941,6 +3298,54 @@
         <source>Canvas</source>
         <translation>Zone de dessin</translation>
     </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Application %1</translation>
+    </message>
+    <message>
+        <source>&amp;Switch On</source>
+        <translation>&amp;Activer</translation>
+    </message>
+    <message>
+        <source>&amp;Switch Off</source>
+        <translation>&amp;Désactiver</translation>
+    </message>
+    <message>
+        <source>Lets this map take part, or not</source>
+        <translation>Faire participer cette application, ou non</translation>
+    </message>
+    <message>
+        <source>Switch on map %1</source>
+        <translation>Activer l’application %1</translation>
+    </message>
+    <message>
+        <source>Switch off map %1</source>
+        <translation>Désactiver l’application %1</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>D&amp;upliquer</translation>
+    </message>
+    <message>
+        <source>Puts a copy of this map beside it</source>
+        <translation>Met une copie de cette application à côté</translation>
+    </message>
+    <message>
+        <source>Duplicate map %1</source>
+        <translation>Dupliquer l’application %1</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Takes this map out of the system</source>
+        <translation>Retire cette application du système</translation>
+    </message>
+    <message>
+        <source>Delete map %1</source>
+        <translation>Supprimer l’application %1</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -2977,24 +3382,36 @@
         <translation>les touches fléchées déplacent l’élément</translation>
     </message>
     <message>
-        <source>the arrow keys turn the cage by one degree</source>
-        <translation>les touches fléchées font tourner la cage d’un degré</translation>
+        <source>Branch %1</source>
+        <translation>Branche %1</translation>
     </message>
     <message>
-        <source>the arrow keys scale the cage by one percent</source>
-        <translation>les touches fléchées redimensionnent la cage d’un pour cent</translation>
+        <source>Map %1</source>
+        <translation>Application %1</translation>
     </message>
     <message>
-        <source>Drag the pivot: the cage turns and scales about it.</source>
-        <translation>Déplacez le pivot&#x202f;: la cage tourne et se redimensionne autour de lui.</translation>
+        <source>%1, corner %2</source>
+        <translation>%1, coin %2</translation>
     </message>
     <message>
-        <source>Drag to turn the cage about the pivot; Shift: in steps of 15°.</source>
-        <translation>Tirez pour faire tourner la cage autour du pivot&#x202f;; Maj&#x202f;: par pas de 15°.</translation>
+        <source>the arrow keys turn by one degree</source>
+        <translation>les flèches tournent d’un degré</translation>
     </message>
     <message>
-        <source>Drag to scale the cage about the pivot; Shift: along x or y only.</source>
-        <translation>Tirez pour redimensionner la cage autour du pivot&#x202f;; Maj&#x202f;: seulement selon x ou y.</translation>
+        <source>the arrow keys scale by one percent</source>
+        <translation>les flèches changent l’échelle d’un pour cent</translation>
+    </message>
+    <message>
+        <source>Drag the pivot: turning and scaling are about it.</source>
+        <translation>Tirez le pivot : rotation et mise à l’échelle se font autour de lui.</translation>
+    </message>
+    <message>
+        <source>Drag to turn about the pivot; Shift: in steps of 15°.</source>
+        <translation>Tirez pour tourner autour du pivot ; Maj : par pas de 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to scale about the pivot; Shift: along x or y only.</source>
+        <translation>Tirez pour mettre à l’échelle autour du pivot ; Maj : selon x ou y seulement.</translation>
     </message>
 </context>
 <context>
@@ -4660,6 +5077,41 @@ L’entrée est conservée telle quelle.</translation>
     </message>
 </context>
 <context>
+    <name>view::MapsTool</name>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Déplacer le coin %1 de l’application %2</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Déplacer l’application %1</translation>
+    </message>
+    <message>
+        <source>Move %1 maps</source>
+        <translation>Déplacer %1 applications</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Tourner l’application %1</translation>
+    </message>
+    <message>
+        <source>Rotate %1 maps</source>
+        <translation>Tourner %1 applications</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Mettre à l’échelle l’application %1</translation>
+    </message>
+    <message>
+        <source>Scale %1 maps</source>
+        <translation>Mettre à l’échelle %1 applications</translation>
+    </message>
+    <message>
+        <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
+        <translation>Ce qui est plat à l’écran ne peut pas être saisi. Ouvrez d’abord la cage ou les applications.</translation>
+    </message>
+</context>
+<context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
@@ -5093,6 +5545,30 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>What every key and every movement of the mouse does.</source>
         <translation>Ce que fait chaque touche et chaque mouvement de la souris.</translation>
+    </message>
+    <message>
+        <source>Select one more map, or one less</source>
+        <translation>Choisir une application de plus ou de moins</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl + click</source>
+        <translation>Maj ou Ctrl + clic</translation>
+    </message>
+    <message>
+        <source>Select map 1 … 9, all maps</source>
+        <translation>Choisir l’application 1 … 9, toutes les applications</translation>
+    </message>
+    <message>
+        <source>Alt + digit, Ctrl+A</source>
+        <translation>Alt + chiffre, Ctrl+A</translation>
+    </message>
+    <message>
+        <source>A deeper or a larger branch</source>
+        <translation>Une branche plus profonde ou plus grande</translation>
+    </message>
+    <message>
+        <source>Shift + wheel, Page Down, Page Up</source>
+        <translation>Maj + molette, Page suivante, Page précédente</translation>
     </message>
 </context>
 <context>

@@ -55,24 +55,8 @@
         <translation>%1, катета %2, теме %3</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor. The signs are the directions of its legs.</source>
-        <translation>Најмалиот рамнокрак правоаголен триаголник со катети паралелни на оските што го содржи атракторот. Знаците ги означуваат насоките на катетите.</translation>
-    </message>
-    <message>
-        <source>Convex hull area</source>
-        <translation>Плоштина на конвексната обвивка</translation>
-    </message>
-    <message>
-        <source>Area of the convex hull&apos;s inner polygon with %1 vertices; the hull reaches at most %2 beyond it.</source>
-        <translation>Плоштина на внатрешниот многуаголник на конвексната обвивка, со %1 темиња; обвивката излегува надвор од него најмногу за %2.</translation>
-    </message>
-    <message>
         <source>Similarity dimension</source>
         <translation>Димензија на сличност</translation>
-    </message>
-    <message>
-        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation>Бројот D за кој Σ sᵢᴰ = 1, каде што sᵢ се коефициентите на сличност. Тоа е димензијата на атракторот кога деловите не се преклопуваат.</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -87,8 +71,64 @@
         <translation>Коваријанса</translation>
     </message>
     <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads.</source>
-        <translation>Коваријанси xx, xy, yy на инваријантната мера, точно пресметани: колку е расеана сликата.</translation>
+        <source>Fixed points</source>
+        <translation>Неподвижни точки</translation>
+    </message>
+    <message>
+        <source>The point that each map leaves where it is; it lies on the attractor.</source>
+        <translation>Точката што секое пресликување ја остава на место; таа лежи на атракторот.</translation>
+    </message>
+    <message>
+        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It is the dimension of the attractor when the pieces do not overlap.</source>
+        <translation>Она D за кое Σ sᵢᴰ = 1 по односите sᵢ, кога сите пресликувања се сличности во некои координати. Тоа е димензијата на атракторот кога деловите не се преклопуваат.</translation>
+    </message>
+    <message>
+        <source>Affinity dimension</source>
+        <translation>Афина димензија</translation>
+    </message>
+    <message>
+        <source>Falconer’s dimension: where the sum of the singular value functions of all words of one length neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to it for almost all translations when the maps contract enough.</source>
+        <translation>Димензијата на Фалконер: каде што збирот на функциите на сингуларни вредности на сите зборови со иста должина ниту расте ниту опаѓа, најмногу 2. Горна граница на димензијата со броење кутии и еднаква на неа за речиси сите поместувања кога пресликувањата доволно контрахираат.</translation>
+    </message>
+    <message>
+        <source>Box-counting dimension</source>
+        <translation>Димензија со броење кутии</translation>
+    </message>
+    <message>
+        <source>Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the attractor. An estimate: it depends on the sizes counted.</source>
+        <translation>Наклон на правата на најмали квадрати низ ln N спрема ln 1/ε, каде што N кутии со страна ε го допираат атракторот. Проценка: зависи од избраните големини.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. The ellipse is the one on which an even mass has the same mean and covariance.</source>
+        <translation>Коваријанса xx, xy, yy на инваријантната мера, точно решена: колку е распространета сликата. Елипсата е онаа на која рамномерна маса ја има истата средина и коваријанса.</translation>
+    </message>
+    <message>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; certified. The signs are the directions of its legs.</source>
+        <translation>Најмалиот рамнокрак правоаголен триаголник со катети паралелни на оските што го содржи атракторот; докажано. Знаците се насоките на катетите.</translation>
+    </message>
+    <message>
+        <source>Hull area</source>
+        <translation>Плоштина на обвивката</translation>
+    </message>
+    <message>
+        <source>Area of the convex hull: of the polygon whose vertices were found on the attractor. The hull itself is larger by at most its border times the error bound.</source>
+        <translation>Плоштина на конвексната обвивка: на многуаголникот чии темиња се најдени на атракторот. Самата обвивка е поголема најмногу за нејзиниот раб помножен со границата на грешката.</translation>
+    </message>
+    <message>
+        <source>Hull vertices</source>
+        <translation>Темиња на обвивката</translation>
+    </message>
+    <message>
+        <source>Corners of the convex hull as found, each a point of the attractor. A hull with infinitely many has as many as its tolerance asks for.</source>
+        <translation>Темиња на конвексната обвивка како што се најдени, секое точка на атракторот. Обвивка со бесконечно многу има онолку колку што бара нејзината толеранција.</translation>
+    </message>
+    <message>
+        <source>Hull error bound</source>
+        <translation>Граница на грешката на обвивката</translation>
+    </message>
+    <message>
+        <source>The attractor reaches at most this far beyond the polygon; certified.</source>
+        <translation>Атракторот излегува од многуаголникот најмногу за толку; докажано.</translation>
     </message>
 </context>
 <context>
@@ -1022,6 +1062,46 @@
         <source>Click anything to read what it is for</source>
         <translation>Кликнете на што било за да прочитате за што служи</translation>
     </message>
+    <message>
+        <source>No recovery</source>
+        <translation>Нема обновување</translation>
+    </message>
+    <message>
+        <source>Allow Systems &amp;without an Attractor</source>
+        <translation>Дозволи системи &amp;без атрактор</translation>
+    </message>
+    <message>
+        <source>Let maps be dragged to where they no longer contract; otherwise the drag stops there</source>
+        <translation>Пресликувањата да може да се влечат до каде што веќе не контрахираат; инаку влечењето запира таму</translation>
+    </message>
+    <message>
+        <source>Drag t&amp;he Maps</source>
+        <translation>Влечи ги &amp;пресликувањата</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Show the maps as images of the cage and take them by their corners</source>
+        <translation>Прикажи ги пресликувањата како слики на кафезот и фати ги за аглите</translation>
+    </message>
+    <message>
+        <source>Drag a Bra&amp;nch</source>
+        <translation>Влечи &amp;гранка</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Click a point of the attractor and take the branch that it belongs to</source>
+        <translation>Кликни на точка од атракторот и фати ја гранката на која ѝ припаѓа</translation>
+    </message>
+    <message>
+        <source>Maps and Branches</source>
+        <translation>Пресликувања и гранки</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1176,6 +1256,10 @@
         <source>Ask Later</source>
         <translation>Прашај подоцна</translation>
     </message>
+    <message>
+        <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
+        <translation>Незачуваната работа не може да се чува за обновување: во папката „%1“ не може да се запишува или дискот е полн. Зачувувајте често.</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -1216,10 +1300,6 @@
         <translation>Положба на покажувачот</translation>
     </message>
     <message>
-        <source>World and barycentric coordinates of the pointer</source>
-        <translation>Координати на покажувачот: во рамнината и барицентрични</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Заклучок</translation>
     </message>
@@ -1254,6 +1334,18 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>World and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
+        <translation>Светски и барицентрични координати на покажувачот; адресата на точката од атракторот под него, прво најнадворешното пресликување, и неподвижната точка на нејзината гранка</translation>
+    </message>
+    <message>
+        <source>  address %1</source>
+        <translation>  адреса %1</translation>
+    </message>
+    <message>
+        <source>  fixed point of %1 (%2, %3)</source>
+        <translation>  неподвижна точка на %1 (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -1626,10 +1718,6 @@
         <translation>конвексна обвивка</translation>
     </message>
     <message>
-        <source>%1 vertices, area %2; error at most %3</source>
-        <translation>%1 темиња, плоштина %2; грешка најмногу %3</translation>
-    </message>
-    <message>
         <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
         <translation>%1 темиња, %2 ѕидови, волумен %3; грешка најмногу %4</translation>
     </message>
@@ -1877,6 +1965,62 @@
         <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
         <translation>Ова е бинарна датотека (можеби фрактално компресирана слика или библиотека со икони), а не текст со итерирани функциски системи.</translation>
     </message>
+    <message>
+        <source>No iterated function system was found, and for a table of numbers the file is too large: the limit is 64 MB.</source>
+        <translation>Не е најден итериран функциски систем, а за табела со броеви датотеката е преголема: границата е 64 MB.</translation>
+    </message>
+    <message>
+        <source>a number is larger than a coefficient can be (3.4e38 in size)</source>
+        <translation>еден број е поголем отколку што може да биде коефициент (3.4e38 по големина)</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 flames; the rest is left out.</source>
+        <translation>Датотеката има повеќе од %1 пламени; останатите се изоставени.</translation>
+    </message>
+    <message>
+        <source>%1 flames in all are no systems of affine maps.</source>
+        <translation>Вкупно %1 пламени не се системи од афини пресликувања.</translation>
+    </message>
+    <message>
+        <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
+        <translation>Записот има повеќе од %1 редови, што е границата; се чува како текст.</translation>
+    </message>
+    <message>
+        <source>%1 vertices, %2 of them with periodic addresses, area %3; error at most %4</source>
+        <translation>%1 темиња, од нив %2 со периодични адреси, плоштина %3; грешка најмногу %4</translation>
+    </message>
+    <message>
+        <source>deformation</source>
+        <translation>деформација</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>свиткување</translation>
+    </message>
+    <message>
+        <source>affine fit</source>
+        <translation>афино прилагодување</translation>
+    </message>
+    <message>
+        <source>A number of this row is larger than a coefficient can be (3.4e38 in size).</source>
+        <translation>Еден број во овој ред е поголем отколку што може да биде коефициент (3.4e38 по големина).</translation>
+    </message>
+    <message>
+        <source>The text has more than 64 MB, which is the limit for a table of numbers.</source>
+        <translation>Текстот има повеќе од 64 MB, што е границата за табела со броеви.</translation>
+    </message>
+    <message>
+        <source>A tag has more than %1 attributes, which is the limit.</source>
+        <translation>Една ознака има повеќе од %1 атрибути, што е границата.</translation>
+    </message>
+    <message>
+        <source>The elements are nested more than %1 deep, which is the limit.</source>
+        <translation>Елементите се вгнездени подлабоко од %1, што е границата.</translation>
+    </message>
+    <message>
+        <source>The file has more than 64 MB, which is the limit for XML.</source>
+        <translation>Датотеката има повеќе од 64 MB, што е границата за XML.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2007,8 +2151,8 @@
         <translation>Секое пресликување како матрица што барицентрични координати во однос на контролниот триаголник ги пресликува во барицентрични координати: збирот на секоја редица е 1.</translation>
     </message>
     <message>
-        <source>Copies the matrices to the clipboard as text.</source>
-        <translation>Ги копира матриците како текст на таблата со исечоци.</translation>
+        <source>Copies the triangle and the matrices with all digits.</source>
+        <translation>Ги копира триаголникот и матриците со сите цифри.</translation>
     </message>
 </context>
 <context>
@@ -2034,16 +2178,84 @@
         <translation>Овој запис не можеше да се прочита, па за него не е познато ништо.</translation>
     </message>
     <message>
-        <source>The picture is placed by its cage; these are facts of the code. Bake to see those of the picture.</source>
-        <translation>Сликата е поставена со кафезот; ова се својства на кодот. Впишете ја поставеноста во кодот за да ги видите својствата на сликата.</translation>
-    </message>
-    <message>
         <source>Copy with All Digits</source>
         <translation>Копирај со сите цифри</translation>
     </message>
     <message>
         <source>Copy All Facts</source>
         <translation>Копирај ги сите својства</translation>
+    </message>
+    <message>
+        <source>Copies every line as its name and its value with all digits.</source>
+        <translation>Го копира секој ред како име и вредност со сите цифри.</translation>
+    </message>
+    <message>
+        <source>On the canvas</source>
+        <translation>На платното</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Кутија</translation>
+    </message>
+    <message>
+        <source>Outline the certified bounding box</source>
+        <translation>Исцртај ја докажаната опкружувачка кутија</translation>
+    </message>
+    <message>
+        <source>Hull</source>
+        <translation>Обвивка</translation>
+    </message>
+    <message>
+        <source>Outline the convex hull</source>
+        <translation>Исцртај ја конвексната обвивка</translation>
+    </message>
+    <message>
+        <source>Simplex</source>
+        <translation>Симплекс</translation>
+    </message>
+    <message>
+        <source>Outline the minimal canonical simplex</source>
+        <translation>Исцртај го минималниот каноничен симплекс</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Елипса</translation>
+    </message>
+    <message>
+        <source>Show the mean and the ellipse of the covariance</source>
+        <translation>Прикажи ги средината и елипсата на коваријансата</translation>
+    </message>
+    <message>
+        <source>Fixed points</source>
+        <translation>Неподвижни точки</translation>
+    </message>
+    <message>
+        <source>Mark the fixed point of each map in its colour</source>
+        <translation>Означи ја неподвижната точка на секое пресликување во неговата боја</translation>
+    </message>
+    <message>
+        <source>Cylinders</source>
+        <translation>Цилиндри</translation>
+    </message>
+    <message>
+        <source>Outline the hulls of all pieces with an address of the same length, in the colour of its first map</source>
+        <translation>Исцртај ги обвивките на сите делови со адреса со иста должина, во бојата на нејзиното прво пресликување</translation>
+    </message>
+    <message>
+        <source>Length of the addresses</source>
+        <translation>Должина на адресите</translation>
+    </message>
+    <message>
+        <source>How many symbols the addresses of the cylinders have; fewer where there would be thousands</source>
+        <translation>Колку симболи имаат адресите на цилиндрите; помалку каде што би имало илјадници</translation>
+    </message>
+    <message>
+        <source>Address length</source>
+        <translation>Должина на адреса</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
+        <translation>Кафезот ја свиткува сликата и ниеден систем ја нема. Ова се својства на кодот; на платното тие се свиткани со сликата.</translation>
     </message>
 </context>
 <context>
@@ -2333,6 +2545,139 @@
     <message>
         <source>How many points the chaos game plots in a second.</source>
         <translation>Колку точки црта играта на хаос во една секунда.</translation>
+    </message>
+</context>
+<context>
+    <name>view::BoxCountingPlot</name>
+    <message>
+        <source>Box-counting plot</source>
+        <translation>Дијаграм на броење кутии</translation>
+    </message>
+    <message>
+        <source>How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the line: there the size of the whole or of a cell shows.</source>
+        <translation>Колку кутии го допираат атракторот спрема нивната финост: log₂ N над k за кутии со страна L·2⁻ᵏ, L е страната на квадратот околу атракторот. Празните точки не се земени за правата: таму се гледа големината на целината или на една ќелија.</translation>
+    </message>
+    <message>
+        <source>Slope %1 over %2 sizes</source>
+        <translation>Наклон %1 преку %2 големини</translation>
+    </message>
+    <message>
+        <source>Copy Sizes and Counts</source>
+        <translation>Копирај ги големините и броевите</translation>
+    </message>
+    <message>
+        <source>log₂ N</source>
+        <translation>log₂ N</translation>
+    </message>
+    <message>
+        <source>k, boxes of side L·2⁻ᵏ</source>
+        <translation>k, кутии со страна L·2⁻ᵏ</translation>
+    </message>
+    <message>
+        <source>slope %1</source>
+        <translation>наклон %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchBar</name>
+    <message>
+        <source>Maps and branches</source>
+        <translation>Пресликувања и гранки</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Длабочина</translation>
+    </message>
+    <message>
+        <source>Depth of the branch</source>
+        <translation>Длабочина на гранката</translation>
+    </message>
+    <message>
+        <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
+        <translation>Колку пресликувања од адресата ја именуваат гранката (Shift + тркалце над платното)</translation>
+    </message>
+    <message>
+        <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
+        <translation>Адресата на кликнатата точка, прво најнадворешното пресликување; гранката е она што е задебелено</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>&amp;Промени</translation>
+    </message>
+    <message>
+        <source>this branch, as a map of its own</source>
+        <translation>оваа гранка, како посебно пресликување</translation>
+    </message>
+    <message>
+        <source>The system gets a map for this branch and one for every branch beside it. Its change is seen again at all smaller scales.</source>
+        <translation>Системот добива пресликување за оваа гранка и по едно за секоја гранка покрај неа. Промената се гледа пак во сите помали размери.</translation>
+    </message>
+    <message>
+        <source>the last map of its address</source>
+        <translation>последното пресликување од нејзината адреса</translation>
+    </message>
+    <message>
+        <source>The code keeps its maps. All branches that this map makes change alike.</source>
+        <translation>Кодот ги задржува своите пресликувања. Сите гранки што ги прави ова пресликување се менуваат еднакво.</translation>
+    </message>
+    <message>
+        <source>What changing the branch changes</source>
+        <translation>Што менува промената на гранката</translation>
+    </message>
+    <message>
+        <source>&amp;Weave</source>
+        <translation>&amp;Ткај</translation>
+    </message>
+    <message>
+        <source>Angle by which the selected maps swing about their roots</source>
+        <translation>Агол за кој избраните пресликувања се нишаат околу своите корени</translation>
+    </message>
+    <message>
+        <source>Lets the selected maps swing, each about the image of the lowest point of the fractal; the slider goes back to the middle when it is let go</source>
+        <translation>Ги ниша избраните пресликувања, секое околу сликата на најниската точка на фракталот; кога ќе се пушти, лизгачот се враќа на средина</translation>
+    </message>
+    <message>
+        <source>no branch selected</source>
+        <translation>нема избрана гранка</translation>
+    </message>
+    <message>
+        <source>branch &lt;b&gt;%1&lt;/b&gt; %2</source>
+        <translation>гранка &lt;b&gt;%1&lt;/b&gt; %2</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Let maps swing</source>
+        <translation>Нишање на пресликувања</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchTool</name>
+    <message>
+        <source>Click a point of the attractor to select its branch.</source>
+        <translation>Кликнете на точка од атракторот за да ја изберете нејзината гранка.</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Гранка %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Помести го аголот %1 на гранката %2</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Помести ја гранката %1</translation>
+    </message>
+    <message>
+        <source>Rotate branch %1</source>
+        <translation>Ротирај ја гранката %1</translation>
+    </message>
+    <message>
+        <source>Scale branch %1</source>
+        <translation>Скалирај ја гранката %1</translation>
     </message>
 </context>
 <context>
@@ -2742,6 +3087,18 @@
         <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
         <translation>Кафезот е сплескан, па и сликата. Повлечете некое теме за да го раширите: ништо не се губи.</translation>
     </message>
+    <message>
+        <source>Stopped: any farther, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <translation>Запрено: понатаму пресликувањето %1 не би контрахирало (најголема сингуларна вредност %2, спектрален радиус %3) и не би имало атрактор.</translation>
+    </message>
+    <message>
+        <source>Stopped: any farther, the maps %1, one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <translation>Запрено: понатаму пресликувањата %1, едно по друго, не би контрахирале (најголема сингуларна вредност %2, спектрален радиус %3) и не би имало атрактор.</translation>
+    </message>
+    <message>
+        <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
+        <translation>Запрено: понатаму не е решено дали би имало атрактор (пресликувањето %1 има најголема сингуларна вредност, %2).</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
@@ -2945,6 +3302,54 @@
         <source>Canvas</source>
         <translation>Платно</translation>
     </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Пресликување %1</translation>
+    </message>
+    <message>
+        <source>&amp;Switch On</source>
+        <translation>&amp;Вклучи</translation>
+    </message>
+    <message>
+        <source>&amp;Switch Off</source>
+        <translation>&amp;Исклучи</translation>
+    </message>
+    <message>
+        <source>Lets this map take part, or not</source>
+        <translation>Ова пресликување да учествува или не</translation>
+    </message>
+    <message>
+        <source>Switch on map %1</source>
+        <translation>Вклучи го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Switch off map %1</source>
+        <translation>Исклучи го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>&amp;Удвои</translation>
+    </message>
+    <message>
+        <source>Puts a copy of this map beside it</source>
+        <translation>Става копија на ова пресликување до него</translation>
+    </message>
+    <message>
+        <source>Duplicate map %1</source>
+        <translation>Удвои го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Избриши</translation>
+    </message>
+    <message>
+        <source>Takes this map out of the system</source>
+        <translation>Го вади ова пресликување од системот</translation>
+    </message>
+    <message>
+        <source>Delete map %1</source>
+        <translation>Избриши го пресликувањето %1</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -2981,24 +3386,36 @@
         <translation>се поместува со стрелките</translation>
     </message>
     <message>
-        <source>the arrow keys turn the cage by one degree</source>
-        <translation>со стрелките кафезот се врти за еден степен</translation>
+        <source>Branch %1</source>
+        <translation>Гранка %1</translation>
     </message>
     <message>
-        <source>the arrow keys scale the cage by one percent</source>
-        <translation>со стрелките кафезот се скалира за еден процент</translation>
+        <source>Map %1</source>
+        <translation>Пресликување %1</translation>
     </message>
     <message>
-        <source>Drag the pivot: the cage turns and scales about it.</source>
-        <translation>Повлечете го стожерот: кафезот се врти и скалира околу него.</translation>
+        <source>%1, corner %2</source>
+        <translation>%1, агол %2</translation>
     </message>
     <message>
-        <source>Drag to turn the cage about the pivot; Shift: in steps of 15°.</source>
-        <translation>Повлечете за да го завртите кафезот околу стожерот; Shift: во чекори од 15°.</translation>
+        <source>the arrow keys turn by one degree</source>
+        <translation>стрелките ротираат за еден степен</translation>
     </message>
     <message>
-        <source>Drag to scale the cage about the pivot; Shift: along x or y only.</source>
-        <translation>Повлечете за да го скалирате кафезот во однос на стожерот; Shift: само по x или y.</translation>
+        <source>the arrow keys scale by one percent</source>
+        <translation>стрелките скалираат за еден процент</translation>
+    </message>
+    <message>
+        <source>Drag the pivot: turning and scaling are about it.</source>
+        <translation>Влечете ја стожерната точка: ротирањето и скалирањето се околу неа.</translation>
+    </message>
+    <message>
+        <source>Drag to turn about the pivot; Shift: in steps of 15°.</source>
+        <translation>Влечете за ротирање околу стожерот; Shift: во чекори од 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to scale about the pivot; Shift: along x or y only.</source>
+        <translation>Влечете за скалирање околу стожерот; Shift: само по x или y.</translation>
     </message>
 </context>
 <context>
@@ -4670,6 +5087,41 @@ The entry is kept as it is.</source>
     </message>
 </context>
 <context>
+    <name>view::MapsTool</name>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Помести го аголот %1 на пресликувањето %2</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Помести го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Move %1 maps</source>
+        <translation>Помести %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Ротирај го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Rotate %1 maps</source>
+        <translation>Ротирај %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Скалирај го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Scale %1 maps</source>
+        <translation>Скалирај %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
+        <translation>Она што е рамно на екранот не може да се фати. Прво отворете го кафезот или пресликувањата.</translation>
+    </message>
+</context>
+<context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
@@ -5104,6 +5556,30 @@ The entry is kept as it is.</source>
     <message>
         <source>What every key and every movement of the mouse does.</source>
         <translation>Што прави секое копче и секое движење на глувчето.</translation>
+    </message>
+    <message>
+        <source>Select one more map, or one less</source>
+        <translation>Избери едно пресликување повеќе или помалку</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl + click</source>
+        <translation>Shift или Ctrl + клик</translation>
+    </message>
+    <message>
+        <source>Select map 1 … 9, all maps</source>
+        <translation>Избери пресликување 1 … 9, сите пресликувања</translation>
+    </message>
+    <message>
+        <source>Alt + digit, Ctrl+A</source>
+        <translation>Alt + цифра, Ctrl+A</translation>
+    </message>
+    <message>
+        <source>A deeper or a larger branch</source>
+        <translation>Подлабока или поголема гранка</translation>
+    </message>
+    <message>
+        <source>Shift + wheel, Page Down, Page Up</source>
+        <translation>Shift + тркалце, Page Down, Page Up</translation>
     </message>
 </context>
 <context>
