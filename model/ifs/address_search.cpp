@@ -36,6 +36,23 @@ Word spelled(const std::vector<Node>& nodes, int node) {
     return word;
 }
 
+// Where pieces overlap a great deal, all of those that are nearest cannot be looked at; a near one will do.
+std::optional<Addressed> bestOf(const std::vector<Node>& nodes, const SupportFunction<2>& attractor,
+                                const Vector<2>& x, double reach, double width) {
+    int best = -1;
+    double least = reach;
+    for (std::size_t k = 1; k < nodes.size(); ++k) {
+        if (2 * nodes[k].radius > width) continue;
+        const double distance = (nodes[k].map(attractor.pointOfAttractor()) - x).norm();
+        if (distance <= least) {
+            least = distance;
+            best = int(k);
+        }
+    }
+    if (best < 0) return std::nullopt;
+    return Addressed{spelled(nodes, best), least};
+}
+
 } // namespace
 
 std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const Vector<2>& x, double reach,
@@ -53,7 +70,8 @@ std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const 
             const double distance = (node.map(attractor.pointOfAttractor()) - x).norm();
             return Addressed{spelled(nodes, top), distance};
         }
-        if (nodes.size() + maps.size() > std::size_t(maxNodes)) return std::nullopt;
+        if (nodes.size() + maps.size() > std::size_t(maxNodes))
+            return bestOf(nodes, attractor, x, reach, width);
         for (std::size_t i = 0; i < maps.size(); ++i) {
             const AffineMap<2> map = node.map * maps[i];
             const double radius = spectralNorm<2>(map.linear) * attractor.radius();

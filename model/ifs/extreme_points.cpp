@@ -260,7 +260,14 @@ std::vector<std::optional<PeriodicPoint>> periodicExtremePoints(const SupportFun
         result.front() = PeriodicPoint{{}, {0}, support.pointOfAttractor()};
         return result;
     }
-    const ConvexHull fine = convexHull(support, 1e-12 * support.radius());
+    // As many corners as a self-similar hull has at the finer tolerance; a round one has too many, and none
+    // of them is periodic.
+    constexpr double FineTolerance = 1e-12;
+    constexpr double MostCorners = 10'000;
+    const double tolerance = std::clamp(hull.error / support.radius(), 1e-16, 0.5);
+    const double expected = std::pow(hull.vertices.size(), std::log(FineTolerance) / std::log(tolerance));
+    if (expected > MostCorners) return result;
+    const ConvexHull fine = convexHull(support, FineTolerance * support.radius());
     const Itineraries itineraries(support, fine);
     const Corners corners(hull.vertices);
     const double near = 4 * (hull.error + fine.error);

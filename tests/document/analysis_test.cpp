@@ -87,9 +87,10 @@ private slots:
         QCOMPARE(of(FixedPoints).size(), std::size_t(3));
         QVERIFY(of(FixedPoints)[1].colour == attractor::categoricalColour(1));
         // On the ellipse (x − m)ᵀ C⁻¹ (x − m) = 4, and its middle.
-        QCOMPARE(of(Ellipse).size(), std::size_t(2));
+        const auto ellipse = of(Ellipse);
+        QCOMPARE(ellipse.size(), std::size_t(2));
         const auto& moments = *analysis.facts.moments;
-        for (const auto& x : of(Ellipse)[0].points) {
+        for (const auto& x : ellipse[0].points) {
             const Vector<2> offset = x - moments.mean;
             const ifs::Matrix<2>& c = moments.covariance;
             const double det = c(0, 0) * c(1, 1) - c(0, 1) * c(0, 1);
@@ -99,7 +100,7 @@ private slots:
                 det;
             QVERIFY(std::abs(squared - 4) < 1e-9);
         }
-        QVERIFY(of(Ellipse)[1].points.front() == moments.mean);
+        QVERIFY(ellipse[1].points.front() == moments.mean);
         // Nine triangles of a quarter of the size, three to a colour.
         const auto cylinders = of(Cylinders);
         QCOMPARE(cylinders.size(), std::size_t(9));
