@@ -70,7 +70,7 @@ bool hasAttractor(const Existence& existence) {
 }
 
 SafeWay safeWay(const std::function<std::vector<AffineMap<2>>(double)>& mapsAt) {
-    constexpr double precision = 1e-3;
+    constexpr double precision = 1e-4;
     constexpr int products = 2'000; // for each verdict: the hand is waiting
     const auto verdictOn = [](std::span<const AffineMap<2>> maps) { return classify<2>(maps, products); };
     SafeWay way{.past = mapsAt(1)};

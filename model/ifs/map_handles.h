@@ -33,7 +33,7 @@ bool hasAttractor(const Existence& existence);
 
 // How far a change may go.
 struct SafeWay {
-    double share = 1; // of the way, within 1e-3; up to here there is an attractor
+    double share = 1; // of the way, within 1e-4; up to here there is an attractor
     std::vector<AffineMap<2>>
         past{};          // the maps just past it, without a known attractor; empty when share is 1
     Existence verdict{}; // of those maps
