@@ -100,6 +100,6 @@ private:
     QMenu* m_panelMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QActionGroup* m_tools = nullptr;
-    QToolBar* m_branchBar = nullptr; // under the canvas while maps or branches are dragged
+    QToolBar* m_branchBar = nullptr;  // under the canvas while maps or branches are dragged
     QList<QAction*> m_toolBarActions; // a null pointer is a separator
 };
