@@ -152,10 +152,8 @@ void Thumbnails::submitNext() {
 }
 
 void Thumbnails::take(std::uint64_t job, const std::shared_ptr<const attractor::Frame>& frame) {
-    const auto running = m_running.constFind(job);
-    if (running == m_running.cend()) return;
-    const Wanted wanted = running.value();
-    m_running.erase(running);
+    if (!m_running.contains(job)) return;
+    const Wanted wanted = m_running.take(job);
     m_submitTimer.start();
     if (!frame) return;
     const QImage picture = showsNothing(*frame) ? nothing() : pictureOf(*frame);

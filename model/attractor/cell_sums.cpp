@@ -69,7 +69,7 @@ bool CellSums::forTouched(const Counters<Cell>& counters, int row, Work work) co
     const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(m_window.width);
     for (int tile = 0; tile < tilesAcross(); ++tile) {
         if (counters.touched[tileOf(row, tile)] == 0) continue;
-        const auto first = static_cast<std::size_t>(tile * tileColumns);
+        const auto first = std::size_t(tile) * tileColumns;
         const auto end = static_cast<std::size_t>(std::min(m_window.width, (tile + 1) * tileColumns));
         work(first, end, counters.cells.get() + start + first);
         any = true;
@@ -105,7 +105,7 @@ CellSums::Pieces CellSums::pieces(int row) const {
     result.endRow = std::min(m_window.endRow - m_window.firstRow, (row / tileRows + 1) * tileRows);
     const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(m_window.width);
     for (int tile = 0; tile < tilesAcross(); ++tile) {
-        const auto first = static_cast<std::size_t>(tile * tileColumns);
+        const auto first = std::size_t(tile) * tileColumns;
         Piece piece{first, static_cast<std::size_t>(std::min(m_window.width, (tile + 1) * tileColumns)), {}};
         bool same = tile > 0; // threads as in the tile before
         for (const Counters<std::uint32_t>& counters : m_counts) {

@@ -170,7 +170,8 @@ CageFlaw flawOf(const ControlCage<2>& cage, const Placement& placement) {
     bool kept = false;
     bool mirrored = false;
     for (int i = 0; i < steps * steps; ++i) {
-        const Vector<2> share((i % steps + 0.5) / steps, (i / steps + 0.5) / steps);
+        const int row = i / steps, column = i % steps;
+        const Vector<2> share((column + 0.5) / steps, (row + 0.5) / steps);
         const Vector<2> x = low + share.cwiseProduct(high - low);
         if (!isInside(cage.rest, x)) continue;
         const auto expansion = bend->expansion(x);

@@ -9,7 +9,7 @@ namespace ifs {
 
 namespace {
 
-constexpr int NodesPerFace = 6'000; // keeps a box and a canonical simplex within one frame
+constexpr int NodesPerFace = 20'000; // of which most systems need few
 
 template <int Dim> using Supports = std::vector<SupportValue<Dim>>;
 
@@ -19,7 +19,8 @@ Supports<Dim> supportsIn(const std::vector<Vector<Dim>>& directions, const Suppo
                          double tolerance, const AffineMap<Dim>& image) {
     Supports<Dim> result;
     for (const auto& direction : directions) {
-        SupportValue<Dim> h = support(image.linear.transpose() * direction, tolerance, NodesPerFace);
+        SupportValue<Dim> h =
+            support(image.linear.transpose() * direction, tolerance, NodesPerFace, support.outline());
         h.value += direction.dot(image.translation);
         h.error += 4 * std::numeric_limits<double>::epsilon() * image.translation.norm();
         h.point = image(h.point);
@@ -54,7 +55,7 @@ CanonicalSimplex<Dim> simplexFrom(const Supports<Dim>& axes, const SupportValue<
     double axisError = 0;
     double reach = std::abs(oblique.value);
     for (int k = 0; k < Dim; ++k) {
-        const auto& face = axes[std::size_t(2 * k + (omega[k] > 0 ? 1 : 0))]; // h_A(−ω_k e_k) = −α_k
+        const auto& face = axes[2 * std::size_t(k) + (omega[k] > 0 ? 1 : 0)]; // h_A(−ω_k e_k) = −α_k
         result.vertices[0][k] = -omega[k] * face.value + 0.0;
         result.leg += face.value;
         axisError = std::max(axisError, face.error);
@@ -66,7 +67,7 @@ CanonicalSimplex<Dim> simplexFrom(const Supports<Dim>& axes, const SupportValue<
     // The leg is attained, so only rounding can make one of a single point, however wide the certificate is.
     if (!(result.leg > 64 * std::numeric_limits<double>::epsilon() * reach)) result.leg = 1;
     for (int k = 0; k < Dim; ++k)
-        result.vertices[std::size_t(k + 1)] =
+        result.vertices[std::size_t(k) + 1] =
             result.vertices[0] + omega[k] * result.leg * Vector<Dim>::Unit(k);
     return result;
 }
@@ -88,8 +89,8 @@ BoundingBox<Dim> boundingBoxOfImage(const AffineMap<Dim>& transformation, const 
     const auto faces = supportsIn<Dim>(axes<Dim>(), support, tolerance, transformation);
     BoundingBox<Dim> box;
     for (int k = 0; k < Dim; ++k) {
-        const auto& high = faces[std::size_t(2 * k)];
-        const auto& low = faces[std::size_t(2 * k + 1)];
+        const auto& high = faces[2 * std::size_t(k)];
+        const auto& low = faces[2 * std::size_t(k) + 1];
         box.max[k] = high.value;
         box.min[k] = 0.0 - low.value;
         box.error = std::max({box.error, high.error, low.error});

@@ -4,12 +4,14 @@
 #include "ifs/attractor_existence.h"
 #include "ifs/direction_fan.h"
 #include "ifs/outline.h"
+#include "ifs/sandwich.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <queue>
 
 namespace ifs {
@@ -70,7 +72,8 @@ Ellipsoid<Dim> enclosingEllipsoid(std::span<const AffineMap<Dim>> maps, const Co
 } // namespace
 
 // The attractor seen from its centre, inside both an ellipsoid and the polytope {x : ⟨g,x⟩ ≤ H_g} over the
-// directions g of a fan. The maps are x ↦ A x + offset there; vectors u travel by the transposed matrices.
+// directions g of a fan, with a point of it for each direction. The maps are x ↦ A x + offset there; vectors
+// u travel by the transposed matrices.
 template <int Dim> struct SupportFunction<Dim>::Container {
     std::vector<Matrix<Dim>> transposed;
     std::vector<Vector<Dim>> offsets;
@@ -79,19 +82,39 @@ template <int Dim> struct SupportFunction<Dim>::Container {
     double radius = 0; // about the centre
     DirectionFan<Dim> fan;
     std::vector<double> heights;
+    std::vector<Vector<Dim>> points;            // of the attractor, far out in each direction
+    std::vector<std::size_t> symbol, successor; // each point is that map of that of another direction
     double mergeLimit = 0; // states this close, relative to |v|, can never be one below the other
+    mutable std::once_flag isOutlined;
+    mutable std::optional<Outline> outline; // in the plane, once somebody has asked
 
     explicit Container(int depth) : fan(depth) {}
 
     double bound(const Vector<Dim>& v) const { return std::min(fan.bound(v, heights), ellipsoid.bound(v)); }
-    Outline::Bracket bracket(const Vector<Dim>& v) const { return {bound(v), v.dot(anchor), 0}; }
-    const Vector<Dim>& point(std::size_t) const { return anchor; }
+    Outline::Bracket bracket(const Vector<Dim>& v) const {
+        const auto parts = fan.combination(v);
+        Outline::Bracket result{0, -std::numeric_limits<double>::infinity(), 0};
+        for (int k = 0; k < Dim; ++k) {
+            const std::size_t direction = parts.index[std::size_t(k)];
+            result.upper += parts.factor[k] * heights[direction];
+            if (const double height = v.dot(points[direction]); height > result.lower) {
+                result.lower = height;
+                result.point = direction;
+            }
+        }
+        result.upper = std::min(result.upper, ellipsoid.bound(v));
+        return result;
+    }
+    const Vector<Dim>& point(std::size_t direction) const { return points[direction]; }
+    void lengthen(std::vector<int>& address, std::size_t direction) const;
+    AffineMap<Dim> map(std::size_t i) const { return {transposed[i].transpose(), offsets[i]}; }
 
     double rounding() const { return 16 * RoundingUnit * radius; }
     template <class Constant> std::vector<double> solved(Constant constant, double tie) const;
     bool solve();
     void shrink();
     Vector<Dim> recentre();
+    void findPoints();
 };
 
 // The H with H_g = max_i constant(g, i) + H(A_iᵀg): linear equations once the maximising maps are known,
@@ -180,7 +203,7 @@ template <int Dim> void SupportFunction<Dim>::Container::shrink() {
 template <int Dim> Vector<Dim> SupportFunction<Dim>::Container::recentre() {
     Vector<Dim> middle, half;
     for (int k = 0; k < Dim; ++k) {
-        const double high = heights[std::size_t(2 * k)], low = -heights[std::size_t(2 * k + 1)];
+        const double high = heights[2 * std::size_t(k)], low = -heights[2 * std::size_t(k) + 1];
         middle[k] = (low + high) / 2;
         half[k] = (high - low) / 2;
     }
@@ -192,6 +215,61 @@ template <int Dim> Vector<Dim> SupportFunction<Dim>::Container::recentre() {
     ellipsoid.shape *= 1 + 1e-12;
     radius = half.norm() + moved;
     return middle;
+}
+
+// The map that the heights say leads farthest in a direction g takes it to another, and so on, round and
+// round in the end: a cycle gives a point that its maps leave where it is, and the way there the images of
+// that.
+template <int Dim> void SupportFunction<Dim>::Container::findPoints() {
+    const auto& directions = fan.directions();
+    points.assign(directions.size(), anchor);
+    symbol.assign(directions.size(), 0);
+    successor.assign(directions.size(), 0);
+    for (std::size_t g = 0; g < directions.size(); ++g) {
+        double most = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < offsets.size(); ++i)
+            if (const double height =
+                    directions[g].dot(offsets[i]) + fan.bound(transposed[i] * directions[g], heights);
+                height > most) {
+                most = height;
+                symbol[g] = i;
+            }
+        const auto parts = fan.combination(transposed[symbol[g]] * directions[g]);
+        Eigen::Index nearest = 0;
+        parts.factor.maxCoeff(&nearest);
+        successor[g] = parts.index[std::size_t(nearest)];
+    }
+    std::vector<char> isKnown(directions.size(), 0);
+    for (std::size_t g = 0; g < directions.size(); ++g) {
+        std::vector<std::size_t> way;
+        std::size_t end = g;
+        for (; !isKnown[end] && std::ranges::find(way, end) == way.end(); end = successor[end])
+            way.push_back(end);
+        if (!isKnown[end]) {
+            AffineMap<Dim> cycle = map(symbol[end]);
+            for (std::size_t k = successor[end]; k != end; k = successor[k])
+                cycle = cycle * map(symbol[k]);
+            if (const Vector<Dim> fixed = solveFixedPoint<Dim>(cycle); fixed.allFinite()) points[end] = fixed;
+            isKnown[end] = 1;
+        }
+        for (; !way.empty(); way.pop_back())
+            if (const std::size_t k = way.back(); !isKnown[k]) {
+                points[k] = map(symbol[k])(points[successor[k]]);
+                isKnown[k] = 1;
+            }
+    }
+}
+
+// By the address of the point of a direction, as far as a double can tell.
+template <int Dim>
+void SupportFunction<Dim>::Container::lengthen(std::vector<int>& address, std::size_t direction) const {
+    constexpr int MostSymbols = 4'000;
+    Matrix<Dim> rest = Matrix<Dim>::Identity();
+    for (int n = 0; n < MostSymbols && rest.cwiseAbs().maxCoeff() > 0x1p-60; ++n) {
+        address.push_back(int(symbol[direction]));
+        rest = transposed[symbol[direction]] * rest;
+        direction = successor[direction];
+    }
 }
 
 template <int Dim>
@@ -228,6 +306,7 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     centreOn(ellipsoid.centre);
     if (!container->solve()) container->shrink();
     centreOn(result.m_centre + container->recentre());
+    container->findPoints();
 
     result.m_maps.assign(maps.begin(), maps.end());
     result.m_radius = container->radius;
@@ -235,6 +314,25 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     result.m_normEquivalence = norm.equivalence;
     result.m_container = std::move(container);
     return result;
+}
+
+// Finer and finer: each outline makes the next one cheap. Where the hull is round the lines run out before
+// the tolerance is reached, and finer ones would cost as much as no outline at all.
+template <int Dim> const Outline* SupportFunction<Dim>::outline() const {
+    if constexpr (Dim != 2) {
+        return nullptr;
+    } else {
+        std::call_once(m_container->isOutlined, [this] {
+            constexpr int MostLines = 64;
+            for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8}) {
+                const auto& known = m_container->outline;
+                const Sandwich finer(*this, tolerance * m_radius, known ? &*known : nullptr, MostLines);
+                m_container->outline = finer.outline();
+                if (!(finer.error() <= tolerance * m_radius)) break;
+            }
+        });
+        return &*m_container->outline;
+    }
 }
 
 template <int Dim> Vector<Dim> SupportFunction<Dim>::pointOfAttractor() const {
@@ -271,6 +369,7 @@ template <class Container> struct OutlinedContainer {
         return result;
     }
     const Vector<2>& point(std::size_t k) const { return outline.points()[k]; }
+    void lengthen(std::vector<int>&, std::size_t) const {} // how those points were found is forgotten
 };
 
 // The places of states by their v, rounded to `bits` bits of its largest component. The grid is shifted, for
@@ -377,6 +476,7 @@ public:
 
     // Where on the attractor, as known before, the best address begins.
     const Vector<Dim>& bestStart() const { return m_brackets.point(m_bestPoint); }
+    std::size_t bestPoint() const { return m_bestPoint; }
 
     int depth() const { return m_depth; }
 
@@ -499,14 +599,15 @@ SupportValue<Dim> SupportFunction<Dim>::search(const Known& known, const Vector<
         if (mergeBits > withinTolerance) continue;
         AddressSearch<Dim, Container, Known> search(*m_container, known, scaled, wanted, mergeBits);
         search.run(maxNodes / share);
-        const auto address = search.bestAddress();
+        auto address = search.bestAddress();
         const Vector<Dim> point = follow(address, search.bestStart());
         const double value = scaled.dot(point);
         const double gap = std::max(0.0, search.upperBound() + scaled.dot(m_centre) - value);
         const double error = gap + roundingError(search.depth()) * scaled.norm();
         if (error < leastError) {
             leastError = error;
-            result = {std::ldexp(value, exponent), std::ldexp(error, exponent), point, address};
+            known.lengthen(address, search.bestPoint());
+            result = {std::ldexp(value, exponent), std::ldexp(error, exponent), point, std::move(address)};
         }
         if (search.isFinished()) break;
     }

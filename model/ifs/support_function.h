@@ -19,7 +19,7 @@ template <int Dim> struct SupportValue {
     double value = 0;         // a value attained on the attractor (up to rounding): value ≤ h_A(u)
     double error = 0;         // h_A(u) ≤ value + error, certified, rounding included
     Vector<Dim> point;        // a point of the attractor with ⟨u, point⟩ = value
-    std::vector<int> address; // its address as far as it was followed, outermost first
+    std::vector<int> address; // its address as far as it is known, outermost first
 };
 
 class Outline;
@@ -36,6 +36,10 @@ public:
     // the attractor as seen from centre() shortens the search: the better it is, the more.
     SupportValue<Dim> operator()(const Vector<Dim>& u, double tolerance = 0, int maxNodes = 200'000,
                                  const Outline* known = nullptr) const;
+
+    // What is known of the attractor after the first question, seen from centre(): good enough for most
+    // searches to be short. In the plane; nullptr in space.
+    const Outline* outline() const;
 
     // A ⊂ Ball(centre, radius).
     const Vector<Dim>& centre() const { return m_centre; }

@@ -154,6 +154,33 @@ private slots:
         for (const auto& x : orbit<2>(eventual(), 10'000, random))
             QVERIFY(outside(hull.vertices, x) <= std::min(hull.error, 1.1e-6));
     }
+
+    // Many maps, of which one is slow: thousands of words are nearly as far out as the farthest.
+    void manyMapsAreTight() {
+        Random random(4);
+        for (int n = 0; n < 40; ++n) {
+            auto maps = randomContractions<2>(random, 12 + int(random() % 21));
+            maps.front().linear *= 0.97 / spectralNorm<2>(maps.front().linear);
+            const auto support = *SupportFunction<2>::of(maps);
+            const auto box = boundingBox(support);
+            const double diagonal = (box.max - box.min).norm();
+            QVERIFY2(box.error <= 1e-11 * diagonal, qPrintable(QString::number(box.error / diagonal)));
+            const auto hull = convexHull(support, 1e-6 * diagonal);
+            QVERIFY2(hull.error <= 1e-6 * diagonal, qPrintable(QString::number(hull.error / diagonal)));
+            for (const auto& x : orbit<2>(maps, 2000, random))
+                QVERIFY(outside(hull.vertices, x) <= hull.error + 1e-12 * diagonal);
+        }
+    }
+
+    // Lines at the last digits took each other's place for ever.
+    void theFinestHullEnds() {
+        const std::vector<AffineMap<2>> maps{
+            affineMap(-0.279305, 0.41855, 0.0471545, -0.115376, -0.724803, -0.909322),
+            affineMap(0.348231, 0.0281437, -0.687944, -0.52939, -0.731557, 0.907223)};
+        const auto support = *SupportFunction<2>::of(maps);
+        const auto hull = convexHull(support, 1e-12 * support.radius());
+        QVERIFY(hull.error <= 1e-9 * support.radius());
+    }
 };
 
 QTEST_APPLESS_MAIN(ConvexHullTest)

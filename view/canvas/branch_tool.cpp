@@ -75,8 +75,9 @@ void BranchTool::clicked(const CanvasPart& part, const Pointer& pointer) {
     if (part.kind == Kind::Inside) selectAt(pointer.position);
 }
 
+// One branch is selected, and only a click or the keys of its depth change which: not as among the maps.
 void BranchTool::walk(int step) {
-    PolygonTool::walk(step);
+    PolygonTool::walk(step); // NOLINT(bugprone-parent-virtual-call): MapsTool selects what it walks to
 }
 
 bool BranchTool::keyPress(const QKeyEvent& event) {
@@ -84,7 +85,7 @@ bool BranchTool::keyPress(const QKeyEvent& event) {
         setDepth(m_depth + (event.key() == Qt::Key_PageDown ? 1 : -1));
         return true;
     }
-    return PolygonTool::keyPress(event);
+    return PolygonTool::keyPress(event); // NOLINT(bugprone-parent-virtual-call): MapsTool selects maps
 }
 
 MapsTool::Taken BranchTool::take(const CanvasPart&) {

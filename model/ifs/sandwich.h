@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/outline.h"
+#include "ifs/support_function.h"
+
+#include <optional>
+
+namespace ifs {
+
+// The attractor from inside and outside at once, refined where the two are farthest apart: between two lines
+// its hull lies between the corner where they meet and the segment of their points. Seen from the centre of
+// the attractor. docs/mathematics.md, "Convex hull".
+class Sandwich {
+public:
+    // Refined until the two are nowhere farther apart than `tolerance`, or so many lines were asked for. A
+    // coarser outline known before shortens the search.
+    Sandwich(const SupportFunction<2>& support, double tolerance, const Outline* known, int mostLines);
+
+    const Outline& outline() const { return m_outline; }
+
+    // How far the attractor may lie outside the hull of the points.
+    double error() const;
+
+    // In the middle of its normals a corner is alone the farthest: it is found exactly there, where the
+    // search along an edge may stop anywhere beside it.
+    void settleCorners(const Polygon& polygon);
+
+private:
+    SupportValue<2> ask(const Vector<2>& normal, double tolerance) const;
+    void add(const Vector<2>& normal, const SupportValue<2>& h);
+    const Vector<2>& pointAt(std::size_t line) const;
+    bool refine();
+    std::optional<Vector<2>> directionInto(std::size_t line) const;
+
+    const SupportFunction<2>& m_support;
+    double m_tolerance;
+    const Outline* m_known;
+    Outline m_outline;
+};
+
+} // namespace ifs
