@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "whats_this.h"
 
+#include <QAbstractItemView>
 #include <QAction>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QPushButton>
@@ -32,6 +34,9 @@ void explainByTips(QWidget* root) {
             action->setWhatsThis(action->statusTip().isEmpty() ? action->toolTip() : action->statusTip());
     for (auto* box : root->findChildren<QDialogButtonBox*>())
         explain(box);
+    for (auto* combo : root->findChildren<QComboBox*>()) // the list that pops up is a window of its own
+        if (combo->view()->accessibleName().isEmpty())
+            combo->view()->setAccessibleName(combo->accessibleName());
     for (auto* widget : root->findChildren<QWidget*>()) {
         if (!widget->whatsThis().isEmpty()) continue;
         const auto* button = qobject_cast<QToolButton*>(widget);

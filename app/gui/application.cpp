@@ -9,6 +9,7 @@
 #include "session.h"
 #include "theme.h"
 #include "tour.h"
+#include "welcome.h"
 
 #include <QEvent>
 #include <QIcon>
@@ -66,6 +67,6 @@ void Application::openWindows(const QStringList& files) {
         auto* window = new MainWindow;
         window->openFirstPicture();
         window->show();
-        Tour::offer(window);
+        if (!Tour::offer(window)) Welcome::offer(window);
     }
 }

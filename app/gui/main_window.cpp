@@ -277,6 +277,10 @@ void MainWindow::chooseAndOpen() {
     if (!path.isEmpty()) openPath(path);
 }
 
+void MainWindow::openRecent(const QString& path) {
+    if (maySpoil()) openPath(path);
+}
+
 bool MainWindow::maySpoil() {
     m_canvas->cancelGesture();
     if (!m_document.isModified()) return true;
@@ -346,9 +350,8 @@ void MainWindow::revert() {
 void MainWindow::fillRecent() {
     m_recentMenu->clear();
     for (const QString& path : recent_files::list()) {
-        QAction* action = m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] {
-            if (maySpoil()) openPath(path);
-        });
+        QAction* action =
+            m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { openRecent(path); });
         action->setStatusTip(path);
     }
     if (m_recentMenu->isEmpty()) m_recentMenu->addAction(tr("No recent files"))->setEnabled(false);

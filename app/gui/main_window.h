@@ -32,7 +32,9 @@ public:
     // Each in a window of its own, the first in `first` when there is one. What cannot be opened leaves its
     // window to the next.
     static void openEach(const QStringList& paths, MainWindow* first = nullptr);
-    void openFirstPicture(); // the maple of the collection, without a path
+    void openRecent(const QString& path); // asks about unsaved changes first
+    void chooseAndOpen();                 // likewise
+    void openFirstPicture();              // the maple of the collection, without a path
     void openRecovered(const document::Abandoned& abandoned);
 
     document::Document& document() { return m_document; }
@@ -73,7 +75,6 @@ private:
     bool maySpoil(); // asks about unsaved changes; false: the user wants to stay
     bool save();
     bool saveAs();
-    void chooseAndOpen();
     void revert();
     void reportOpened();
     void fillRecent();

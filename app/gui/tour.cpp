@@ -3,10 +3,8 @@
 
 #include "canvas/canvas_view.h"
 
-#include <QAccessible>
 #include <QDockWidget>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPainter>
@@ -14,15 +12,11 @@
 #include <QSettings>
 #include <QToolBar>
 
-#include <algorithm>
 #include <iterator>
 
 namespace {
 
-constexpr int cardWidth = 340;
-constexpr int margin = 16;   // of the card from what it points at
-constexpr int noteRoom = 56; // at the bottom of the canvas, where it says something
-constexpr int gap = 3;       // between the frame and its target
+constexpr int gap = 3; // between the frame and its target
 
 // The canvas, a panel or a bar of the window, by its object name.
 struct Step {
@@ -98,31 +92,25 @@ void Tour::start(QMainWindow* window) {
     (new Tour(window))->showStep(0);
 }
 
-void Tour::offer(QMainWindow* window) {
-    if (QSettings().value(offeredKey(), false).toBool()) return;
+bool Tour::offer(QMainWindow* window) {
+    if (QSettings().value(offeredKey(), false).toBool()) return false;
     (new Tour(window))->showStep(-1);
+    return true;
 }
 
-Tour::Tour(QMainWindow* window)
-    : QFrame(window),
-      m_window(window),
-      m_mark(new Mark(window)),
+Tour::Tour(QMainWindow* host)
+    : Card(host),
+      m_mark(new Mark(host)),
       m_place(new QLabel(this)),
-      m_title(new QLabel(this)),
+      m_title(createTitle()),
       m_text(new QLabel(this)),
       m_back(new QPushButton(tr("&Back"), this)),
       m_next(new QPushButton(this)),
       m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("tour"));
     setAccessibleName(tr("Tour"));
-    setAttribute(Qt::WA_DeleteOnClose);
-    setFixedWidth(cardWidth);
     m_text->setWordWrap(true);
     m_place->setForegroundRole(QPalette::PlaceholderText);
-    QFont bold = font();
-    bold.setBold(true);
-    bold.setPointSizeF(bold.pointSizeF() * 1.15);
-    m_title->setFont(bold);
 
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
@@ -147,10 +135,6 @@ Tour::Tour(QMainWindow* window)
             close();
     });
     connect(m_close, &QPushButton::clicked, this, &QWidget::close);
-    m_settling.setSingleShot(true);
-    m_settling.setInterval(0);
-    connect(&m_settling, &QTimer::timeout, this, &Tour::place);
-    window->installEventFilter(this);
 }
 
 Tour::~Tour() {
@@ -159,7 +143,7 @@ Tour::~Tour() {
 }
 
 void Tour::leaveStep() {
-    if (m_target) m_target->removeEventFilter(this);
+    if (m_target) unfollow(m_target);
     if (auto* bar = qobject_cast<QToolBar*>(m_target.data()); bar && m_barWasHidden) bar->hide();
     m_target = nullptr;
     m_barWasHidden = false;
@@ -180,21 +164,21 @@ void Tour::showStep(int step) {
         m_title->setText(tr(now.title));
         m_text->setText(tr(now.text));
         const QString name = QString::fromLatin1(now.target);
-        if (auto* dock = m_window->findChild<QDockWidget*>(name); dock && !name.isEmpty()) {
+        if (auto* dock = host()->findChild<QDockWidget*>(name); dock && !name.isEmpty()) {
             dock->show();
             dock->raise();
             m_target = dock;
-        } else if (auto* bar = m_window->findChild<QToolBar*>(name); bar && !name.isEmpty()) {
+        } else if (auto* bar = host()->findChild<QToolBar*>(name); bar && !name.isEmpty()) {
             m_barWasHidden = bar->isHidden();
             bar->show();
             m_target = bar;
-        } else if (auto* canvas = m_window->findChild<view::CanvasView*>()) {
+        } else if (auto* canvas = host()->findChild<view::CanvasView*>()) {
             canvas->setOverlaysVisible(true);
             canvas->setTool(view::CanvasView::Tool::Cage);
             m_target = canvas;
         }
     }
-    if (m_target) m_target->installEventFilter(this);
+    if (m_target) follow(m_target);
     m_place->setText(asking ? QString() : tr("%1 of %2").arg(step + 1).arg(stepCount));
     m_back->setVisible(step > 0);
     m_next->setText(asking ? tr("&Start the Tour") : step + 1 == stepCount ? tr("&Done") : tr("&Next"));
@@ -202,66 +186,19 @@ void Tour::showStep(int step) {
     m_close->setText(asking ? tr("Not Now") : tr("Close"));
     m_close->setVisible(step + 1 < stepCount);
     m_mark->setVisible(m_target != nullptr);
-    show();
-    // After the panels have found their places.
-    m_settling.start();
-    setAccessibleDescription(m_text->text());
-    QAccessibleEvent event(this, QAccessible::Alert);
-    QAccessible::updateAccessibility(&event);
+    appear(m_text->text());
 }
 
-void Tour::place() {
-    const int height = heightForWidth(cardWidth);
-    resize(cardWidth, std::max(height, sizeHint().height()));
-    const QWidget* canvas = m_window->centralWidget();
-    const QRect room(canvas->mapTo(m_window, QPoint()), canvas->size());
-    // On the canvas, at the side of the target; in its upper left corner where the target is the canvas.
+// On the canvas, at the side of the target; in its upper left corner where the target is the canvas.
+QPoint Tour::corner() {
+    if (!m_target) return Card::corner();
+    const QRect pointed(m_target->mapTo(host(), QPoint()), m_target->size());
+    m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(host()->rect()));
+    m_mark->raise();
+    const QRect room = this->room();
     QPoint corner = room.topLeft() + QPoint(margin, margin);
-    if (m_target) {
-        const QRect pointed(m_target->mapTo(m_window, QPoint()), m_target->size());
-        m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(m_window->rect()));
-        m_mark->raise();
-        if (pointed.left() >= room.right()) corner.setX(room.right() - margin - width());
-        if (pointed.top() >= room.bottom() || m_target == canvas)
-            corner.setY(room.bottom() - noteRoom - this->height());
-    } else {
-        corner.setY(room.bottom() - noteRoom - this->height());
-    }
-    move(std::max(0, corner.x()), std::max(0, corner.y()));
-    raise();
-}
-
-bool Tour::eventFilter(QObject* watched, QEvent* event) {
-    switch (event->type()) {
-    case QEvent::Resize:
-    case QEvent::Move:
-    case QEvent::Show:
-    case QEvent::Hide:
-    case QEvent::LayoutRequest:
-        m_settling.start();
-        break;
-    default:
-        break;
-    }
-    return QFrame::eventFilter(watched, event);
-}
-
-void Tour::changeEvent(QEvent* event) {
-    QFrame::changeEvent(event);
-    if (event->type() == QEvent::FontChange) m_settling.start();
-}
-
-void Tour::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape)
-        close();
-    else
-        QFrame::keyPressEvent(event);
-}
-
-void Tour::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
-    painter.setBrush(palette().color(QPalette::Base));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 8, 8);
+    if (pointed.left() >= room.right()) corner.setX(room.right() - margin - cardWidth);
+    if (pointed.top() >= room.bottom() || m_target == host()->centralWidget())
+        corner.setY(room.bottom() - noteRoom - height());
+    return corner;
 }

@@ -1,46 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QFrame>
-#include <QPointer>
-#include <QTimer>
+#include "card.h"
 
-class QLabel;
-class QMainWindow;
+#include <QPointer>
+
 class QPushButton;
 
 // Six short steps through the window itself: a card that says what to do, a frame around where to do it.
 // Nothing is locked meanwhile. Deletes itself when closed; what the tour opened is then as before.
-class Tour : public QFrame {
+class Tour : public Card {
     Q_OBJECT
 
 public:
     // The newest tour of the window, from its first step.
     static void start(QMainWindow* window);
-    // Asks once in the life of the settings whether one would like to.
-    static void offer(QMainWindow* window);
+    // Asks once in the life of the settings whether one would like to; false afterwards.
+    static bool offer(QMainWindow* window);
 
     int step() const { return m_step; } // -1: asking
     QWidget* target() const { return m_target; }
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-    void changeEvent(QEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
+    QPoint corner() override;
 
 private:
-    explicit Tour(QMainWindow* window);
+    explicit Tour(QMainWindow* host);
     ~Tour() override;
 
     void showStep(int step);
     void leaveStep();
-    void place();
 
-    QMainWindow* m_window;
     QPointer<QWidget> m_mark; // the frame around the target
     QPointer<QWidget> m_target;
-    QTimer m_settling; // the card is placed when panels and bars have found theirs
     int m_step = -1;
     bool m_barWasHidden = false;
     QLabel* m_place;

@@ -2111,6 +2111,33 @@
     </message>
 </context>
 <context>
+    <name>Welcome</name>
+    <message>
+        <source>The last files, and the collection.</source>
+        <translation>Die letzten Dateien und die Sammlung.</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>Weiter mit</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Collection</source>
+        <translation>&amp;Sammlung</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+</context>
+<context>
     <name>WhatsThis</name>
     <message>
         <source>Takes what the dialog shows, and closes it.</source>

@@ -2111,6 +2111,33 @@
     </message>
 </context>
 <context>
+    <name>Welcome</name>
+    <message>
+        <source>The last files, and the collection.</source>
+        <translation>Les derniers fichiers et la collection.</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenue</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>Continuer avec</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Collection</source>
+        <translation>&amp;Collection</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+</context>
+<context>
     <name>WhatsThis</name>
     <message>
         <source>Takes what the dialog shows, and closes it.</source>

@@ -2114,6 +2114,33 @@
     </message>
 </context>
 <context>
+    <name>Welcome</name>
+    <message>
+        <source>The last files, and the collection.</source>
+        <translation>Последните датотеки и збирката.</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Добре дојдовте</translation>
+    </message>
+    <message>
+        <source>Go on with</source>
+        <translation>Продолжи со</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Затвори</translation>
+    </message>
+    <message>
+        <source>&amp;Collection</source>
+        <translation>&amp;Збирка</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Отвори…</translation>
+    </message>
+</context>
+<context>
     <name>WhatsThis</name>
     <message>
         <source>Takes what the dialog shows, and closes it.</source>

@@ -17,6 +17,9 @@ private slots:
     void completionsAndManualKnowEveryOption();
     void nothingElseIsOffered();
     void everySubcommandIsOffered();
+#ifdef BARYCAGE_EDITOR
+    void theEditorSaysItsVersionWithoutADisplay();
+#endif
 
 private:
     static void subcommands() {
@@ -134,6 +137,23 @@ void CliOptionsTest::everySubcommandIsOffered() {
                  qPrintable(name));
     }
 }
+
+#ifdef BARYCAGE_EDITOR
+void CliOptionsTest::theEditorSaysItsVersionWithoutADisplay() {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        environment.remove(QString::fromLatin1(name));
+    process.setProcessEnvironment(environment);
+    for (const char* question : {"--version", "--help"}) {
+        process.start(QStringLiteral(BARYCAGE_EDITOR), {QString::fromLatin1(question)});
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 0);
+        QVERIFY(process.readAllStandardOutput().contains("arycage"));
+    }
+}
+#endif
 
 QTEST_GUILESS_MAIN(CliOptionsTest)
 #include "cli_options_test.moc"

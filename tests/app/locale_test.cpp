@@ -11,8 +11,11 @@
 #include "panels/number_text.h"
 #include "support/paths.h"
 
+#include <QFile>
 #include <QLocale>
+#include <QProcess>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
 
@@ -82,12 +85,30 @@ private:
         if (!std::setlocale(LC_ALL, (name + ".UTF-8").constData())) std::setlocale(LC_ALL, name.constData());
     }
     static void speak(const QString& name) { speak(QLocale(name), name.toLatin1()); }
+    void makeLocales() const;
 
+    QTemporaryDir m_locales;
     QStringList m_files;
     QList<QList<Written>> m_plain;
 };
 
+// Few machines have these locales; where their descriptions are (package locales), they are made here.
+void LocaleTest::makeLocales() const {
+    for (const char* name : {"de_DE", "mk_MK", "tr_TR", "fr_FR"}) {
+        const QString wanted = QString::fromLatin1(name);
+        QProcess::execute(QStringLiteral("localedef"),
+                          {QStringLiteral("-i"), wanted, QStringLiteral("-f"), QStringLiteral("UTF-8"),
+                           m_locales.filePath(wanted + QStringLiteral(".UTF-8"))});
+    }
+    qputenv("LOCPATH", QFile::encodeName(m_locales.path()));
+    if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
+        qInfo("Without localedef and its descriptions only the locales of Qt are looked at.");
+    else
+        QCOMPARE(QString::fromLatin1(std::localeconv()->decimal_point), QStringLiteral(","));
+}
+
 void LocaleTest::initTestCase() {
+    makeLocales();
     QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
     QCoreApplication::setApplicationName(QStringLiteral("BarycageLocaleTest"));

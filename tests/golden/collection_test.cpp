@@ -4,6 +4,7 @@
 #include "attractor/chaos_game.h"
 #include "document/fractal.h"
 #include "ifs/attractor_existence.h"
+#include "ifs/facts.h"
 #include "ifs/moments.h"
 #include "io/fractint_writer.h"
 #include "support/paths.h"
@@ -35,6 +36,8 @@ private slots:
     void paperSystemsAreAsPrinted();
     void samplesHaveTheExactMoments_data();
     void samplesHaveTheExactMoments();
+    void geometryIsCertified_data() { entryRows(); }
+    void geometryIsCertified();
 
 private:
     void entryRows();
@@ -206,6 +209,18 @@ void CollectionTest::samplesHaveTheExactMoments_data() {
 
 // Within five standard errors. Those of the mean are the exact long-run ones, which vanish along y for the
 // twindragon: then, as for the covariance, those between sample sets, whose streams have nothing in common.
+// To the accuracy that the window and `info` promise, the search for periodic corners included.
+void CollectionTest::geometryIsCertified() {
+    QFETCH(int, theme);
+    QFETCH(int, entry);
+    const document::System2& system = *document::system2(*m_themes[theme].file.entries[entry].fractal);
+    const ifs::Facts<2> facts = ifs::factsOf<2>(system);
+    QVERIFY(facts.box && facts.simplex && facts.hull);
+    const double diagonal = (facts.box->max - facts.box->min).norm();
+    QVERIFY(facts.hull->error <= 1e-6 * diagonal);
+    QVERIFY(facts.simplex->error <= 1e-11 * facts.simplex->leg);
+}
+
 void CollectionTest::samplesHaveTheExactMoments() {
     QFETCH(int, theme);
     QFETCH(int, entry);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "welcome.h"
+
+#include "canvas/canvas_view.h"
+#include "icon.h"
+#include "main_window.h"
+#include "recent_files.h"
+
+#include <QCommandLinkButton>
+#include <QDir>
+#include <QDockWidget>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace {
+
+constexpr qsizetype mostFiles = 4;
+
+QString folderOf(const QString& path) {
+    QString folder = QFileInfo(path).absolutePath();
+    if (const QString home = QDir::homePath(); folder == home || folder.startsWith(home + u'/'))
+        folder.replace(0, home.size(), u'~');
+    return QDir::toNativeSeparators(folder);
+}
+
+} // namespace
+
+void Welcome::offer(MainWindow* window) {
+    if (recent_files::list().isEmpty()) return;
+    auto* card = new Welcome(window);
+    card->appear(tr("The last files, and the collection."));
+}
+
+Welcome::Welcome(MainWindow* host) : Card(host) {
+    setObjectName(QStringLiteral("welcome"));
+    setAccessibleName(tr("Welcome"));
+    QLabel* title = createTitle();
+    title->setText(tr("Go on with"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(margin, margin - 2, margin, margin - 2);
+    layout->setSpacing(0);
+    layout->addWidget(title);
+    layout->addSpacing(4);
+    constexpr int besideText = 2 * margin + 48;
+    for (const QString& path : recent_files::list().mid(0, mostFiles)) {
+        const QString folder =
+            fontMetrics().elidedText(folderOf(path), Qt::ElideMiddle, cardWidth - besideText);
+        auto* file = new QCommandLinkButton(QFileInfo(path).fileName().replace(u'&', QStringLiteral("&&")),
+                                            folder, this);
+        file->setIcon(view::icon(QStringLiteral("open")));
+        file->setToolTip(QDir::toNativeSeparators(path));
+        connect(file, &QPushButton::clicked, host, [host, path] { host->openRecent(path); });
+        layout->addWidget(file);
+    }
+    auto* close = new QPushButton(tr("Close"), this);
+    auto* collection = new QPushButton(tr("&Collection"), this);
+    auto* open = new QPushButton(tr("&Open…"), this);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(close);
+    buttons->addStretch();
+    buttons->addWidget(collection);
+    buttons->addWidget(open);
+    layout->addSpacing(8);
+    layout->addLayout(buttons);
+
+    connect(close, &QPushButton::clicked, this, &QWidget::close);
+    connect(open, &QPushButton::clicked, host, &MainWindow::chooseAndOpen);
+    connect(collection, &QPushButton::clicked, this, [this, host] {
+        if (auto* dock = host->findChild<QDockWidget*>(QStringLiteral("collection"))) {
+            dock->show();
+            dock->raise();
+            if (auto* search = dock->findChild<QLineEdit*>()) search->setFocus();
+        }
+        this->close();
+    });
+    connect(&host->document(), &document::Document::changed, this, &QWidget::close);
+    if (auto* canvas = host->findChild<view::CanvasView*>()) follow(canvas->viewport());
+}
+
+bool Welcome::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress) close();
+    return Card::eventFilter(watched, event);
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "card.h"
+
+class MainWindow;
+
+// What one may want to go on with, in a window that opened nothing: the last files, another file, the
+// collection. Goes away with the first thing done to the picture.
+class Welcome : public Card {
+    Q_OBJECT
+
+public:
+    // Nothing when there are no recent files.
+    static void offer(MainWindow* window);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    explicit Welcome(MainWindow* host);
+};
