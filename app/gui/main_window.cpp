@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
 
+#include "dialogs/paste_table_dialog.h"
 #include "dialogs/save_file_dialog.h"
 #include "io/fractint_reader.h"
 #include "panels/analysis_panel.h"
@@ -33,6 +34,8 @@
 #include <QScreen>
 #include <QSettings>
 #include <QToolBar>
+
+#include <numeric>
 
 namespace {
 
@@ -192,6 +195,7 @@ void MainWindow::connectDocument() {
     });
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
     connect(&m_file, &OpenFile::pathChanged, this, &MainWindow::updateTitle);
+    connect(&m_file, &OpenFile::orderAssumed, this, &MainWindow::askForColumns);
     connect(m_canvas, &view::CanvasView::message, this, &MainWindow::say);
     connect(&m_recovery, &Recovery::cannotKeep, this,
             [this](const QString& sentence) { fail(tr("No recovery"), sentence); });
@@ -268,6 +272,18 @@ void MainWindow::reportOpened() {
         sentence += tr(", %n of them could not be read and are kept as they are", nullptr, int(broken));
     if (bent > 0) sentence += tr(", %n read with a remark", nullptr, int(bent));
     say(sentence + u'.');
+}
+
+// The maps are there in the order of Fractint; another one is a step of the history.
+void MainWindow::askForColumns(const QString& table) {
+    const document::System2* system = document::system2(m_document.fractal());
+    if (!system) return;
+    view::Rows all(system->maps.size());
+    std::iota(all.begin(), all.end(), 0);
+    auto* dialog = new view::PasteTableDialog(&m_document, all, table, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWords(tr("Order of the Columns"), tr("&Use This Order"));
+    dialog->open();
 }
 
 void MainWindow::chooseAndOpen() {

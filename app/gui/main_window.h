@@ -77,6 +77,7 @@ private:
     bool saveAs();
     void revert();
     void reportOpened();
+    void askForColumns(const QString& table);
     void fillRecent();
     void updateTitle();
     void say(const QString& sentence); // in the status bar, for a few seconds

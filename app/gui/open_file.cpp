@@ -45,6 +45,7 @@ io::Failure OpenFile::open(const QString& path) {
     else
         remember({}, {});
     recent_files::add(path);
+    if (collection.isOrderAssumed) emit orderAssumed(QString::fromUtf8(loaded.bytes));
     return std::nullopt;
 }
 

@@ -36,6 +36,8 @@ public:
 
 signals:
     void pathChanged();
+    // A table was opened whose text does not say what its columns are.
+    void orderAssumed(const QString& text);
 
 private:
     io::Failure write(const QString& path);

@@ -14,6 +14,7 @@ namespace io {
 struct Collection {
     QString format; // "fractint", "flame", "table", "png", "svg"
     document::FractalFile file;
+    bool isOrderAssumed = false; // of the columns of a table that does not say it
 };
 
 // How to understand what a format leaves open.

@@ -1099,6 +1099,14 @@
         <source>Maps and Branches</source>
         <translation>Abbildungen und Äste</translation>
     </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Reihenfolge der Spalten</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>Diese &amp;Reihenfolge</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>

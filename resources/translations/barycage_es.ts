@@ -1099,6 +1099,14 @@
         <source>Maps and Branches</source>
         <translation>Aplicaciones y ramas</translation>
     </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Orden de las columnas</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>&amp;Usar este orden</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>

@@ -1099,6 +1099,14 @@
         <source>Maps and Branches</source>
         <translation>Applications et branches</translation>
     </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Ordre des colonnes</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>&amp;Utiliser cet ordre</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>

@@ -1102,6 +1102,14 @@
         <source>Maps and Branches</source>
         <translation>Пресликувања и гранки</translation>
     </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Редослед на колоните</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>&amp;Користи го овој редослед</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>

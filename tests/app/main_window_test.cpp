@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dialogs/paste_table_dialog.h"
 #include "dialogs/preferences_dialog.h"
 #include "main_window.h"
 #include "preferences.h"
@@ -16,6 +17,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QUndoStack>
 
 // The window as a whole: what it opens and how it divides its room.
 class MainWindowTest : public QObject {
@@ -30,6 +32,7 @@ private slots:
     void aNarrowWindowIsHalfPicture();
     void preferencesReachEveryWindow();
     void theFilesOfTheLastRunAreKnown();
+    void theColumnsOfATableAreAskedFor();
 
 private:
     static QList<MainWindow*> windows() { return session::windows(); }
@@ -150,6 +153,32 @@ void MainWindowTest::theFilesOfTheLastRunAreKnown() {
     QCOMPARE(known(), QStringList({dos}));
     QSettings().setValue(QStringLiteral("session/files"), QStringList({QStringLiteral("/nowhere/a.ifs")}));
     QVERIFY(session::files().isEmpty());
+}
+
+// Of a file that does not say what its columns are.
+void MainWindowTest::theColumnsOfATableAreAskedFor() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("leaf.csv"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("0.5,0.1,3,0.2,0.4,5,0.25\n0.3,0,2,0,0.3,1,0.75\n");
+    file.close();
+    MainWindow* window = shown(path);
+    auto* dialog = window->findChild<view::PasteTableDialog*>();
+    QVERIFY(dialog);
+    const auto& document = window->document();
+    const auto shift = [&] { return document::system2(document.fractal())->maps[0].map.translation.x(); };
+    QCOMPARE(shift(), 3.0); // the first order in which every map contracts
+    dialog->reject();
+    QCOMPARE(shift(), 0.4); // Fractint's
+    QCOMPARE(document.undoStack()->count(), 0);
+
+    QVERIFY(window->openPath(path));
+    for (auto* open : window->findChildren<view::PasteTableDialog*>())
+        if (open->isVisible()) open->accept();
+    QCOMPARE(shift(), 3.0);
+    QCOMPARE(document.undoStack()->count(), 1);
+    QCOMPARE(document::system2(document.fractal())->maps.size(), std::size_t(2));
 }
 
 QTEST_MAIN(MainWindowTest)

@@ -84,6 +84,11 @@ PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& row
     update();
 }
 
+void PasteTableDialog::setWords(const QString& title, const QString& accept) {
+    setWindowTitle(title);
+    m_accept->setText(accept);
+}
+
 // The first order in which every map contracts.
 void PasteTableDialog::guess() {
     for (int i = 0; i < m_columns->count(); ++i) {

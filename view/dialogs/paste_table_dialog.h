@@ -24,6 +24,9 @@ public:
     PasteTableDialog(document::Document* document, const Rows& rows, const QString& text,
                      QWidget* parent = nullptr);
 
+    // For rows that come from elsewhere than the clipboard.
+    void setWords(const QString& title, const QString& accept);
+
     int count() const { return int(m_table.rows.size()); } // of maps, as read now
 
 signals:
