@@ -88,7 +88,9 @@ MainWindow::MainWindow(QWidget* parent)
     m_canvas->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    hide(); // fields being edited hand over what was typed, while there is a document to take it
+}
 
 QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QString& id,
                               Qt::DockWidgetArea area) {

@@ -12,6 +12,8 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QLineEdit>
+#include <QListView>
 #include <QMessageBox>
 #include <QSettings>
 #include <QStandardPaths>
@@ -33,6 +35,7 @@ private slots:
     void preferencesReachEveryWindow();
     void theFilesOfTheLastRunAreKnown();
     void theColumnsOfATableAreAskedFor();
+    void aWindowMayGoWhileANameIsTyped();
 
 private:
     static QList<MainWindow*> windows() { return session::windows(); }
@@ -166,7 +169,7 @@ void MainWindowTest::theColumnsOfATableAreAskedFor() {
     MainWindow* window = shown(path);
     auto* dialog = window->findChild<view::PasteTableDialog*>();
     QVERIFY(dialog);
-    const auto& document = window->document();
+    auto& document = window->document();
     const auto shift = [&] { return document::system2(document.fractal())->maps[0].map.translation.x(); };
     QCOMPARE(shift(), 3.0); // the first order in which every map contracts
     dialog->reject();
@@ -179,6 +182,24 @@ void MainWindowTest::theColumnsOfATableAreAskedFor() {
     QCOMPARE(shift(), 3.0);
     QCOMPARE(document.undoStack()->count(), 1);
     QCOMPARE(document::system2(document.fractal())->maps.size(), std::size_t(2));
+}
+
+// The field is left when the window goes, and says what it holds to a document that must still be there.
+void MainWindowTest::aWindowMayGoWhileANameIsTyped() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    auto* list = window->findChild<QDockWidget*>(QStringLiteral("entries"))->findChild<QListView*>();
+    QVERIFY(list);
+    list->setFocus();
+    list->edit(list->currentIndex());
+    auto* field = list->findChild<QLineEdit*>();
+    QVERIFY(field && field->isVisible());
+    field->setText(QStringLiteral("renamed"));
+    QStringList names;
+    connect(&window->document(), &document::Document::changed, this,
+            [&] { names << window->document().fractal().name; });
+    delete window;
+    QCOMPARE(names, QStringList{QStringLiteral("renamed")});
 }
 
 QTEST_MAIN(MainWindowTest)
