@@ -60,6 +60,7 @@ Welcome::Welcome(MainWindow* host) : Card(host) {
     auto* collection = new QPushButton(tr("&Collection"), this);
     auto* open = new QPushButton(tr("&Open…"), this);
     auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(margin / 2);
     buttons->addWidget(close);
     buttons->addStretch();
     buttons->addWidget(collection);

@@ -4744,7 +4744,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>On</source>
-        <translation>Active</translation>
+        <translation>Oui</translation>
     </message>
     <message>
         <source>p</source>
