@@ -26,7 +26,7 @@ BoxCountingPlot::BoxCountingPlot(QWidget* parent) : QWidget(parent) {
 }
 
 QSize BoxCountingPlot::sizeHint() const {
-    return {220, 11 * fontMetrics().height()};
+    return {220, 12 * fontMetrics().height()};
 }
 
 QSize BoxCountingPlot::minimumSizeHint() const {
@@ -69,7 +69,7 @@ void BoxCountingPlot::paintEvent(QPaintEvent*) {
     const auto log2 = [&](int k) { return std::log2(double(m_counting->counts[std::size_t(k)])); };
     const double most = std::max(1.0, std::ceil(log2(levels)));
     const int left = fontMetrics().horizontalAdvance(QStringLiteral("88")) + 8;
-    const QRectF area(left, line + 4, width() - left - 8, height() - 2.6 * line - 4);
+    const QRectF area(left, line + 4, width() - left - 8, height() - 3 * line - 8);
     const auto at = [&](double k, double logN) {
         return QPointF(area.left() + area.width() * k / levels, area.bottom() - area.height() * logN / most);
     };
