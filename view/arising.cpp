@@ -129,7 +129,7 @@ void Arising::updateTrail() {
     const document::Fractal& fractal = m_document->fractal();
     const document::System2* system = document::system2(fractal);
     if (m_mode == Mode::ChaosGame && system && m_points > 0 && m_points <= followable) {
-        if (!m_orbit) m_orbit.emplace(*system, m_seed);
+        if (!m_orbit) m_orbit.emplace(attractor::drawable(*system, document::movedBranches(fractal)), m_seed);
         const auto& points = m_orbit->after(m_points);
         const ifs::Placement display = document::placement(fractal);
         for (const auto& point : points)

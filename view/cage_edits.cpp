@@ -62,13 +62,7 @@ QString bakeObstacle(const document::Fractal& fractal) {
 }
 
 std::optional<document::Fractal> baked(const document::Fractal& fractal) {
-    if (!bakeObstacle(fractal).isEmpty()) return std::nullopt;
-    const auto result = ifs::bake(*document::system2(fractal), *fractal.cage);
-    if (!result) return std::nullopt;
-    document::Fractal after = fractal;
-    after.system = result->system;
-    after.cage = result->cage;
-    return after;
+    return bakeObstacle(fractal).isEmpty() ? document::withCageBaked(fractal) : std::nullopt;
 }
 
 document::Fractal withCageAtRest(document::Fractal fractal) {
@@ -113,12 +107,11 @@ std::optional<document::Fractal> unbaked(const document::Fractal& fractal) {
     if (!unbakeObstacle(fractal).isEmpty()) return std::nullopt;
     const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
     const std::vector<ifs::Vector<2>> unit{{0, 0}, {1, 0}, {0, 1}};
-    const auto result = ifs::bake<2>(*document::system2(fractal), {cage.rest, unit});
-    if (!result) return std::nullopt;
     document::Fractal after = fractal;
-    after.system = result->system;
-    after.cage = {unit, cage.current};
-    return after;
+    after.cage = {cage.rest, unit};
+    auto result = document::withCageBaked(after);
+    if (result) result->cage = {unit, cage.current};
+    return result;
 }
 
 QString cageWarning(const document::Fractal& fractal) {

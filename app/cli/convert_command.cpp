@@ -159,19 +159,16 @@ Plan planOf(const Arguments& arguments) {
 
 // The entry under its cage becomes the code; false when the cage is too flat, which is then reported.
 bool bakeEntry(document::Entry& entry, const QString& fileName) {
-    const document::System2* system = document::system2(*entry.fractal);
-    if (!system || !entry.fractal->cage || entry.fractal->cage->rest == entry.fractal->cage->current)
+    if (!document::system2(*entry.fractal) || !entry.fractal->cage ||
+        entry.fractal->cage->rest == entry.fractal->cage->current)
         return true;
-    const auto baked = ifs::bake(*system, *entry.fractal->cage);
+    auto baked = document::withCageBaked(*entry.fractal);
     if (!baked) {
         reportError(fileName,
                     tr("The cage of “%1” is too flat to be baked into the code.").arg(entry.fractal->name));
         return false;
     }
-    document::Fractal fractal = *entry.fractal;
-    fractal.system = baked->system;
-    fractal.cage = baked->cage;
-    entry.fractal = std::make_shared<const document::Fractal>(std::move(fractal));
+    entry.fractal = std::make_shared<const document::Fractal>(*std::move(baked));
     return true;
 }
 

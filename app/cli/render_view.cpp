@@ -33,7 +33,8 @@ private:
 
 ViewBox boxOfAttractor(const document::Fractal& fractal) {
     if (const auto box = document::displayedBox(fractal)) return {box->min, box->max, true};
-    const attractor::DrawableSystem system = attractor::drawable(*document::system2(fractal));
+    const attractor::DrawableSystem system =
+        attractor::drawable(*document::system2(fractal), document::movedBranches(fractal));
     const ifs::Placement toDisplay = document::placement(fractal);
     Extent extent;
     for (const double x : {-1.0, 1.0})
@@ -43,7 +44,9 @@ ViewBox boxOfAttractor(const document::Fractal& fractal) {
 }
 
 ViewBox boxOfIterate(const document::Fractal& fractal, int n) {
-    const auto maps = ifs::activeMaps(*document::system2(fractal)).maps;
+    const attractor::DrawableSystem system =
+        attractor::drawable(*document::system2(fractal), document::movedBranches(fractal));
+    const std::vector<ifs::AffineMap<2>>& maps = system.maps;
     if (std::pow(double(maps.size()), n) > mostCopies)
         throw UsageError{
             QCoreApplication::translate(
@@ -57,7 +60,9 @@ ViewBox boxOfIterate(const document::Fractal& fractal, int n) {
     const auto rest = document::effectiveCage(fractal).rest;
     const ifs::Placement toDisplay = document::placement(fractal);
     Extent extent;
-    std::vector<Copy> open{{{}, n}};
+    std::vector<Copy> open;
+    for (const auto& [word, change] : ifs::pieces<2>(system.moved, maps.size(), std::size_t(n)))
+        open.push_back({change * ifs::composed<2>(maps, word), n - int(word.size())});
     while (!open.empty()) {
         const Copy copy = open.back();
         open.pop_back();

@@ -52,18 +52,23 @@ public:
     AffineView(const DrawableSystem& system, const Projection& projection)
         : m_system(system), m_projection(projection) {}
 
-    Node<Real> root() const {
+    // Of a part of the address tree that is shown through `change`.
+    Node<Real> root(const ifs::AffineMap<2>& change) const {
         const ifs::AffineMap<2>& cage = m_projection.cage.affine();
-        const ifs::Matrix<2> linear = m_projection.scale * cage.linear;
-        const ifs::Vector<2>& centre = m_system.centre;
+        const ifs::Matrix<2> linear = m_projection.scale * (cage.linear * change.linear);
+        const auto changed = [&](int row) { // the centre
+            return Real(change.linear(row, 0)) * Real(m_system.centre.x()) +
+                   Real(change.linear(row, 1)) * Real(m_system.centre.y()) + Real(change.translation[row]);
+        };
+        const Real x = changed(0);
+        const Real y = changed(1);
         Node<Real> node;
         node.xx = linear(0, 0);
         node.xy = linear(0, 1);
         node.yx = linear(1, 0);
         node.yy = linear(1, 1);
         const auto shown = [&](int row) { // of the cage applied to the centre, relative to the camera
-            return Real(cage.linear(row, 0)) * Real(centre.x()) +
-                   Real(cage.linear(row, 1)) * Real(centre.y()) +
+            return Real(cage.linear(row, 0)) * x + Real(cage.linear(row, 1)) * y +
                    (Real(cage.translation[row]) - Real(m_projection.centre[row]));
         };
         node.x = Real(m_projection.scale(0, 0)) * shown(0) + Real(m_projection.grid.width / 2.0);
@@ -101,11 +106,25 @@ public:
         : m_system(system),
           m_projection(projection),
           m_scale(std::abs(projection.scale(0, 0))),
-          m_table(*projection.cage.bend(), system.centre, system.halfExtent.maxCoeff(),
+          m_table(*projection.cage.bend(), system.centre, reach(system),
                   mostBendError / 2 * projection.cellsPerPixel / m_scale) {}
 
-    Node<double> root() const {
-        return {1, 0, 0, 1, m_system.centre.x(), m_system.centre.y(), 1, 0, 1, 0, 0, 0, {}};
+    Node<double> root(const ifs::AffineMap<2>& change) const {
+        const ifs::Matrix<2>& linear = change.linear;
+        const ifs::Vector<2> middle = change(m_system.centre);
+        return {linear(0, 0),
+                linear(0, 1),
+                linear(1, 0),
+                linear(1, 1),
+                middle.x(),
+                middle.y(),
+                1,
+                0,
+                1,
+                0,
+                0,
+                0,
+                {}};
     }
 
     Shown shown(const Node<double>& node) {
@@ -145,6 +164,17 @@ public:
     ifs::AffineMap<2> exactMap(const Node<double>& node) const { return {spread(node), {node.x, node.y}}; }
 
 private:
+    // How far from its centre the attractor is shown.
+    static double reach(const DrawableSystem& system) {
+        double farthest = system.halfExtent.maxCoeff();
+        if (system.moved.empty()) return farthest;
+        for (const ifs::AffineMap<2>& piece : shownPieces(system)) {
+            const ifs::Vector<2> away = (piece(system.centre) - system.centre).cwiseAbs() +
+                                        piece.linear.cwiseAbs() * system.halfExtent;
+            farthest = std::max(farthest, away.maxCoeff());
+        }
+        return farthest;
+    }
     ifs::Matrix<2> spread(const Node<double>& node) const {
         const ifs::Vector<2>& half = m_system.halfExtent;
         return ifs::affineMap(node.xx * half.x(), node.xy * half.y(), node.yx * half.x(), node.yy * half.y(),
@@ -170,11 +200,16 @@ public:
           m_largest(2.0 * std::max(m_width, m_height)),
           m_mostMiss(mostBendError * projection.cellsPerPixel),
           m_kept(std::clamp<std::size_t>((std::size_t{1} << 20) / system.maps.size(), 64, View::most)),
-          m_view(system, projection),
-          m_root(m_view.root()) {
-        m_root.shown = m_view.shown(m_root);
+          m_view(system, projection) {
         for (std::size_t i = 0; i < system.maps.size(); ++i)
             m_branches.push_back(branch(system.maps[i], system.centre, system.probabilities[i]));
+        for (const auto& [word, change] : ifs::pieces<2>(system.moved, system.maps.size())) {
+            Node<Real> node = m_view.root(change);
+            node.shown = m_view.shown(node);
+            for (const int symbol : word)
+                node = child(node, static_cast<std::size_t>(symbol));
+            m_roots.push_back(node);
+        }
     }
 
     AddressCut cut(const std::stop_token& stop) {
@@ -263,7 +298,8 @@ private:
     std::vector<Node<Real>> leaves(double limit, Threshold kind, const std::stop_token& stop) {
         std::vector<Node<Real>> done;
         std::vector<Node<Real>> open;
-        if (visible(m_root)) open.push_back(m_root);
+        std::ranges::copy_if(m_roots, std::back_inserter(open),
+                             [this](const Node<Real>& node) { return visible(node); });
         std::size_t children = 0;
         std::size_t nextLook = 0;
         double settled = 0;
@@ -386,8 +422,8 @@ private:
     bool m_followsBend = false;
     std::size_t m_kept; // fewer where every word has thousands of children
     View m_view;
-    Node<Real> m_root;
     std::vector<Branch<Real>> m_branches;
+    std::vector<Node<Real>> m_roots; // with exactly one of which every address begins
 };
 
 } // namespace
@@ -408,8 +444,12 @@ AddressCut addressCut(const DrawableSystem& system, const Projection& projection
     if (projection.cage.bend() != nullptr)
         return Tree<double, BentView>(system, projection, settings).cut(stop);
     const ifs::AffineMap<2>& cage = projection.cage.affine();
-    const double reach = (cage(system.centre) - projection.centre).cwiseAbs().maxCoeff() +
-                         cage.linear.cwiseAbs().maxCoeff() * system.halfExtent.maxCoeff();
+    double reach = 0;
+    for (const auto& [word, change] : ifs::pieces<2>(system.moved, system.maps.size())) {
+        const ifs::AffineMap<2> shown = cage * change;
+        reach = std::max(reach, (shown(system.centre) - projection.centre).cwiseAbs().maxCoeff() +
+                                    shown.linear.cwiseAbs().maxCoeff() * system.halfExtent.maxCoeff());
+    }
     const bool deep = projection.scale.cwiseAbs().maxCoeff() * reach > 1e9;
     return deep ? Tree<DoubleDouble, AffineView<DoubleDouble>>(system, projection, settings).cut(stop)
                 : Tree<double, AffineView<double>>(system, projection, settings).cut(stop);

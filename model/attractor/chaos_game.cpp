@@ -154,7 +154,14 @@ void drawSamples(const DrawableSystem& system, std::uint64_t seed, std::uint64_t
 }
 
 Orbit::Orbit(const DrawableSystem& system, std::uint64_t seed)
-    : m_system(&system), m_table(system.probabilities), m_random(mixed(seed)) {
+    : m_system(&system),
+      m_table(system.probabilities),
+      m_pieces(ifs::pieces<2>(system.moved, system.maps.size())),
+      m_random(mixed(seed)) {
+    std::size_t longest = 0;
+    for (const auto& [word, change] : m_pieces)
+        longest = std::max(longest, word.size());
+    m_address.assign(longest, 0); // as the fixed point of the first map has it
     m_point.x = ifs::fixedPoint(system.maps.front()).value_or(ifs::Vector<2>::Zero());
     m_farAway = 1e6 * (system.halfExtent.maxCoeff() + (m_point.x - system.centre).cwiseAbs().maxCoeff());
     for (int n = 0; n < skipped; ++n)
@@ -163,7 +170,16 @@ Orbit::Orbit(const DrawableSystem& system, std::uint64_t seed)
 
 Orbit::Point Orbit::next() {
     step();
-    return m_point;
+    Point shown = m_point;
+    if (!m_address.empty()) shown.x = change()(m_point.x);
+    return shown;
+}
+
+const ifs::AffineMap<2>& Orbit::change() const {
+    const auto piece = std::ranges::find_if(m_pieces, [this](const ifs::MovedBranch<2>& candidate) {
+        return std::equal(candidate.word.begin(), candidate.word.end(), m_address.begin());
+    });
+    return piece->change;
 }
 
 void Orbit::step() {
@@ -171,6 +187,10 @@ void Orbit::step() {
     const std::uint32_t i = m_table.draw(random);
     m_point.x = m_system->maps[i](m_point.x);
     m_point.lastMap = i;
+    if (!m_address.empty()) {
+        std::shift_right(m_address.begin(), m_address.end(), 1);
+        m_address.front() = static_cast<int>(i);
+    }
     m_point.addressCoordinate = (i + m_point.addressCoordinate) / static_cast<double>(m_system->maps.size());
     if (!((m_point.x - m_system->centre).cwiseAbs().maxCoeff() <= m_farAway)) m_point.x = m_system->centre;
 }

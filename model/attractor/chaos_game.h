@@ -55,7 +55,7 @@ public:
     Orbit(const DrawableSystem& system, std::uint64_t seed);
 
     struct Point {
-        ifs::Vector<2> x;
+        ifs::Vector<2> x;             // where it is shown
         std::uint32_t lastMap = 0;    // among the maps that take part
         double addressCoordinate = 0; // Σ σ_k N^−k, newest map first
     };
@@ -63,10 +63,13 @@ public:
 
 private:
     void step();
+    const ifs::AffineMap<2>& change() const; // of the piece that the point lies in
 
     const DrawableSystem* m_system; // outlives the orbit
     AliasTable m_table;
-    Point m_point;
+    std::vector<ifs::MovedBranch<2>> m_pieces;
+    ifs::Word m_address; // of the point, as far as it tells the piece
+    Point m_point;       // where it is
     double m_farAway = 0;
     std::uint64_t m_random = 0;
 };

@@ -183,7 +183,8 @@ RenderNote existenceNote(const std::vector<ifs::AffineMap<2>>& maps) {
 
 } // namespace
 
-DrawableSystem drawable(const ifs::IteratedFunctionSystem<2>& system) {
+DrawableSystem drawable(const ifs::IteratedFunctionSystem<2>& system,
+                        std::span<const ifs::MovedBranch<2>> moved) {
     const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
     DrawableSystem result;
     double total = 0;
@@ -200,11 +201,19 @@ DrawableSystem drawable(const ifs::IteratedFunctionSystem<2>& system) {
     }
     for (double& p : result.probabilities)
         p /= total;
+    result.moved = ifs::overMaps<2>(moved, result.index);
     for (std::size_t i = 0; i < result.maps.size(); ++i)
         result.meanLogarithm +=
             result.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(result.maps[i].linear));
     result.note = existenceNote(result.maps);
     placeBox(result);
+    return result;
+}
+
+std::vector<ifs::AffineMap<2>> shownPieces(const DrawableSystem& system) {
+    std::vector<ifs::AffineMap<2>> result;
+    for (const auto& [word, change] : ifs::pieces<2>(system.moved, system.maps.size()))
+        result.push_back(change * ifs::composed<2>(system.maps, word));
     return result;
 }
 

@@ -3,8 +3,8 @@
 
 namespace attractor {
 
-OrbitTrail::OrbitTrail(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t seed)
-    : m_system(drawable(system)), m_seed(seed) {}
+OrbitTrail::OrbitTrail(DrawableSystem system, std::uint64_t seed)
+    : m_system(std::move(system)), m_seed(seed) {}
 
 const std::vector<OrbitTrail::Point>& OrbitTrail::after(std::uint64_t plotted) {
     if (m_system.maps.empty()) return m_points;

@@ -21,7 +21,7 @@ public:
         std::size_t map = 0; // the last one applied: its place in the system
     };
 
-    OrbitTrail(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t seed);
+    OrbitTrail(DrawableSystem system, std::uint64_t seed);
 
     // The newest of the first `plotted` points, the oldest of them first. Costs the points since the last
     // call, or all of them when they are fewer than then.

@@ -38,12 +38,13 @@ int wordsFor(std::uint64_t samples) {
 }
 
 void Picture::start(RenderRequest newRequest) {
-    const bool sameSystem = system.maps.size() > 0 && newRequest.system == request.system;
+    const bool sameSystem =
+        system.maps.size() > 0 && newRequest.system == request.system && newRequest.moved == request.moved;
     request = std::move(newRequest);
     request.threads = std::clamp(request.threads, 1, 256);
     request.appearance.supersample = std::clamp(request.appearance.supersample, 1, 4);
     if (!sameSystem) {
-        system = attractor::drawable(request.system);
+        system = attractor::drawable(request.system, request.moved);
         bent.clear();
     }
     const Camera& camera = request.camera;
@@ -68,7 +69,8 @@ ifs::Placement Picture::placement() {
     if (!request.cage || !ifs::isValid(*request.cage)) return {};
     if (ifs::bends(*request.cage) && bent != request.cage->rest) {
         const auto support = ifs::SupportFunction<2>::of(system.maps);
-        coordinates = ifs::suitableCoordinates(request.cage->rest, support ? &*support : nullptr);
+        coordinates =
+            ifs::suitableCoordinates(request.cage->rest, support ? &*support : nullptr, shownPieces(system));
         bent = request.cage->rest;
     }
     return {*request.cage, coordinates};

@@ -29,7 +29,7 @@ public:
         }
         m_outlined = std::pow(static_cast<double>(job.system.maps.size()), job.iterations) <= mostOutlined;
         if (const ifs::PolygonDeformation* bend = projection.cage.bend())
-            m_bend.emplace(*bend, (m_low + m_high) / 2, (m_high - m_low).maxCoeff() / 2,
+            m_bend.emplace(*bend, (m_low + m_high) / 2, reach(),
                            mostBendError * projection.cellsPerPixel / std::abs(projection.scale(0, 0)));
     }
 
@@ -42,7 +42,20 @@ public:
             double step = 1;
         };
         const auto count = static_cast<double>(m_job.system.maps.size());
-        std::vector<Node> stack{{}};
+        const auto child = [&](const Node& node, std::size_t i) {
+            const double step = node.step / count;
+            return Node{node.map * m_job.system.maps[i], node.depth + 1,
+                        node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap,
+                        node.place + static_cast<double>(i) * step, step};
+        };
+        std::vector<Node> stack;
+        for (const auto& [word, change] : pieces()) {
+            Node node{change};
+            for (const int symbol : word)
+                node = child(node, static_cast<std::size_t>(symbol));
+            stack.push_back(node);
+        }
+        std::ranges::reverse(stack);
         std::size_t visits = 0;
         while (!stack.empty()) {
             if (++visits % 1024 == 0 && stop.stop_requested()) return false;
@@ -55,17 +68,32 @@ public:
                 if (fill(node.map, colour) && m_outlined && reach.size >= smallestOutlined) outline(colour);
                 continue;
             }
-            for (std::size_t i = m_job.system.maps.size(); i-- > 0;) {
-                const double step = node.step / count;
-                stack.push_back({node.map * m_job.system.maps[i], node.depth + 1,
-                                 node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap,
-                                 node.place + static_cast<double>(i) * step, step});
-            }
+            for (std::size_t i = m_job.system.maps.size(); i-- > 0;)
+                stack.push_back(child(node, i));
         }
         return true;
     }
 
 private:
+    // What is longer than the words that are drawn is part of an image and does not move.
+    std::vector<ifs::MovedBranch<2>> pieces() const {
+        return ifs::pieces<2>(m_job.system.moved, m_job.system.maps.size(),
+                              static_cast<std::size_t>(m_job.iterations));
+    }
+
+    // How far from the middle of the box images are shown.
+    double reach() const {
+        const ifs::Vector<2> middle = (m_low + m_high) / 2;
+        const ifs::Vector<2> half = (m_high - m_low) / 2;
+        double farthest = 0;
+        for (const auto& [word, change] : pieces()) {
+            const ifs::AffineMap<2> map = change * ifs::composed<2>(m_job.system.maps, word);
+            const ifs::Vector<2> away = (map(middle) - middle).cwiseAbs() + map.linear.cwiseAbs() * half;
+            farthest = std::max(farthest, away.maxCoeff());
+        }
+        return farthest;
+    }
+
     struct Reach {
         bool inView = false;
         double size = 0; // cells

@@ -3,6 +3,7 @@
 
 #include "attractor/appearance.h"
 #include "attractor/camera.h"
+#include "ifs/branch.h"
 #include "ifs/control_cage.h"
 #include "ifs/iterated_function_system.h"
 
@@ -36,6 +37,7 @@ struct RenderRequest {
     std::uint64_t revision = 0; // handed through to the frame
     ifs::IteratedFunctionSystem<2> system;
     std::optional<ifs::ControlCage<2>> cage; // nullopt: the code is drawn as it is
+    std::vector<ifs::MovedBranch<2>> moved;  // before the cage; words over places in the system
     Appearance appearance;
     Camera camera;
     Algorithm algorithm = Algorithm::Density;

@@ -16,6 +16,7 @@ Addresses::Addresses(const Fractal& fractal) {
     m_active = ifs::activeMaps(*system);
     m_attractor = ifs::SupportFunction<2>::of(m_active.maps);
     m_placement = placement(fractal);
+    m_pieces = ifs::pieces<2>(ifs::overMaps<2>(movedBranches(fractal), m_active.index), m_active.maps.size());
 }
 
 ifs::Word Addresses::at(const ifs::Vector<2>& displayed, double pixel) const {
@@ -26,24 +27,34 @@ ifs::Word Addresses::at(const ifs::Vector<2>& displayed, double pixel) const {
     const auto back = ifs::inverse(ifs::firstOrder(m_placement, *point));
     if (!back) return {};
     const double inCode = pixel * ifs::spectralNorm<2>(back->linear);
-    const auto found = ifs::addressNear(*m_attractor, *point, reach * inCode, inCode);
-    if (!found) return {};
+    std::optional<ifs::Addressed> nearest;
+    for (const auto& [beginning, change] : m_pieces) {
+        const auto unmoved = ifs::inverse(change);
+        if (!unmoved) continue;
+        const double scale = ifs::spectralNorm<2>(unmoved->linear);
+        auto found = ifs::addressNear(*m_attractor, (*unmoved)(*point), reach * inCode * scale,
+                                      inCode * scale, beginning);
+        if (!found) continue;
+        found->distance /= scale;
+        if (!nearest || found->distance < nearest->distance) nearest = std::move(found);
+    }
     ifs::Word word;
-    for (const int letter : found->address)
+    for (const int letter : nearest ? nearest->address : ifs::Word{})
         word.push_back(int(m_active.index[std::size_t(letter)]));
     return word;
 }
 
 std::optional<ifs::Vector<2>> Addresses::fixedPoint(const ifs::Word& word) const {
-    if (word.empty()) return std::nullopt;
-    ifs::Word letters;
-    for (const int place : word) {
-        const auto letter = std::ranges::find(m_active.index, std::size_t(place));
-        if (letter == m_active.index.end()) return std::nullopt;
-        letters.push_back(int(letter - m_active.index.begin()));
-    }
-    const auto point = ifs::addressPoint<2>(m_active.maps, {}, letters);
-    return point ? std::optional(m_placement(*point)) : std::nullopt;
+    const auto letters = ifs::overMaps(word, m_active.index);
+    if (word.empty() || !letters) return std::nullopt;
+    const auto point = ifs::addressPoint<2>(m_active.maps, {}, *letters);
+    if (!point) return std::nullopt;
+    const auto piece = std::ranges::find_if(m_pieces, [&](const ifs::MovedBranch<2>& candidate) {
+        for (std::size_t k = 0; k < candidate.word.size(); ++k)
+            if (candidate.word[k] != (*letters)[k % letters->size()]) return false;
+        return true;
+    });
+    return m_placement(piece->change(*point));
 }
 
 QString addressText(const ifs::Word& word, std::size_t longest) {

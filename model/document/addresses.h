@@ -26,6 +26,7 @@ private:
     ifs::ActiveMaps<2> m_active;
     std::optional<ifs::SupportFunction<2>> m_attractor;
     ifs::Placement m_placement;
+    std::vector<ifs::MovedBranch<2>> m_pieces; // of what is shown, words over the active maps
 };
 
 // "3 2 3 2 …": the numbers that the user counts maps by, at most `longest` of them.

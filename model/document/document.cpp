@@ -58,7 +58,7 @@ bool entriesDiffer(const FractalFile& a, const FractalFile& b, EntryId except) {
 Change::Parts difference(const Fractal& a, const Fractal& b) {
     Change::Parts parts;
     parts.setFlag(Change::System, a.system != b.system);
-    parts.setFlag(Change::Cage, a.cage != b.cage);
+    parts.setFlag(Change::Cage, a.cage != b.cage || a.moved != b.moved);
     parts.setFlag(Change::Appearance, !(a.appearance == b.appearance));
     parts.setFlag(Change::Name,
                   a.name != b.name || a.headerComment != b.headerComment || a.comments != b.comments);

@@ -17,6 +17,14 @@ namespace document {
 using System2 = ifs::IteratedFunctionSystem<2>;
 using System3 = ifs::IteratedFunctionSystem<3>;
 
+// A branch, by the ids of the maps of its address, that is shown elsewhere: ifs::MovedBranch.
+struct MovedBranch {
+    std::vector<ifs::MapId> word;
+    ifs::AffineMap<2> change;
+
+    friend bool operator==(const MovedBranch&, const MovedBranch&) = default;
+};
+
 // One entry of a file, as a plain value.
 struct Fractal {
     QString name;
@@ -25,6 +33,7 @@ struct Fractal {
     // monostate: the entry could not be read; its bytes are kept in its source.
     std::variant<std::monostate, System2, System3> system;
     std::optional<ifs::ControlCage<2>> cage; // nullopt: the minimal canonical simplex of the code, at rest
+    std::vector<MovedBranch> moved;          // each word once
     attractor::Appearance appearance;
 
     friend bool operator==(const Fractal&, const Fractal&) = default;
@@ -44,6 +53,17 @@ ifs::ControlCage<2> effectiveCage(const Fractal& fractal);
 
 // Coordinates of the code → displayed ones.
 ifs::Placement placement(const Fractal& fractal);
+
+// The branches that are moved, as words over places in the system. Those with a map that is gone are left
+// out.
+std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal);
+
+// The code becomes M∘w∘M⁻¹, and so does what moves its branches; nullopt unless it is a plane system and M
+// can be inverted. The cage stays.
+std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<2>& transformation);
+
+// The code takes up its cage (ifs::bake); nullopt where that cannot be.
+std::optional<Fractal> withCageBaked(const Fractal& fractal);
 
 // The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is flat
 // or bent.

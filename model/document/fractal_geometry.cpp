@@ -4,6 +4,7 @@
 #include "attractor/address_cut.h"
 #include "ifs/support_function.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace document {
@@ -20,6 +21,16 @@ std::optional<ifs::SupportFunction<2>> supportFunction(const Fractal& fractal) {
     return ifs::SupportFunction<2>::of(ifs::activeMaps(*system).maps);
 }
 
+// change∘w_word for every piece of what is shown, in coordinates of the code.
+std::vector<ifs::AffineMap<2>> shownPieces(const Fractal& fractal) {
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(fractal));
+    std::vector<ifs::AffineMap<2>> result;
+    for (const auto& [word, change] :
+         ifs::pieces<2>(ifs::overMaps<2>(movedBranches(fractal), active.index), active.maps.size()))
+        result.push_back(change * ifs::composed<2>(active.maps, word));
+    return result;
+}
+
 // Of the words of a fine cut, in the smallest picture that holds the current vertices with room to spare.
 std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& placement) {
     ifs::Vector<2> low = fractal.cage->current[0];
@@ -28,7 +39,7 @@ std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& place
         low = low.cwiseMin(vertex);
         high = high.cwiseMax(vertex);
     }
-    const attractor::DrawableSystem system = attractor::drawable(*system2(fractal));
+    const attractor::DrawableSystem system = attractor::drawable(*system2(fractal), movedBranches(fractal));
     attractor::Camera camera;
     camera.width = camera.height = 1000;
     camera = attractor::fitted(camera, low, high, 0.3);
@@ -56,7 +67,46 @@ ifs::Placement placement(const Fractal& fractal) {
     if (!fractal.cage || !ifs::isValid(*fractal.cage)) return {};
     if (!ifs::bends(*fractal.cage)) return ifs::displayMap(*fractal.cage);
     const auto support = supportFunction(fractal);
-    return {*fractal.cage, ifs::suitableCoordinates(fractal.cage->rest, support ? &*support : nullptr)};
+    std::vector<ifs::AffineMap<2>> pieces;
+    if (support && !fractal.moved.empty()) pieces = shownPieces(fractal);
+    return {*fractal.cage,
+            ifs::suitableCoordinates(fractal.cage->rest, support ? &*support : nullptr, pieces)};
+}
+
+std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal) {
+    std::vector<ifs::MovedBranch<2>> result;
+    const System2* system = system2(fractal);
+    if (system == nullptr) return result;
+    for (const auto& [word, change] : fractal.moved) {
+        ifs::MovedBranch<2> branch{{}, change};
+        for (const ifs::MapId id : word) {
+            const auto map = std::ranges::find(system->maps, id, &ifs::WeightedMap<2>::id);
+            if (map != system->maps.end()) branch.word.push_back(int(map - system->maps.begin()));
+        }
+        if (branch.word.size() == word.size()) result.push_back(std::move(branch));
+    }
+    return result;
+}
+
+std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<2>& transformation) {
+    const System2* system = system2(fractal);
+    auto moved = system ? ifs::conjugate(transformation, *system) : std::nullopt;
+    if (!moved) return std::nullopt;
+    Fractal result = fractal;
+    result.system = *std::move(moved);
+    for (MovedBranch& branch : result.moved)
+        branch.change = ifs::conjugate(transformation, branch.change).value_or(branch.change);
+    return result;
+}
+
+std::optional<Fractal> withCageBaked(const Fractal& fractal) {
+    if (system2(fractal) == nullptr || !fractal.cage) return std::nullopt;
+    const auto baked = ifs::bake(*system2(fractal), *fractal.cage);
+    auto result = baked ? conjugated(fractal, ifs::displayMap(*fractal.cage)) : std::nullopt;
+    if (!result) return std::nullopt;
+    result->system = baked->system;
+    result->cage = baked->cage;
+    return result;
 }
 
 ifs::ControlCage<2> effectiveCage(const Fractal& fractal) {
@@ -79,6 +129,7 @@ attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::
     attractor::RenderRequest request;
     if (const System2* system = system2(fractal)) request.system = *system;
     request.cage = fractal.cage;
+    request.moved = movedBranches(fractal);
     request.appearance = fractal.appearance;
     request.camera = camera;
     return request;
@@ -89,12 +140,17 @@ std::optional<Box> displayedBox(const Fractal& fractal) {
     if (!support) return std::nullopt;
     const ifs::Placement placed = placement(fractal);
     if (placed.bend() != nullptr) return boxOfBend(fractal, placed);
-    const ifs::AffineMap<2>& display = placed.affine();
+    const std::vector<ifs::AffineMap<2>> pieces = shownPieces(fractal);
     // h_{M(A)}(u) = h_A(Mᵀu) + ⟨u, t⟩
     const auto extent = [&](const ifs::Vector<2>& u) {
-        const ifs::Vector<2> pulledBack = display.linear.transpose() * u;
-        const auto h = (*support)(pulledBack, relativeTolerance * support->radius() * pulledBack.norm());
-        return h.value + h.error + u.dot(display.translation);
+        double farthest = -HUGE_VAL;
+        for (const ifs::AffineMap<2>& piece : pieces) {
+            const ifs::AffineMap<2> display = placed.affine() * piece;
+            const ifs::Vector<2> pulledBack = display.linear.transpose() * u;
+            const auto h = (*support)(pulledBack, relativeTolerance * support->radius() * pulledBack.norm());
+            farthest = std::max(farthest, h.value + h.error + u.dot(display.translation));
+        }
+        return farthest;
     };
     const Box box{{-extent({-1, 0}), -extent({0, -1})}, {extent({1, 0}), extent({0, 1})}};
     if (!box.min.allFinite() || !box.max.allFinite()) return std::nullopt;

@@ -12,8 +12,43 @@ namespace document {
 using ifs::AffineMap;
 using ifs::Vector;
 
+namespace {
+
+std::vector<ifs::MapId> idsOf(const System2& system, const ifs::Word& places) {
+    std::vector<ifs::MapId> word;
+    for (const int place : places)
+        word.push_back(system.maps[std::size_t(place)].id);
+    return word;
+}
+
+AffineMap<2> changeOf(const Fractal& fractal, const std::vector<ifs::MapId>& word) {
+    const auto moved = std::ranges::find(fractal.moved, word, &MovedBranch::word);
+    return moved == fractal.moved.end() ? AffineMap<2>{} : moved->change;
+}
+
+// Of the branches around this one.
+AffineMap<2> changeAround(const Fractal& fractal, const std::vector<ifs::MapId>& word) {
+    AffineMap<2> change;
+    for (std::size_t length = 0; length < word.size(); ++length)
+        change = change * changeOf(fractal, {word.begin(), word.begin() + std::ptrdiff_t(length)});
+    return change;
+}
+
+} // namespace
+
 MapHandles::MapHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage, const AffineMap<2>& within)
     : m_fractal(fractal), m_cage(cage), m_placement(placement(fractal)), m_within(within) {}
+
+MapHandles MapHandles::ofBranch(const Fractal& fractal, const ifs::ControlCage<2>& cage,
+                                const ifs::Word& branch) {
+    MapHandles handles(fractal, cage);
+    const std::vector<AffineMap<2>> maps = ifs::mapsOf(*system2(fractal));
+    const std::vector<ifs::MapId> word = idsOf(*system2(fractal), branch);
+    handles.m_within = changeAround(fractal, word); // moves it too, and stays as it is
+    handles.m_branch = word;
+    handles.m_branchMap = {{word.back(), changeOf(fractal, word) * ifs::composed<2>(maps, branch), {}}};
+    return handles;
+}
 
 std::vector<Vector<2>> MapHandles::corners(std::size_t place) const {
     std::vector<Vector<2>> result;
@@ -36,7 +71,8 @@ std::vector<Vector<2>> MapHandles::outline(std::size_t place) const {
 }
 
 bool MapHandles::canBeTaken() const {
-    return (m_placement.bend() != nullptr || ifs::isInvertible(m_cage)) && ifs::inverse(m_within);
+    return (m_placement.bend() != nullptr || ifs::isInvertible(m_cage)) && ifs::inverse(m_within) &&
+           (m_branch.empty() || ifs::inverse(m_branchMap.front().map));
 }
 
 AffineMap<2> MapHandles::around(std::size_t place) const {
@@ -48,8 +84,27 @@ AffineMap<2> MapHandles::around(std::size_t place) const {
 
 Fractal MapHandles::changed() const {
     Fractal fractal = m_fractal;
-    fractal.cage = m_cage;
+    if (m_branch.empty()) fractal.cage = m_cage;
     return fractal;
+}
+
+void MapHandles::change(Fractal& fractal, std::size_t place, const AffineMap<2>& change) const {
+    if (m_branch.empty()) {
+        AffineMap<2>& map = system2(fractal)->maps[place].map;
+        map = change * map;
+        return;
+    }
+    const auto moved = std::ranges::find(fractal.moved, m_branch, &MovedBranch::word);
+    if (moved == fractal.moved.end())
+        fractal.moved.push_back({m_branch, change});
+    else
+        moved->change = change * moved->change;
+}
+
+void MapHandles::changeDisplayed(Fractal& fractal, std::size_t place, const AffineMap<2>& displayed) const {
+    const auto back = ifs::inverse(around(place));
+    if (const auto inCode = back ? ifs::conjugate(*back, displayed) : std::nullopt)
+        change(fractal, place, *inCode);
 }
 
 Fractal MapHandles::withCornerMoved(std::size_t place, std::size_t corner, const Vector<2>& offset) const {
@@ -60,10 +115,17 @@ Fractal MapHandles::withCornerMoved(std::size_t place, std::size_t corner, const
     const Vector<2> seen = m_within(held);
     const auto target = ifs::preimage(m_placement, m_placement(seen) + offset, seen);
     Fractal fractal = changed();
-    AffineMap<2>& map = system2(fractal)->maps[place].map;
     Vector<2> moved = inCode->linear * offset;
     if (target) moved = outOf->linear * (*target - seen);
-    map = ifs::withHandleMoved(map, m_cage.rest, corner, moved);
+    const AffineMap<2>& map = maps()[place].map;
+    if (m_branch.empty()) {
+        system2(fractal)->maps[place].map = ifs::withHandleMoved(map, m_cage.rest, corner, moved);
+        return fractal;
+    }
+    std::vector<Vector<2>> polygon;
+    for (const Vector<2>& vertex : m_cage.rest)
+        polygon.push_back(map(vertex));
+    change(fractal, place, ifs::withHandleMoved({}, polygon, corner, moved));
     return fractal;
 }
 
@@ -72,21 +134,15 @@ Fractal MapHandles::withMapsMoved(std::span<const std::size_t> places, const Vec
     Fractal fractal = changed();
     for (const std::size_t place : places)
         if (const auto inCode = ifs::inverse(around(place)))
-            system2(fractal)->maps[place].map.translation += inCode->linear * offset;
+            change(fractal, place, {ifs::Matrix<2>::Identity(), inCode->linear * offset});
     return fractal;
-}
-
-void MapHandles::change(ifs::WeightedMap<2>& map, std::size_t place, const AffineMap<2>& displayed) const {
-    const auto back = ifs::inverse(around(place));
-    if (const auto inCode = back ? ifs::conjugate(*back, displayed) : std::nullopt)
-        map.map = *inCode * map.map;
 }
 
 Fractal MapHandles::withMapsChanged(std::span<const std::size_t> places, const AffineMap<2>& change) const {
     if (change == AffineMap<2>{}) return m_fractal;
     Fractal fractal = changed();
     for (const std::size_t place : places)
-        this->change(system2(fractal)->maps[place], place, change);
+        changeDisplayed(fractal, place, change);
     return fractal;
 }
 
@@ -95,8 +151,8 @@ Fractal MapHandles::withMapsSwung(std::span<const std::size_t> places, const Vec
     if (angle == 0) return m_fractal;
     Fractal fractal = changed();
     for (const std::size_t place : places)
-        change(system2(fractal)->maps[place], place,
-               ifs::swung({}, m_placement(m_within(maps()[place].map(root))), angle));
+        changeDisplayed(fractal, place,
+                        ifs::swung({}, m_placement(m_within(maps()[place].map(root))), angle));
     return fractal;
 }
 
@@ -123,6 +179,10 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
         keepColour(ifs::append(system, idle.map, idle.weight), place);
         system.maps.back().enabled = idle.enabled;
     }
+    result.moved.clear();
+    for (const auto& [word, change] : ifs::overMaps<2>(movedBranches(fractal), active.index))
+        for (const ifs::Word& over : ifs::overCutSet(word, letters, active.maps.size()))
+            result.moved.push_back({idsOf(system, over), change});
     result.system = std::move(system);
     return result;
 }
@@ -133,16 +193,32 @@ std::optional<BranchHandles> branchHandles(const Fractal& fractal, const ifs::Co
                                            const ifs::Word& branch, BranchEdit edit) {
     if (branch.empty() || system2(fractal) == nullptr) return std::nullopt;
     const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(fractal));
-    ifs::Word letters;
-    for (const int place : branch) {
-        const auto letter = std::ranges::find(active.index, std::size_t(place));
-        if (letter == active.index.end()) return std::nullopt;
-        letters.push_back(int(letter - active.index.begin()));
-    }
-    if (branch.size() == 1) return BranchHandles{{fractal, cage}, std::size_t(branch.front())};
-    if (edit == BranchEdit::OwnMap) return BranchHandles{{withBranchAsMap(fractal, letters), cage}, 0};
-    letters.pop_back();
-    return BranchHandles{{fractal, cage, ifs::composed<2>(active.maps, letters)}, std::size_t(branch.back())};
+    auto letters = ifs::overMaps(branch, active.index);
+    if (!letters) return std::nullopt;
+    if (edit == BranchEdit::Display) return BranchHandles{MapHandles::ofBranch(fractal, cage, branch), 0};
+    const std::vector<ifs::MapId> word = idsOf(*system2(fractal), branch);
+    const AffineMap<2> moved = changeAround(fractal, word) * changeOf(fractal, word);
+    if (branch.size() == 1) return BranchHandles{{fractal, cage, moved}, std::size_t(branch.front())};
+    if (edit == BranchEdit::OwnMap)
+        return BranchHandles{{withBranchAsMap(fractal, *letters), cage, moved}, 0};
+    letters->pop_back();
+    return BranchHandles{{fractal, cage, moved * ifs::composed<2>(active.maps, *letters)},
+                         std::size_t(branch.back())};
+}
+
+bool isMoved(const Fractal& fractal, const ifs::Word& branch) {
+    return !(withBranchPutBack(fractal, branch) == fractal);
+}
+
+Fractal withBranchPutBack(const Fractal& fractal, const ifs::Word& branch) {
+    Fractal result = fractal;
+    const System2* system = system2(fractal);
+    if (system &&
+        std::ranges::all_of(branch, [&](int place) { return std::size_t(place) < system->maps.size(); }))
+        std::erase_if(result.moved, [word = idsOf(*system, branch)](const MovedBranch& moved) {
+            return moved.word == word;
+        });
+    return result;
 }
 
 std::optional<Vector<2>> root(const Fractal& fractal) {

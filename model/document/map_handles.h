@@ -18,9 +18,15 @@ public:
     // The fractal must be a system of the plane and `cage` its effective one. The maps are shown and taken as
     // they are seen inside the piece that `within` makes of the attractor.
     MapHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage, const ifs::AffineMap<2>& within = {});
+    // The map of one branch as the only one, at place 0; taking it moves what is shown of the branch
+    // (Fractal::moved) and leaves the code alone. The word has places of maps that take part.
+    static MapHandles ofBranch(const Fractal& fractal, const ifs::ControlCage<2>& cage,
+                               const ifs::Word& branch);
 
     std::size_t count() const { return maps().size(); }
-    const std::vector<ifs::WeightedMap<2>>& maps() const { return system2(m_fractal)->maps; }
+    const std::vector<ifs::WeightedMap<2>>& maps() const {
+        return m_branch.empty() ? system2(m_fractal)->maps : m_branchMap;
+    }
     std::vector<ifs::Vector<2>> corners(std::size_t place) const; // images of the cage's vertices
     std::vector<ifs::Vector<2>> outline(std::size_t place) const; // the same polygon, bent with the cage
 
@@ -38,17 +44,22 @@ public:
 
 private:
     ifs::AffineMap<2> around(std::size_t place) const; // what displays a map, to first order
-    void change(ifs::WeightedMap<2>& map, std::size_t place, const ifs::AffineMap<2>& displayed) const;
+    // `change` in coordinates of the piece, after the map.
+    void change(Fractal& fractal, std::size_t place, const ifs::AffineMap<2>& change) const;
+    void changeDisplayed(Fractal& fractal, std::size_t place, const ifs::AffineMap<2>& change) const;
     Fractal changed() const; // with the cage as it is
 
     Fractal m_fractal;
     ifs::ControlCage<2> m_cage;
     ifs::Placement m_placement;
     ifs::AffineMap<2> m_within;
+    std::vector<ifs::MapId> m_branch;
+    std::vector<ifs::WeightedMap<2>> m_branchMap;
 };
 
 // What a change of a branch is made a change of.
 enum class BranchEdit {
+    Display, // where the branch is shown, and it alone: the code stays
     OwnMap,  // the system over the cut set of its address, in which the branch is the first map
     LastMap, // the last map of its address, as it is seen there: all branches that it makes change alike
 };
@@ -61,6 +72,10 @@ struct BranchHandles {
 // nullopt when the word is empty or names a map that takes no part.
 std::optional<BranchHandles> branchHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage,
                                            const ifs::Word& branch, BranchEdit edit);
+
+// The same with the branch, a word of places, where its maps put it; as it is when there is no such branch.
+Fractal withBranchPutBack(const Fractal& fractal, const ifs::Word& branch);
+bool isMoved(const Fractal& fractal, const ifs::Word& branch);
 
 // The lowest point of what is displayed, in coordinates of the code: where a plant stands.
 std::optional<ifs::Vector<2>> root(const Fractal& fractal);

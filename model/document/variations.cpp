@@ -140,6 +140,7 @@ Fractal randomFractal(std::uint64_t seed) {
     fractal.comments.clear();
     fractal.headerComment.clear();
     fractal.cage.reset();
+    fractal.moved.clear();
     fractal.name = QStringLiteral("random%1").arg(seed % 1'000'000);
     for (int trial = 0; trial < trials; ++trial) {
         System2 system;

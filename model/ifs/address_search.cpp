@@ -56,11 +56,22 @@ std::optional<Addressed> bestOf(const std::vector<Node>& nodes, const SupportFun
 } // namespace
 
 std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const Vector<2>& x, double reach,
-                                     double width, int maxNodes) {
+                                     double width, const Word& beginning, int maxNodes) {
     const std::vector<AffineMap<2>>& maps = attractor.maps();
     std::vector<Node> nodes{{.radius = attractor.radius(), .map = {}}};
+    const auto add = [&](int parent, int symbol) {
+        const Node& outer = nodes[std::size_t(parent)];
+        const AffineMap<2> map = outer.map * maps[std::size_t(symbol)];
+        const double radius = spectralNorm<2>(map.linear) * attractor.radius();
+        const double nearest = std::max(outer.nearest, (x - map(attractor.centre())).norm() - radius);
+        nodes.push_back({nearest, radius, map, parent, symbol, outer.length + 1});
+        return int(nodes.size()) - 1;
+    };
+    int first = 0;
+    for (const int symbol : beginning)
+        first = add(first, symbol);
     std::priority_queue<int, std::vector<int>, Later> open(Later{nodes});
-    open.push(0);
+    open.push(first);
     while (!open.empty()) {
         const int top = open.top();
         open.pop();
@@ -72,13 +83,8 @@ std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const 
         }
         if (nodes.size() + maps.size() > std::size_t(maxNodes))
             return bestOf(nodes, attractor, x, reach, width);
-        for (std::size_t i = 0; i < maps.size(); ++i) {
-            const AffineMap<2> map = node.map * maps[i];
-            const double radius = spectralNorm<2>(map.linear) * attractor.radius();
-            const double nearest = std::max(node.nearest, (x - map(attractor.centre())).norm() - radius);
-            nodes.push_back({nearest, radius, map, top, int(i), node.length + 1});
-            open.push(int(nodes.size()) - 1);
-        }
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            open.push(add(top, int(i)));
     }
     return std::nullopt;
 }

@@ -19,7 +19,8 @@ struct Addressed {
 // one symbol. Where pieces overlap, that of the piece whose enclosing ball is nearest. nullopt when no point
 // lies within `reach` of x, or when the search is given up after `maxNodes` words. Best first, over the balls
 // w_σ(Ball) ⊃ w_σ(A). docs/mathematics.md, "Branches".
+// Only addresses that start with `beginning` are looked at.
 std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const Vector<2>& x, double reach,
-                                     double width, int maxNodes = 20'000);
+                                     double width, const Word& beginning = {}, int maxNodes = 20'000);
 
 } // namespace ifs

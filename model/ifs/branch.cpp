@@ -1,7 +1,53 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/branch.h"
 
+#include <algorithm>
+
 namespace ifs {
+
+namespace {
+
+bool beginsWith(const Word& word, const Word& beginning) {
+    return word.size() >= beginning.size() &&
+           std::ranges::equal(beginning, std::span(word).first(beginning.size()));
+}
+
+template <int Dim>
+void addPieces(const MovedBranch<Dim>& piece, std::span<const MovedBranch<Dim>> moved, std::size_t mapCount,
+               std::vector<MovedBranch<Dim>>& result) {
+    std::vector<MovedBranch<Dim>> inside;
+    MovedBranch<Dim> whole = piece;
+    for (const MovedBranch<Dim>& branch : moved) {
+        if (branch.word == piece.word)
+            whole.change = whole.change * branch.change;
+        else
+            inside.push_back(branch);
+    }
+    if (inside.empty()) {
+        result.push_back(std::move(whole));
+        return;
+    }
+    const std::size_t length = piece.word.size();
+    whole.word.push_back(0);
+    for (int& symbol = whole.word.back(); symbol < int(mapCount); ++symbol) {
+        std::vector<MovedBranch<Dim>> below;
+        std::ranges::copy_if(inside, std::back_inserter(below),
+                             [&](const MovedBranch<Dim>& branch) { return branch.word[length] == symbol; });
+        addPieces<Dim>(whole, below, mapCount, result);
+    }
+}
+
+} // namespace
+
+std::optional<Word> overMaps(const Word& places, std::span<const std::size_t> index) {
+    Word letters;
+    for (const int place : places) {
+        const auto letter = std::ranges::find(index, std::size_t(place));
+        if (letter == index.end()) return std::nullopt;
+        letters.push_back(int(letter - index.begin()));
+    }
+    return letters;
+}
 
 template <int Dim> AffineMap<Dim> composed(std::span<const AffineMap<Dim>> maps, const Word& word) {
     AffineMap<Dim> result;
@@ -46,12 +92,57 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
     return result;
 }
 
+template <int Dim>
+std::vector<MovedBranch<Dim>> pieces(std::span<const MovedBranch<Dim>> moved, std::size_t mapCount,
+                                     std::size_t longest) {
+    std::vector<MovedBranch<Dim>> shown;
+    std::ranges::copy_if(moved, std::back_inserter(shown),
+                         [&](const MovedBranch<Dim>& branch) { return branch.word.size() <= longest; });
+    std::vector<MovedBranch<Dim>> result;
+    addPieces<Dim>({}, shown, mapCount, result);
+    return result;
+}
+
+template <int Dim>
+std::vector<MovedBranch<Dim>> overMaps(std::span<const MovedBranch<Dim>> moved,
+                                       std::span<const std::size_t> index) {
+    std::vector<MovedBranch<Dim>> result;
+    for (const auto& [word, change] : moved)
+        if (auto letters = overMaps(word, index)) result.push_back({*std::move(letters), change});
+    return result;
+}
+
+std::vector<Word> overCutSet(const Word& word, const Word& branch, std::size_t mapCount) {
+    const std::vector<Word> set = cutSet(branch, mapCount);
+    Word places;
+    std::vector<Word> result;
+    for (Word rest = word; !rest.empty();) {
+        const auto whole = std::ranges::find_if(set, [&](const Word& w) { return beginsWith(rest, w); });
+        if (whole != set.end()) {
+            places.push_back(int(whole - set.begin()));
+            rest.erase(rest.begin(), rest.begin() + std::ptrdiff_t(whole->size()));
+            continue;
+        }
+        for (std::size_t k = 0; k < set.size(); ++k)
+            if (beginsWith(set[k], rest)) {
+                result.push_back(places);
+                result.back().push_back(int(k));
+            }
+        return result;
+    }
+    return {places};
+}
+
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template AffineMap<Dim> composed<Dim>(std::span<const AffineMap<Dim>>, const Word&);                     \
     template std::optional<Vector<Dim>> addressPoint<Dim>(std::span<const AffineMap<Dim>>, const Word&,      \
                                                           const Word&);                                      \
     template IteratedFunctionSystem<Dim> withBranchChanged<Dim>(const IteratedFunctionSystem<Dim>&,          \
-                                                                const Word&, const AffineMap<Dim>&);
+                                                                const Word&, const AffineMap<Dim>&);         \
+    template std::vector<MovedBranch<Dim>> pieces<Dim>(std::span<const MovedBranch<Dim>>, std::size_t,       \
+                                                       std::size_t);                                         \
+    template std::vector<MovedBranch<Dim>> overMaps<Dim>(std::span<const MovedBranch<Dim>>,                  \
+                                                         std::span<const std::size_t>);
 BARYCAGE_INSTANTIATE(2)
 BARYCAGE_INSTANTIATE(3)
 #undef BARYCAGE_INSTANTIATE

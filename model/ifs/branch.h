@@ -13,6 +13,10 @@ namespace ifs {
 
 using Word = std::vector<int>;
 
+// A word over places in a system as one over its active maps, whose places are `index`; nullopt when it names
+// a map that takes no part.
+std::optional<Word> overMaps(const Word& places, std::span<const std::size_t> index);
+
 // w_σ; the identity for the empty word.
 template <int Dim> AffineMap<Dim> composed(std::span<const AffineMap<Dim>> maps, const Word& word);
 
@@ -30,5 +34,31 @@ std::vector<Word> cutSet(const Word& word, std::size_t mapCount);
 template <int Dim>
 IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>& system, const Word& branch,
                                               const AffineMap<Dim>& change);
+
+// A branch that is shown elsewhere: what has an address that begins with `word` goes through `change`, in
+// coordinates of the code, once it is there. No orbit takes notice: nothing else moves, at no scale.
+template <int Dim> struct MovedBranch {
+    Word word;
+    AffineMap<Dim> change;
+
+    friend bool operator==(const MovedBranch&, const MovedBranch&) = default;
+};
+
+// What is shown of an attractor A whose branches are moved: the union of change(w_word(A)) over words with
+// exactly one of which every address begins. Of branches inside each other the inner one moves first. At most
+// 1 + (maps − 1)·Σ lengths of the words pieces. Branches with longer words than `longest` stay.
+template <int Dim>
+std::vector<MovedBranch<Dim>> pieces(std::span<const MovedBranch<Dim>> moved, std::size_t mapCount,
+                                     std::size_t longest = std::size_t(-1));
+
+// The same with words over active maps, whose places are `index`; what names a map that takes no part is left
+// out.
+template <int Dim>
+std::vector<MovedBranch<Dim>> overMaps(std::span<const MovedBranch<Dim>> moved,
+                                       std::span<const std::size_t> index);
+
+// The words over the cut set of `branch`, as places in it, with one of which an address begins if and only if
+// it begins with `word`: what has to move in withBranchChanged(system, branch, {}) for `word` to move.
+std::vector<Word> overCutSet(const Word& word, const Word& branch, std::size_t mapCount);
 
 } // namespace ifs

@@ -135,7 +135,10 @@ std::optional<ControlCage<Dim>> redefine(const ControlCage<Dim>& present,
     return isValid(result) ? std::optional(result) : std::nullopt;
 }
 
-Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFunction<2>* support) {
+Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFunction<2>* support,
+                                std::span<const AffineMap<2>> pieces) {
+    const AffineMap<2> identity;
+    if (pieces.empty()) pieces = {&identity, 1};
     if (rest.size() == 3) return Coordinates::Wachspress; // any: all are the same
     if (support == nullptr || !isStrictlyConvex(rest)) return Coordinates::MeanValue;
     const double size = support->radius() + (rest[0] - support->centre()).norm();
@@ -143,9 +146,12 @@ Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFu
     for (std::size_t j = 0; j < rest.size(); ++j) {
         const Vector<2> edge = rest[(j + 1) % rest.size()] - rest[j];
         const Vector<2> outward = sign * Vector<2>(edge.y(), -edge.x()) / edge.norm();
-        const SupportValue<2> h = (*support)(outward, OutsideTolerance * size, 20'000);
-        if (!(h.value + h.error <= outward.dot(rest[j]) + 2 * OutsideTolerance * size))
-            return Coordinates::MeanValue;
+        for (const AffineMap<2>& piece : pieces) {
+            const SupportValue<2> h =
+                (*support)(piece.linear.transpose() * outward, OutsideTolerance * size, 20'000);
+            const double reach = h.value + h.error + outward.dot(piece.translation);
+            if (!(reach <= outward.dot(rest[j]) + 2 * OutsideTolerance * size)) return Coordinates::MeanValue;
+        }
     }
     return Coordinates::Wachspress;
 }

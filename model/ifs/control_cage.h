@@ -66,8 +66,9 @@ std::optional<ControlCage<Dim>> redefine(const ControlCage<Dim>& present,
                                          std::type_identity_t<std::span<const Vector<Dim>>> vertices);
 
 // Wachspress only while the certified hull lies in a strictly convex cage (they have poles outside), else
-// mean value. Without `support` nothing is certified.
-Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFunction<2>* support);
+// mean value. Without `support` nothing is certified. `pieces`: the attractor is shown by these maps.
+Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFunction<2>* support,
+                                std::span<const AffineMap<2>> pieces = {});
 
 // Rest coordinates → displayed coordinates, bent or not.
 class Placement {

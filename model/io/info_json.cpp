@@ -228,6 +228,20 @@ void writeEntry(JsonWriter& json, const document::Fractal& fractal, const InfoSu
                                 "canonical_simplex", "hull", "similarity_dimension", "affinity_dimension"})
             writeNull(json, key);
     writeCage(json, fractal.cage);
+    json.key("moved_branches");
+    json.beginArray();
+    for (const auto& [word, change] : document::movedBranches(fractal)) {
+        json.beginObject(Layout::Inline);
+        std::vector<std::size_t> places(document::system2(fractal)->maps.size());
+        std::iota(places.begin(), places.end(), std::size_t(0));
+        writeWord(json, "address", word, places);
+        json.key("linear");
+        writeMatrix<2>(json, change.linear);
+        json.key("translation");
+        writeVector<2>(json, change.translation);
+        json.endObject();
+    }
+    json.endArray();
     json.endObject();
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "document/addresses.h"
 #include "ifs/facts.h"
 #include "io/info_report.h"
 
@@ -136,6 +137,8 @@ void addEntry(Lines& lines, const document::Fractal& fractal, const InfoSubject&
                                                    ? Text::tr("bend")
                                                    : Text::tr("affine fit"));
     }
+    for (const auto& [word, change] : document::movedBranches(fractal))
+        lines.add(Text::tr("moved branch"), document::addressText(word, word.size()));
 }
 
 } // namespace

@@ -18,6 +18,9 @@ constexpr const char* prefix = "barycage:";
 constexpr qsizetype longestLine = 69;
 constexpr int maxVertices = 4096; // a hostile file must not make a cage of a million corners
 constexpr int maxStops = 4096;
+constexpr std::size_t maxBranches = 1024;
+constexpr std::size_t maxWord = 64;
+constexpr std::size_t maxPieces = 100'000; // of what is shown
 
 struct ColourByName {
     attractor::ColourBy colourBy;
@@ -59,6 +62,21 @@ QByteArrayList mapLines(const ifs::IteratedFunctionSystem<Dim>& system,
     return lines;
 }
 
+// The word over as many lines as it needs, then the change in the order of a code row.
+QByteArrayList branchLines(const ifs::MovedBranch<2>& branch) {
+    QByteArrayList lines{line("branch", {})};
+    for (const int place : branch.word) {
+        const QByteArray number = QByteArray::number(place + 1);
+        if (lines.back().size() + number.size() + 1 > longestLine) lines << line("branch", {});
+        lines.back() += (lines.back().endsWith(' ') ? "" : " ") + number;
+    }
+    const ifs::Matrix<2>& linear = branch.change.linear;
+    for (const ifs::Vector<2>& row :
+         {ifs::Vector<2>(linear.row(0)), ifs::Vector<2>(linear.row(1)), branch.change.translation})
+        lines << line("by", point(row));
+    return lines;
+}
+
 QByteArrayList paletteLines(const attractor::Palette& palette) {
     QByteArrayList lines{line("palette", QByteArray::fromStdString(palette.name))};
     const attractor::Palette* builtIn = attractor::findPalette(palette.name);
@@ -96,15 +114,25 @@ std::string storablePaletteName(const std::string& name) {
 }
 
 template <int Dim>
-void renumber(ifs::IteratedFunctionSystem<Dim>& system, std::map<ifs::MapId, attractor::Rgba>& colours) {
+void renumber(ifs::IteratedFunctionSystem<Dim>& system, std::map<ifs::MapId, attractor::Rgba>& colours,
+              std::vector<document::MovedBranch>& moved) {
     std::map<ifs::MapId, attractor::Rgba> kept;
+    std::map<ifs::MapId, ifs::MapId> ids;
     std::uint32_t number = 0;
     for (auto& map : system.maps) {
         const auto id = static_cast<ifs::MapId>(++number);
         if (const auto colour = colours.find(map.id); colour != colours.end()) kept[id] = colour->second;
+        ids[map.id] = id;
         map.id = id;
     }
     colours = std::move(kept);
+    std::erase_if(moved, [&](document::MovedBranch& branch) {
+        return !std::ranges::all_of(branch.word, [&](ifs::MapId& id) {
+            const auto known = ids.find(id);
+            if (known != ids.end()) id = known->second;
+            return known != ids.end();
+        });
+    });
 }
 
 } // namespace
@@ -119,6 +147,8 @@ QByteArrayList ownComments(const document::Fractal& fractal) {
         if (fractal.cage->deformation == ifs::Deformation::AffineFit)
             lines << line("deformation", "affine-fit");
     }
+    for (const ifs::MovedBranch<2>& branch : document::movedBranches(fractal))
+        lines << branchLines(branch);
     lines << appearanceLines(fractal.appearance);
     if (const auto* plane = std::get_if<document::System2>(&fractal.system))
         lines << mapLines(*plane, fractal.appearance);
@@ -130,9 +160,9 @@ QByteArrayList ownComments(const document::Fractal& fractal) {
 
 document::Fractal asStored(document::Fractal fractal) {
     if (auto* plane = std::get_if<document::System2>(&fractal.system))
-        renumber(*plane, fractal.appearance.mapColours);
+        renumber(*plane, fractal.appearance.mapColours, fractal.moved);
     else if (auto* space = std::get_if<document::System3>(&fractal.system))
-        renumber(*space, fractal.appearance.mapColours);
+        renumber(*space, fractal.appearance.mapColours, fractal.moved);
     const attractor::Palette* builtIn = attractor::findPalette(fractal.appearance.palette.name);
     if (builtIn == nullptr || !(*builtIn == fractal.appearance.palette))
         fractal.appearance.palette.name = storablePaletteName(fractal.appearance.palette.name);
@@ -150,7 +180,7 @@ bool OwnComments::read(QByteArrayView comment) {
     QByteArrayList values = text.split(' ');
     const QByteArray key = values.takeFirst();
     return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
-           readPalette(key, values);
+           readPalette(key, values) || readBranch(key, values);
 }
 
 bool OwnComments::readSetting(const QByteArray& key, const QByteArrayList& values) {
@@ -232,6 +262,54 @@ bool OwnComments::readPalette(const QByteArray& key, const QByteArrayList& value
     return true;
 }
 
+bool OwnComments::readBranch(const QByteArray& key, const QByteArrayList& values) {
+    if (key == "branch") {
+        if (m_branches.empty() || !m_branches.back().by.empty()) {
+            if (m_branches.size() >= maxBranches) return false;
+            m_branches.emplace_back();
+        }
+        std::vector<int> places;
+        for (const QByteArray& value : values)
+            places.push_back(value.toInt());
+        std::vector<int>& word = m_branches.back().places;
+        if (places.empty() || std::ranges::min(places) < 1 || word.size() + places.size() > maxWord)
+            return false;
+        word.insert(word.end(), places.begin(), places.end());
+        return true;
+    }
+    if (key != "by" || values.size() != 2 || m_branches.empty() || m_branches.back().by.size() == 3)
+        return false;
+    const auto x = number(values[0]);
+    const auto y = number(values[1]);
+    if (x && y) m_branches.back().by.emplace_back(*x, *y);
+    return x && y;
+}
+
+void OwnComments::applyBranches(document::Fractal& fractal, QStringList& sentences) const {
+    const document::System2* system = document::system2(fractal);
+    std::size_t pieces = 0;
+    for (const Branch& branch : m_branches) {
+        document::MovedBranch moved;
+        for (const int place : branch.places)
+            if (system && std::size_t(place) <= system->maps.size())
+                moved.word.push_back(system->maps[std::size_t(place - 1)].id);
+        if (system) pieces += moved.word.size() * system->maps.size();
+        const bool known =
+            std::ranges::find(fractal.moved, moved.word, &document::MovedBranch::word) != fractal.moved.end();
+        if (branch.by.size() != 3 || branch.places.empty() || moved.word.size() != branch.places.size() ||
+            known || pieces > maxPieces) {
+            sentences << QCoreApplication::translate(
+                "Text",
+                "A stored place of a branch is not usable (its map is incomplete, or its address names maps "
+                "that are not there, or occurs twice, or there are too many) and is not applied.");
+            continue;
+        }
+        moved.change.linear << branch.by[0].transpose(), branch.by[1].transpose();
+        moved.change.translation = branch.by[2];
+        fractal.moved.push_back(std::move(moved));
+    }
+}
+
 void OwnComments::applyCage(document::Fractal& fractal, QStringList& sentences) const {
     if (m_cage.rest.empty() && m_cage.current.empty()) return;
     if (ifs::isValid(m_cage))
@@ -262,6 +340,7 @@ QStringList OwnComments::applyTo(document::Fractal& fractal) const {
     fractal.appearance = m_appearance;
     applyPalette(fractal, sentences);
     applyCage(fractal, sentences);
+    applyBranches(fractal, sentences);
     const auto applyToMaps = [&](auto& maps) {
         const auto mapAt = [&](int place) {
             return static_cast<std::size_t>(place) <= maps.size() ? &maps[static_cast<std::size_t>(place - 1)]

@@ -39,10 +39,18 @@ private:
     bool readSetting(const QByteArray& key, const QByteArrayList& values);
     bool readMapSetting(const QByteArray& key, const QByteArrayList& values);
     bool readPalette(const QByteArray& key, const QByteArrayList& values);
+    bool readBranch(const QByteArray& key, const QByteArrayList& values);
+    void applyBranches(document::Fractal& fractal, QStringList& sentences) const;
     void applyCage(document::Fractal& fractal, QStringList& sentences) const;
     void applyPalette(document::Fractal& fractal, QStringList& sentences) const;
 
+    struct Branch {
+        std::vector<int> places;        // 1-based
+        std::vector<ifs::Vector<2>> by; // rows of the linear part, then the translation
+    };
+
     ifs::ControlCage<2> m_cage;
+    std::vector<Branch> m_branches;
     attractor::Appearance m_appearance;
     std::optional<std::string> m_paletteName;
     std::vector<attractor::Palette::Stop> m_stops;

@@ -116,14 +116,11 @@ public:
     Forms(PdfFile& file, const SvgLevels& levels, int depth)
         : m_file(file), m_levels(levels), m_depth(depth), m_stride((depth + deepestNest - 1) / deepestNest) {}
 
-    QByteArray outline() { return copyOf(form(0), {}); }
-    // What map i shows at the top.
-    QByteArray copy(std::size_t i) {
-        const ifs::AffineMap<2> map = m_levels.map(i, m_depth, m_depth);
-        if (!m_levels.shadowOf(i)) return copyOf(form(m_levels.below(m_depth, i)), map);
+    QByteArray drawn(const SvgLevels::Copy& copy) {
+        if (!copy.shadow) return copyOf(form(copy.level), copy.map);
         QByteArray content;
-        for (const Ring& bar : m_levels.shadowOf(i)->bars)
-            content += ringPath(mapped(map, bar)) + "f\n";
+        for (const Ring& bar : m_levels.shadowOf(*copy.shadow)->bars)
+            content += ringPath(mapped(copy.map, bar)) + "f\n";
         return content;
     }
     QByteArray resources() const {
@@ -175,11 +172,11 @@ private:
 
     void place(int level, const ifs::AffineMap<2>& outer, int floor, QByteArray& content,
                std::map<int, int>& used, Form& made) {
-        for (std::size_t i = 0; i < m_levels.index().size(); ++i) {
-            const int below = m_levels.below(level, i);
-            const ifs::AffineMap<2> map = outer * m_levels.map(i, level, m_depth);
-            if (const auto& shadow = m_levels.shadowOf(i)) {
-                for (const Ring& bar : shadow->bars) {
+        for (const SvgLevels::Copy& copy : m_levels.copies(level, m_depth)) {
+            const int below = copy.level;
+            const ifs::AffineMap<2> map = outer * copy.map;
+            if (copy.shadow) {
+                for (const Ring& bar : m_levels.shadowOf(*copy.shadow)->bars) {
                     const Ring placed = mapped(map, bar);
                     for (const auto& point : placed)
                         made.include(point);
@@ -243,10 +240,9 @@ private:
         Forms forms(m_file, levels, depth);
         const attractor::Rgba all = shapeColour(m_page.fractal.appearance);
         m_content += "q " + text(levels.display()) + " cm\n" + text(all) + " rg\n";
-        if (depth == 0) m_content += forms.outline();
-        for (std::size_t i = 0; depth > 0 && i < levels.index().size(); ++i) {
-            m_content += text(shapeColour(m_page.fractal, levels, i).value_or(all)) + " rg\n";
-            m_content += forms.copy(i);
+        for (const SvgLevels::Copy& copy : levels.picture(depth)) {
+            m_content += text(shapeColour(m_page.fractal, levels, copy).value_or(all)) + " rg\n";
+            m_content += forms.drawn(copy);
         }
         m_content += "Q\n";
         return forms.resources();

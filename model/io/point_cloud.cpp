@@ -21,7 +21,9 @@ struct Text {
 class Writer {
 public:
     explicit Writer(const PointCloud& cloud)
-        : m_cloud(cloud), m_system(attractor::drawable(*document::system2(cloud.fractal))) {
+        : m_cloud(cloud),
+          m_system(attractor::drawable(*document::system2(cloud.fractal),
+                                       document::movedBranches(cloud.fractal))) {
         if (cloud.fractal.cage) m_display = ifs::displayMap(*cloud.fractal.cage);
         m_bytes = header();
     }

@@ -187,7 +187,8 @@ ifs::AffineMap<2> thickened(const ifs::AffineMap<2>& map, const ifs::Vector<2>& 
     return thick;
 }
 
-std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const ifs::AffineMap<2>& display) {
+std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const ifs::AffineMap<2>& display,
+                                       std::span<const ifs::MovedBranch<2>> moved) {
     const auto active = ifs::activeMaps(system);
     const auto support = ifs::SupportFunction<2>::of(active.maps);
     if (!support) return std::nullopt;
@@ -200,6 +201,7 @@ std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const if
     levels.m_diameter = diameterOf(levels.m_hull);
     if (!std::isfinite(levels.m_diameter) || levels.m_hull.empty()) return std::nullopt;
     levels.m_index = active.index;
+    levels.m_moved = ifs::overMaps<2>(moved, active.index);
     levels.thickenAll(active.maps, display);
     Descent descent = descentOf(levels.m_maps);
     levels.m_steps = std::move(descent.steps);
@@ -255,6 +257,47 @@ ifs::AffineMap<2> SvgLevels::map(std::size_t i, int level, int depth) const {
     return thickened(m_maps[i], m_centre, std::min(least, mostThinness));
 }
 
+SvgLevels::Copy SvgLevels::copy(std::size_t i, int level, int depth) const {
+    Copy copy{map(i, level, depth), below(level, i), {}, i};
+    if (m_shadows[i] && level > 0) copy.shadow = i;
+    return copy;
+}
+
+std::vector<SvgLevels::Copy> SvgLevels::copies(int level, int depth) const {
+    std::vector<Copy> result;
+    for (std::size_t i = 0; i < m_maps.size(); ++i)
+        result.push_back(copy(i, level, depth));
+    return result;
+}
+
+std::vector<ifs::MovedBranch<2>> SvgLevels::pieces() const {
+    auto pieces = ifs::pieces<2>(m_moved, m_maps.size());
+    for (ifs::MovedBranch<2>& piece : pieces)
+        piece.change = thickened(piece.change, m_centre, std::min(m_thinness, singular));
+    return pieces;
+}
+
+std::vector<SvgLevels::Copy> SvgLevels::picture(int depth) const {
+    std::vector<Copy> result;
+    for (const auto& [word, change] : pieces()) {
+        Copy piece{change, depth, {}, {}};
+        for (const int symbol : word) {
+            const Copy inner = copy(std::size_t(symbol), piece.level, depth);
+            piece = {piece.map * inner.map, inner.level, inner.shadow, piece.first.value_or(symbol)};
+        }
+        // A shadow shows a branch that ends with its map; of a longer one the copy is as flat, and whole.
+        if (!word.empty() || depth == 0) {
+            result.push_back(piece);
+            continue;
+        }
+        for (Copy inner : copies(depth, depth)) {
+            inner.map = change * inner.map;
+            result.push_back(inner);
+        }
+    }
+    return result;
+}
+
 void SvgLevels::countReferences() {
     for (int level = 0; level <= mostLevels; ++level) {
         std::uint64_t sum = 0;
@@ -278,7 +321,12 @@ int SvgLevels::below(int level, std::size_t map) const {
 }
 
 std::uint64_t SvgLevels::references(int level) const {
-    return m_references[std::size_t(std::clamp(level, 0, mostLevels))];
+    const int depth = std::clamp(level, 0, mostLevels);
+    if (m_moved.empty()) return m_references[std::size_t(depth)];
+    std::uint64_t sum = 0;
+    for (const Copy& copy : picture(depth))
+        sum += copy.shadow ? 1 : 1 + m_references[std::size_t(copy.level)];
+    return std::min(sum, mostReferences);
 }
 
 int SvgLevels::deepest() const {
@@ -287,7 +335,7 @@ int SvgLevels::deepest() const {
 }
 
 SvgLevels::Deviation SvgLevels::deviation(int depth) const {
-    struct Copy {
+    struct Part {
         ifs::Matrix<2> linear;
         int level;
         double shift; // of its points, by thickening, in pixels
@@ -302,20 +350,29 @@ SvgLevels::Deviation SvgLevels::deviation(int depth) const {
             row.emplace_back(drawn, shiftBetween(drawn, m_maps[i]));
         }
     }
-    std::vector<Copy> open{{m_display.linear, depth, m_displayShift}};
+    const auto inside = [&](const Part& part, std::size_t i) {
+        const auto& [map, shift] = maps[std::size_t(part.level)][i];
+        return Part{part.linear * map.linear, below(part.level, i),
+                    part.shift + ifs::spectralNorm<2>(part.linear) * shift};
+    };
+    std::vector<Part> open;
+    for (const auto& [word, change] : pieces()) {
+        Part part{m_display.linear * change.linear, depth, m_displayShift};
+        for (const int symbol : word)
+            part = inside(part, std::size_t(symbol));
+        open.push_back(part);
+    }
     while (!open.empty()) {
-        const Copy copy = open.back();
+        const Part part = open.back();
         open.pop_back();
-        const double norm = ifs::spectralNorm<2>(copy.linear);
-        if (copy.level == 0) {
-            largest.copy = std::max(largest.copy, norm * diameter);
-            largest.all = std::max(largest.all, norm * diameter + copy.shift);
+        if (part.level == 0) {
+            const double size = ifs::spectralNorm<2>(part.linear) * diameter;
+            largest.copy = std::max(largest.copy, size);
+            largest.all = std::max(largest.all, size + part.shift);
             continue;
         }
-        const auto& row = maps[std::size_t(copy.level)];
-        for (std::size_t i = 0; i < row.size(); ++i)
-            open.push_back(
-                {copy.linear * row[i].first.linear, below(copy.level, i), copy.shift + norm * row[i].second});
+        for (std::size_t i = 0; i < m_maps.size(); ++i)
+            open.push_back(inside(part, i));
     }
     return largest;
 }

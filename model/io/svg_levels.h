@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace io {
@@ -23,14 +24,24 @@ public:
     static constexpr int mostLevels = 200;
 
     // `display` takes the code's coordinates to pixels. nullopt without an attractor of finite size.
-    static std::optional<SvgLevels> of(const document::System2& system, const ifs::AffineMap<2>& display);
+    static std::optional<SvgLevels> of(const document::System2& system, const ifs::AffineMap<2>& display,
+                                       std::span<const ifs::MovedBranch<2>> moved = {});
 
-    // The active maps' places in the system, the map by which a level makes its copy in a picture of this
-    // depth, and where the picture goes. None is singular: a singular map is raised to what can be seen at
-    // the size of that copy.
+    // The active maps' places in the system, and where the picture goes.
     const std::vector<std::size_t>& index() const { return m_index; }
-    ifs::AffineMap<2> map(std::size_t i, int level, int depth) const;
     const ifs::AffineMap<2>& display() const { return m_display; } // not singular
+
+    // A copy of a level, or of the shadow of a map. Its map is not singular: a singular one is raised to what
+    // can be seen at the size of that copy.
+    struct Copy {
+        ifs::AffineMap<2> map;
+        int level = 0;
+        std::optional<std::size_t> shadow;
+        std::optional<std::size_t> first; // the outermost map; nullopt: all of the attractor
+    };
+    Copy copy(std::size_t i, int level, int depth) const; // that the i-th map makes for this level
+    std::vector<Copy> copies(int level, int depth) const; // that a level above 0 is made of
+    std::vector<Copy> picture(int depth) const; // that the whole is made of, in coordinates of the code
 
     // A singular map shows the attractor flat on a line, and there is nothing of a level below left to see.
     // Its copies are of these bars: they cover the attractor seen along that line to half a pixel.
@@ -44,8 +55,6 @@ public:
     // that copies thinner than a pixel do not fade away.
     std::vector<ifs::Vector<2>> outline(int depth) const;
 
-    int below(int level, std::size_t map) const; // the level of which `map` makes a copy for `level`
-
     // Copies that a reader of the file makes in all for one of `level`; stays at mostReferences once reached.
     std::uint64_t references(int level) const;
     int deepest() const; // with fewer than mostReferences
@@ -56,6 +65,9 @@ public:
     int levelFor(double error) const;
 
 private:
+    int below(int level, std::size_t map) const; // the level of which `map` makes a copy for `level`
+    ifs::AffineMap<2> map(std::size_t i, int level, int depth) const; // by which it makes that copy
+    std::vector<ifs::MovedBranch<2>> pieces() const; // over the active maps; none is singular
     void thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs::AffineMap<2>& display);
     Shadow shadowOf(const ifs::AffineMap<2>& map) const;
     void countReferences();
@@ -76,6 +88,7 @@ private:
     std::vector<std::optional<Shadow>> m_shadows; // of the singular maps
     double m_thinness = 0; // that a singular map is raised to, as a copy of the whole picture
     std::vector<std::size_t> m_index;
+    std::vector<ifs::MovedBranch<2>> m_moved;
     std::vector<int> m_steps;
     double m_shrinkage = 0; // minus the logarithm of what one level shrinks by
     ifs::AffineMap<2> m_display;

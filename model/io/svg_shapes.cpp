@@ -27,27 +27,27 @@ public:
     UnionOfLevels(const SvgLevels& levels, int depth, std::stop_token stop)
         : m_levels(levels), m_depth(depth), m_stop(std::move(stop)) {}
 
+    std::vector<Ring> picture() { return united(rings(m_levels.picture(m_depth))); }
+
+private:
     const std::vector<Ring>& of(int level) {
         if (const auto known = m_unions.find(level); known != m_unions.end()) return known->second;
         std::vector<Ring> rings;
         if (level == 0)
             rings = {m_levels.outline(m_depth)};
         else if (!m_stop.stop_requested())
-            rings = united(copies(level));
+            rings = united(this->rings(m_levels.copies(level, m_depth)));
         return m_unions[level] = std::move(rings);
     }
 
-private:
-    std::vector<Ring> copies(int level) {
+    std::vector<Ring> rings(const std::vector<SvgLevels::Copy>& copies) {
         std::vector<Ring> rings;
-        for (std::size_t i = 0; i < m_levels.index().size(); ++i) {
-            const ifs::AffineMap<2> map = m_levels.map(i, level, m_depth);
+        for (const SvgLevels::Copy& copy : copies) {
             // A map that turns the plane over turns rings around, holes and all.
-            const bool turns = ifs::determinant<2>(map.linear) < 0;
-            const auto& shadow = m_levels.shadowOf(i);
-            for (Ring ring : shadow ? shadow->bars : of(m_levels.below(level, i))) {
+            const bool turns = ifs::determinant<2>(copy.map.linear) < 0;
+            for (Ring ring : copy.shadow ? m_levels.shadowOf(*copy.shadow)->bars : of(copy.level)) {
                 for (auto& point : ring)
-                    point = map(point);
+                    point = copy.map(point);
                 if (turns) std::reverse(ring.begin(), ring.end());
                 rings.push_back(std::move(ring));
             }
@@ -99,7 +99,7 @@ ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camer
     if (!system) return {{}, Text::tr("Only plane systems can be written as a scalable picture.")};
     ifs::AffineMap<2> display = worldToPixel(camera);
     if (fractal.cage) display = display * ifs::displayMap(*fractal.cage);
-    auto levels = SvgLevels::of(*system, display);
+    auto levels = SvgLevels::of(*system, display, document::movedBranches(fractal));
     if (!levels)
         return {
             {},
@@ -117,19 +117,20 @@ attractor::Rgba shapeColour(const attractor::Appearance& appearance) {
 }
 
 std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, const SvgLevels& levels,
-                                           std::size_t i) {
+                                           const SvgLevels::Copy& copy) {
+    if (!copy.first) return std::nullopt;
     const attractor::Appearance& appearance = fractal.appearance;
-    const std::size_t place = levels.index()[i];
+    const std::size_t place = levels.index()[*copy.first];
     if (appearance.colourBy == attractor::ColourBy::Map)
         return attractor::mapColour(appearance, document::system2(fractal)->maps[place].id, place);
     if (appearance.colourBy == attractor::ColourBy::Address)
-        return attractor::colourAt(appearance.palette, (double(i) + 0.5) / double(levels.index().size()));
+        return attractor::colourAt(appearance.palette,
+                                   (double(*copy.first) + 0.5) / double(levels.index().size()));
     return std::nullopt;
 }
 
 std::vector<Ring> leafUnion(const SvgLevels& levels, int depth, const std::stop_token& stop) {
-    UnionOfLevels unions(levels, depth, stop);
-    std::vector<Ring> rings = unions.of(depth);
+    std::vector<Ring> rings = UnionOfLevels(levels, depth, stop).picture();
     if (stop.stop_requested()) return {};
     for (Ring& ring : rings)
         for (auto& point : ring)
@@ -142,7 +143,7 @@ std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const 
     constexpr double shades = 64; // along a palette
     const attractor::Appearance& appearance = fractal.appearance;
     const document::System2& system = *document::system2(fractal);
-    const attractor::DrawableSystem drawable = attractor::drawable(system);
+    const attractor::DrawableSystem drawable = attractor::drawable(system, document::movedBranches(fractal));
     if (drawable.maps.empty()) return {};
     const ifs::AffineMap<2> display =
         fractal.cage ? worldToPixel(camera) * ifs::displayMap(*fractal.cage) : worldToPixel(camera);

@@ -21,9 +21,9 @@ ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camer
 // One colour for what has shades in a picture made of points: the plain one, or the bright part of the
 // palette.
 attractor::Rgba shapeColour(const attractor::Appearance& appearance);
-// Of what the i-th of `levels`' maps draws in the whole; nullopt: the colour of all.
+// Of a copy in the picture; nullopt: the colour of all.
 std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, const SvgLevels& levels,
-                                           std::size_t i);
+                                           const SvgLevels::Copy& copy);
 
 // The union of all copies of level 0 in a picture of this depth, in pixels: closed rings that touch neither
 // themselves nor each other but in points; filled by the even-odd rule. Empty when stopped.

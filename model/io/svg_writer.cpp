@@ -167,12 +167,16 @@ private:
     static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
     static QString shadowId(std::size_t i) { return QStringLiteral("shadow-%1").arg(i + 1); }
 
-    // The levels that the deepest one needs.
+    // The levels that the picture needs.
     static std::set<int> usedLevels(const SvgLevels& levels, int depth) {
-        std::set<int> used{depth};
+        std::set<int> used;
+        const auto use = [&](const std::vector<SvgLevels::Copy>& copies) {
+            for (const SvgLevels::Copy& copy : copies)
+                if (!copy.shadow) used.insert(copy.level);
+        };
+        use(levels.picture(depth));
         for (auto level = used.rbegin(); level != used.rend() && *level > 0; ++level)
-            for (std::size_t i = 0; i < levels.index().size(); ++i)
-                if (!levels.shadowOf(i)) used.insert(levels.below(*level, i));
+            use(levels.copies(*level, depth));
         return used;
     }
 
@@ -185,11 +189,11 @@ private:
                 m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
                 attribute("id", levelId(0));
                 attribute("points", pointList(levels.outline(depth)));
-            } else if (level < depth) {
+            } else {
                 startElement("g");
                 attribute("id", levelId(level));
-                for (std::size_t i = 0; i < levels.index().size(); ++i)
-                    writeCopy(levels, depth, level, i);
+                for (const SvgLevels::Copy& copy : levels.copies(level, depth))
+                    writeCopy(copy);
                 m_xml.writeEndElement();
             }
         }
@@ -205,11 +209,11 @@ private:
         attribute("d", path);
     }
 
-    void writeCopy(const SvgLevels& levels, int depth, int level, std::size_t i) {
+    void writeCopy(const SvgLevels::Copy& copy) {
         m_xml.writeEmptyElement(svg, QStringLiteral("use"));
-        const QString of = levels.shadowOf(i) ? shadowId(i) : levelId(levels.below(level, i));
+        const QString of = copy.shadow ? shadowId(*copy.shadow) : levelId(copy.level);
         m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + of);
-        attribute("transform", text(levels.map(i, level, depth)));
+        if (!(copy.map == ifs::AffineMap<2>{})) attribute("transform", text(copy.map));
     }
 
     void writeBackground() {
@@ -227,13 +231,9 @@ private:
         attribute("id", QStringLiteral("attractor"));
         attribute("transform", text(levels.display()));
         attribute("fill", text(shapeColour(m_fractal.appearance)));
-        if (depth == 0) {
-            m_xml.writeEmptyElement(svg, QStringLiteral("use"));
-            m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + levelId(0));
-        }
-        for (std::size_t i = 0; depth > 0 && i < levels.index().size(); ++i) {
-            writeCopy(levels, depth, depth, i);
-            if (const auto colour = shapeColour(m_fractal, levels, i)) attribute("fill", text(*colour));
+        for (const SvgLevels::Copy& copy : levels.picture(depth)) {
+            writeCopy(copy);
+            if (const auto colour = shapeColour(m_fractal, levels, copy)) attribute("fill", text(*colour));
         }
         m_xml.writeEndElement();
     }

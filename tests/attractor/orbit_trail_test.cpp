@@ -21,7 +21,7 @@ private slots:
         std::vector<Orbit::Point> drawn;
         for (int n = 0; n < 200; ++n)
             drawn.push_back(orbit.next());
-        OrbitTrail trail(maple, 7);
+        OrbitTrail trail(system, 7);
         for (const std::uint64_t plotted : {0, 1, 3, 8, 9, 150, 200, 40}) { // forwards and back
             const auto& points = trail.after(plotted);
             QCOMPARE(points.size(), std::min<std::size_t>(plotted, OrbitTrail::longest));
@@ -36,7 +36,7 @@ private slots:
 
     void everyJumpIsOneMap() {
         const auto fern = systems::fern();
-        OrbitTrail trail(fern, 1);
+        OrbitTrail trail(drawable(fern), 1);
         const auto points = trail.after(1000);
         for (std::size_t k = 1; k < points.size(); ++k)
             QVERIFY(fern.maps[points[k].map].map(points[k - 1].x).isApprox(points[k].x, 1e-12));

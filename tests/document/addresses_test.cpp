@@ -31,6 +31,25 @@ private slots:
         QVERIFY(addresses.at({100, 100}, 0.01).empty());
     }
 
+    // A point of a branch that is moved is found where it is shown, and not where it would be.
+    void branchesAreFoundWhereTheyAreShown() {
+        Fractal fractal = sierpinskiTriangle();
+        const System2& system = *system2(fractal);
+        fractal.moved = {{{system.maps[2].id, system.maps[1].id}, ifs::affineMap(0, -2, 2, 0, 5, 1)}};
+        const ifs::AffineMap<2> branch = system.maps[2].map * system.maps[1].map;
+        const Vector<2> point = *ifs::fixedPoint(branch);
+        const Vector<2> shown = fractal.moved[0].change(point);
+        const Addresses addresses(fractal);
+        const Word word = addresses.at(shown, 0.001);
+        QVERIFY(word.size() > 6);
+        for (std::size_t i = 0; i < word.size(); ++i)
+            QCOMPARE(word[i], i % 2 == 0 ? 2 : 1);
+        QVERIFY((*addresses.fixedPoint({2, 1}) - shown).norm() < 1e-12);
+        QVERIFY((*addresses.fixedPoint({2, 1, 2, 1}) - shown).norm() < 1e-12);
+        QVERIFY((*addresses.fixedPoint({2}) - *ifs::fixedPoint(system.maps[2].map)).norm() < 1e-12);
+        QVERIFY(addresses.at(branch(Vector<2>(0.2, 0.05)), 0.001).empty());
+    }
+
     void withoutAnAttractorThereIsNone() {
         Fractal fractal = sierpinskiTriangle();
         system2(fractal)->maps[0].map.linear *= 3;

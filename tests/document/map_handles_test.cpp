@@ -180,6 +180,79 @@ private slots:
         QVERIFY(handles.outline(1).size() > 3 * handles.corners(1).size());
         QCOMPARE(handles.outline(1).front(), handles.corners(1).front());
     }
+
+    // Only what is shown of the branch moves, as it is dragged, inside others that are moved and under any
+    // placement; what is asked for is what is stored.
+    void aBranchMovesWhereItIsShown_data() { dragsAreThoseOfTheScreen_data(); }
+    void aBranchMovesWhereItIsShown() {
+        QFETCH(std::vector<Vector<2>>, rest);
+        QFETCH(std::vector<Vector<2>>, current);
+        QFETCH(bool, bends);
+        Fractal fractal = placed(rest, current);
+        const System2 code = *system2(fractal);
+        const ifs::MapId a = code.maps[0].id, b = code.maps[1].id;
+        fractal.moved = {{{b}, ifs::affineMap(0.9, -0.1, 0.1, 0.9, 0.05, 0.05)},
+                         {{a, b}, ifs::affineMap(1, 0, 0, 1, 0.3, 0)}};
+        const double exact = 1e-9, firstOrder = bends ? 2e-2 : 1e-9;
+        const Vector<2> offset(0.03, -0.02);
+        const ifs::AffineMap<2> turn = ifs::swung({}, {0.4, 0.3}, 0.1);
+        for (const ifs::Word& word : {ifs::Word{1, 2}, ifs::Word{0, 1}, ifs::Word{2, 2, 0}, ifs::Word{1}}) {
+            const auto handlesOf = [&](const Fractal& of) {
+                return branchHandles(of, *of.cage, word, BranchEdit::Display)->handles;
+            };
+            const MapHandles before = handlesOf(fractal);
+            QVERIFY(before.canBeTaken());
+            QCOMPARE(before.count(), 1U);
+            const std::array<std::size_t, 1> first{0};
+            const auto corners = before.corners(0);
+            const auto moved = before.withMapsMoved(first, offset);
+            QVERIFY(farthest(corners, handlesOf(moved).corners(0), offset) < firstOrder);
+            const auto turned = handlesOf(before.withMapsChanged(first, turn)).corners(0);
+            for (std::size_t k = 0; k < corners.size(); ++k)
+                QVERIFY((turned[k] - turn(corners[k])).norm() < firstOrder);
+            const Fractal dragged = before.withCornerMoved(0, 1, offset);
+            const auto after = handlesOf(dragged).corners(0);
+            QVERIFY((after[1] - corners[1] - offset).norm() < exact);
+            QVERIFY((after[0] - corners[0]).norm() < (rest.size() > 3 ? 0.1 : exact));
+            for (const Fractal& changed : {moved, dragged}) {
+                QVERIFY(*system2(changed) == code && changed.cage == fractal.cage);
+                QVERIFY(isMoved(changed, word));
+                QVERIFY(!isMoved(withBranchPutBack(changed, word), word));
+            }
+            QCOMPARE(moved.moved.size(), fractal.moved.size() + (isMoved(fractal, word) ? 0 : 1));
+            QVERIFY(before.withMapsMoved(first, Vector<2>::Zero()) == fractal);
+        }
+    }
+
+    // A branch that becomes a map of its own, or is baked, stays where it is shown, and others too.
+    void movedBranchesStayWhenTheCodeIsRewritten() {
+        Fractal fractal = placed(triangle, {{1, 1}, {3, 1.5}, {0.5, 4}});
+        const System2 code = *system2(fractal);
+        const ifs::MapId a = code.maps[0].id, b = code.maps[1].id, c = code.maps[2].id;
+        fractal.moved = {{{b}, ifs::affineMap(1, 0, 0, 1, 5, 0)},
+                         {{a, b, c}, ifs::affineMap(0, -1, 1, 0, -3, 1)},
+                         {{c, c}, ifs::affineMap(2, 0, 0, 1, 0, 7)}};
+        const auto near = [](const Box& x, const Box& y) {
+            return (x.min - y.min).norm() < 1e-6 && (x.max - y.max).norm() < 1e-6;
+        };
+        const Box box = *displayedBox(fractal);
+        Fractal unmoved = fractal;
+        unmoved.moved.clear();
+        QVERIFY(!near(box, *displayedBox(unmoved)));
+        QVERIFY(near(box, *displayedBox(*withCageBaked(fractal))));
+        for (const ifs::Word& word : {ifs::Word{0, 1}, ifs::Word{1, 2}, ifs::Word{2, 2, 2}, ifs::Word{1}}) {
+            const auto branch = branchHandles(fractal, *fractal.cage, word, BranchEdit::OwnMap);
+            const std::array<std::size_t, 1> place{branch->place};
+            const Fractal own = branch->handles.withMapsChanged(place, ifs::affineMap(1, 0, 0, 1, 1e-14, 0));
+            if (word.size() > 1) QVERIFY(*system2(own) != code);
+            QVERIFY(near(box, *displayedBox(own)));
+            // The branch is seen where it is shown.
+            const auto shown = branchHandles(fractal, *fractal.cage, word, BranchEdit::Display)->handles;
+            QVERIFY(farthest(shown.corners(0), branch->handles.corners(branch->place), {0, 0}) < 1e-9);
+            const auto last = branchHandles(fractal, *fractal.cage, word, BranchEdit::LastMap);
+            QVERIFY(farthest(shown.corners(0), last->handles.corners(last->place), {0, 0}) < 1e-9);
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(MapHandlesTest)

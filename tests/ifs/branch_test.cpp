@@ -92,6 +92,100 @@ private slots:
         QCOMPARE(*changed.maps[0].weight, p[0] * p[2]);
         QCOMPARE(*changed.maps[4].weight, p[2]);
     }
+
+    // Unmoved branches leave the attractor: max of the pieces' support values is the whole's.
+    void piecesMakeUpTheWhole() {
+        const auto whole = *SupportFunction<2>::of(maple());
+        for (const std::vector<MovedBranch<2>>& moved :
+             {std::vector<MovedBranch<2>>{}, {{{2}, {}}}, {{{1, 3, 0}, {}}, {{1}, {}}, {{0, 0}, {}}}}) {
+            const auto parts = pieces<2>(moved, 4);
+            for (int k = 0; k < 16; ++k) {
+                const double angle = k * std::numbers::pi / 8;
+                const Vector<2> u(std::cos(angle), std::sin(angle));
+                double farthest = -HUGE_VAL;
+                for (const auto& [word, change] : parts) {
+                    const AffineMap<2> map = change * composed<2>(maple(), word);
+                    farthest =
+                        std::max(farthest, whole(map.linear.transpose() * u).value + u.dot(map.translation));
+                }
+                QVERIFY(std::abs(farthest - whole(u).value) < 1e-12);
+            }
+        }
+    }
+
+    // Every address begins with exactly one piece, which moves by what all its beginnings are moved by, the
+    // outermost last.
+    void piecesMoveByTheirBeginnings() {
+        Random random(7);
+        for (int trial = 0; trial < 100; ++trial) {
+            const std::size_t maps = 1 + random() % 4;
+            const auto word = [&](std::size_t length) {
+                Word result;
+                while (result.size() < length)
+                    result.push_back(int(random() % maps));
+                return result;
+            };
+            std::vector<MovedBranch<2>> moved;
+            for (std::size_t n = random() % 4; n > 0; --n)
+                moved.push_back({word(random() % 5), similarity(0.9, double(n), double(trial), 1)});
+            const auto parts = pieces<2>(moved, maps);
+            std::size_t most = 1;
+            for (const auto& branch : moved)
+                most += (maps - 1) * branch.word.size();
+            QVERIFY(parts.size() <= most);
+            for (int n = 0; n < 20; ++n) {
+                const Word address = word(6);
+                const auto begins = [&](const MovedBranch<2>& branch) {
+                    return std::equal(branch.word.begin(), branch.word.end(), address.begin());
+                };
+                QCOMPARE(std::ranges::count_if(parts, begins), 1);
+                AffineMap<2> expected;
+                for (std::size_t length = 0; length < 5; ++length)
+                    for (const auto& branch : moved)
+                        if (branch.word.size() == length && begins(branch))
+                            expected = expected * branch.change;
+                QCOMPARE(std::ranges::find_if(parts, begins)->change, expected);
+            }
+            for (const auto& part : pieces<2>(moved, maps, 2))
+                QVERIFY(part.word.size() <= 2);
+        }
+    }
+
+    // An address begins with a word if and only if the same address over the cut set begins with one of the
+    // words that stand for it.
+    void wordsOverACutSet() {
+        QCOMPARE(overCutSet({0}, {0, 1}, 3), (std::vector<Word>{{0}, {1}, {2}}));
+        QCOMPARE(overCutSet({0, 1, 2}, {0, 1}, 3), (std::vector<Word>{{0, 4}}));
+        QCOMPARE(overCutSet({}, {0, 1}, 3), (std::vector<Word>{{}}));
+        Random random(3);
+        for (int trial = 0; trial < 200; ++trial) {
+            const std::size_t maps = 2 + random() % 3;
+            const auto word = [&](std::size_t length) {
+                Word result;
+                while (result.size() < length)
+                    result.push_back(int(random() % maps));
+                return result;
+            };
+            const Word branch = word(1 + random() % 3);
+            const Word moved = word(random() % 6);
+            const auto set = cutSet(branch, maps);
+            const auto standIns = overCutSet(moved, branch, maps);
+            for (int n = 0; n < 30; ++n) {
+                Word over; // a random address over the cut set, spelled over the maps too
+                Word address;
+                while (over.size() < 8) {
+                    over.push_back(int(random() % set.size()));
+                    address.insert(address.end(), set[std::size_t(over.back())].begin(),
+                                   set[std::size_t(over.back())].end());
+                }
+                const bool begins = std::equal(moved.begin(), moved.end(), address.begin());
+                QCOMPARE(std::ranges::count_if(
+                             standIns,
+                             [&](const Word& w) { return std::equal(w.begin(), w.end(), over.begin()); }),
+                         begins ? 1 : 0);
+            }
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(BranchTest)

@@ -65,6 +65,7 @@ private slots:
     void bareFileIsCalledAsItsFile();
     void newEntryReadsBack();
     void ownLinesAreShort();
+    void branchesThatDoNotFitAreTold();
     void ownLinesGoWhenEverythingIsStandard();
     void strictForm();
     void strictFormLimits();
@@ -263,6 +264,10 @@ void FractintWriterTest::newEntryReadsBack() {
         fractal.appearance.palette = palette;
         QCOMPARE(*io::readFractint(io::writeEntry(fractal, "\r\n")).entries.value(0).fractal, fractal);
     }
+    const auto id = [&](std::size_t place) { return maps(fractal)[place].id; };
+    fractal.moved = {{{id(2), id(0)}, ifs::affineMap(1.0 / 3, -1e-17, 0.1, 2, -1e300, 5)},
+                     {std::vector<ifs::MapId>(40, id(1)), ifs::affineMap(0, 0, 0, 0, 0, 0)}};
+    QCOMPARE(*io::readFractint(io::writeEntry(fractal)).entries.value(0).fractal, fractal);
     for (auto& map : maps(fractal))
         map.weight.reset();
     QCOMPARE(*io::readFractint(io::writeEntry(fractal)).entries.value(0).fractal, fractal);
@@ -284,9 +289,41 @@ void FractintWriterTest::ownLinesAreShort() {
     fractal.appearance.palette = {std::string(200, 'p'), {{longest, {}}}};
     maps(fractal)[0].enabled = false;
     maps(fractal)[0].weight = longest;
+    fractal.moved = {{std::vector<ifs::MapId>(40, maps(fractal)[1].id),
+                      ifs::affineMap(longest, longest, longest, longest, longest, longest)}};
     QVERIFY(io::ownComments(io::asStored(fractal)).size() > 5);
     for (const QByteArray& line : io::ownComments(io::asStored(fractal)))
         QVERIFY2(line.size() < 70 && line.startsWith("; barycage: "), line.constData());
+}
+
+// What does not fit the maps that were read is told, and the rest is applied.
+void FractintWriterTest::branchesThatDoNotFitAreTold() {
+    const auto read = [](const QByteArray& lines) {
+        return io::readFractint("a {\n.5 0 0 .5 0 0 1\n.5 0 0 .5 1 0 1\n" + lines + "}\n").entries.value(0);
+    };
+    const QByteArray by = "; barycage: by 1 0\n; barycage: by 0 1\n; barycage: by 2 3\n";
+    const document::Entry good = read("; barycage: branch 2\n; barycage: branch 1\n" + by);
+    QCOMPARE(good.fractal->moved.size(), 1U);
+    QCOMPARE(document::movedBranches(*good.fractal).front().word, (ifs::Word{1, 0}));
+    QCOMPARE(good.fractal->moved.front().change, ifs::affineMap(1, 0, 0, 1, 2, 3));
+    QVERIFY(good.problems.isEmpty());
+    const QByteArray branch = "; barycage: branch 2 1\n";
+    for (const QByteArray& lines : {branch, "; barycage: branch 3\n" + by, branch + by + branch + by,
+                                    branch + "; barycage: by 1 0\n"}) {
+        const document::Entry bad = read(lines);
+        QCOMPARE(bad.problems.size(), 1);
+        QVERIFY2(bad.problems.front().message.contains(QStringLiteral("branch")),
+                 qPrintable(bad.problems.front().message));
+        QCOMPARE(bad.fractal->moved.size(), lines.count("by") == 6 ? 1U : 0U);
+    }
+    for (const QByteArray& line : {QByteArray("; barycage: branch 0\n"), QByteArray("; barycage: branch x\n"),
+                                   QByteArray("; barycage: by 1 0\n"), branch + "; barycage: by 1 nan\n"})
+        QVERIFY(read(line).fractal->moved.empty());
+    // A map that is deleted takes the places of its branches with it, in the file.
+    Fractal fractal = *good.fractal;
+    maps(fractal).erase(maps(fractal).begin());
+    QVERIFY(document::movedBranches(fractal).empty());
+    QVERIFY(!io::writeEntry(fractal).contains("branch"));
 }
 
 void FractintWriterTest::ownLinesGoWhenEverythingIsStandard() {

@@ -182,12 +182,14 @@ private slots:
     void triangleIsDrawnWhenAsked();
     void looksLikeTheRendering_data() { systems(); }
     void looksLikeTheRendering();
+    void movedBranchesLookLikeTheRendering();
     void systemsWithoutAttractorAreRefused();
     void bentPicturesAreWrittenAsTheirAffineFit();
     void hostileFilesAreRefused();
     void awkwardTextSurvives();
 
 private:
+    void compareWithTheRendering(document::Fractal fractal);
     void systems() {
         QTest::addColumn<int>("index");
         for (int i = 0; i < 4; ++i)
@@ -247,7 +249,7 @@ void SvgWriterTest::copiesComposeLikeTheMaps() {
             const std::size_t i = random() % copies.size();
             const int level = group == u"attractor" ? 5 : group.mid(6).toInt();
             drawn = drawn * copies[i].map;
-            expected = expected * levels->map(i, level, 5);
+            expected = expected * levels->copy(i, level, 5).map;
             group = copies[i].of;
         }
         QVERIFY(distance(drawn, expected) < 1e-9 * (1 + expected.translation.norm()));
@@ -275,10 +277,11 @@ void SvgWriterTest::singularMapsStayVisibleAtEveryDepth() {
         ifs::AffineMap<2> exact = display;
         for (int level = depth; level > 0;) {
             const std::size_t i = random() % maps.size();
-            drawn = drawn * levels->map(i, level, depth);
+            const SvgLevels::Copy copy = levels->copy(i, level, depth);
+            drawn = drawn * copy.map;
             exact = exact * maps[i];
-            QVERIFY(i == 0 || levels->map(i, level, depth) == maps[i]);
-            level = levels->below(level, i);
+            QVERIFY(i == 0 || copy.map == maps[i]);
+            level = copy.level;
             if (i != 0) continue;
             ++stems;
             const ifs::Vector<2> a = drawn(bars[0][0]) - drawn(bars[0][3]);
@@ -489,7 +492,22 @@ void SvgWriterTest::triangleIsDrawnWhenAsked() {
 
 void SvgWriterTest::looksLikeTheRendering() {
     QFETCH(int, index);
-    document::Fractal fractal = fractalOf(mapsOf(index));
+    compareWithTheRendering(fractalOf(mapsOf(index)));
+}
+
+// Also a branch that ends with a singular map, and one that goes on after it.
+void SvgWriterTest::movedBranchesLookLikeTheRendering() {
+    document::Fractal fractal = fractalOf(canonical::fern());
+    const auto& maps = document::system2(fractal)->maps;
+    const auto shift = [](double x, double y) { return ifs::affineMap(1, 0, 0, 1, x, y); };
+    fractal.moved = {{{maps[2].id}, shift(-4, 1)},
+                     {{maps[1].id, maps[0].id}, shift(4, 0)},
+                     {{maps[0].id, maps[3].id}, ifs::affineMap(0, 3, 1, 0, 4, 4)},
+                     {{maps[3].id, maps[1].id, maps[3].id}, ifs::affineMap(0, -2, 2, 0, 5, 5)}};
+    compareWithTheRendering(fractal);
+}
+
+void SvgWriterTest::compareWithTheRendering(document::Fractal fractal) {
     fractal.appearance.colourBy = attractor::ColourBy::Plain;
     const attractor::Camera camera = cameraFor(fractal);
     const QRgb background = qRgb(13, 16, 23);

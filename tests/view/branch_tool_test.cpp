@@ -9,6 +9,7 @@
 #include "render_bridge.h"
 
 #include <QComboBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
@@ -193,6 +194,37 @@ private slots:
         QCOMPARE(steps(), 1);
         const ifs::AffineMap<2> branch = ifs::composed<2>(ifs::mapsOf(system()), {1, 2});
         QVERIFY(QLineF(pixel(branch(scene().cage()->rest[2])), corner + QPointF(7, 6)).length() < 1e-6);
+    }
+
+    // The code stays; the branch stays selected where it is shown, and can be put back.
+    void aBranchIsMovedWhereItIsShown() {
+        m_canvas->setTool(CanvasView::Tool::Branch);
+        m_bar->edit()->setCurrentIndex(2);
+        QVERIFY(!m_bar->putBackButton()->isVisibleTo(m_bar.get()));
+        const document::Fractal before = m_document->fractal();
+        click(pointOf({2, 1}));
+        QCOMPARE(scene().branch(), (Word{2, 1}));
+        const QPointF corner = at({Kind::Vertex, 0, 0});
+        drag(at({Kind::Inside, 0, 0}), {90, -40});
+        QCOMPARE(steps(), 1);
+        QVERIFY(system() == *document::system2(before));
+        QCOMPARE(scene().branch(), (Word{2, 1}));
+        QVERIFY(QLineF(corner + QPointF(90, -40), at({Kind::Vertex, 0, 0})).length() < 1e-6);
+        drag(at({Kind::Vertex, 0, 0}), {-20, 10});
+        QVERIFY(QLineF(corner + QPointF(70, -30), at({Kind::Vertex, 0, 0})).length() < 1e-6);
+        QVERIFY(hover(at({Kind::Inside, 0, 0})).address.empty() ||
+                hover(at({Kind::Inside, 0, 0})).address[0] == 2);
+        QCOMPARE(m_document->fractal().moved.size(), 1U);
+        QVERIFY(m_bar->putBackButton()->isVisibleTo(m_bar.get()));
+        m_bar->putBackButton()->click();
+        QVERIFY(m_document->fractal() == before);
+        QCOMPARE(steps(), 3);
+        QVERIFY(!m_bar->putBackButton()->isVisibleTo(m_bar.get()));
+        m_document->undoStack()->undo();
+        QCOMPARE(m_document->fractal().moved.size(), 1U);
+        click(pointOf({0, 0})); // another branch: the button is for all
+        m_bar->putBackButton()->click();
+        QVERIFY(m_document->fractal() == before);
     }
 
     void theSelectedMapsSwingAboutTheirRoots() {

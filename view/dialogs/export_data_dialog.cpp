@@ -26,16 +26,10 @@ namespace {
 enum Format { Flame, Aifs, Csv, Tsv, PointsCsv, PointsPly };
 
 std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fractal) {
-    const document::System2* system = document::system2(fractal);
-    if (!system || !fractal.cage || fractal.cage->rest == fractal.cage->current ||
-        fractal.cage->rest.size() != 3)
+    if (!fractal.cage || fractal.cage->rest == fractal.cage->current || fractal.cage->rest.size() != 3)
         return {};
-    const auto baked = ifs::bake(*system, *fractal.cage);
-    if (!baked) return {};
-    document::Fractal result = fractal;
-    result.system = baked->system;
-    result.cage = baked->cage;
-    return std::make_shared<const document::Fractal>(std::move(result));
+    auto baked = document::withCageBaked(fractal);
+    return baked ? std::make_shared<const document::Fractal>(*std::move(baked)) : nullptr;
 }
 
 } // namespace

@@ -39,18 +39,14 @@ document::Fractal placed(document::Fractal fractal, const ifs::AffineMap<2>& tra
 
 std::optional<document::Fractal> rewritten(document::Fractal fractal,
                                            const ifs::AffineMap<2>& transformation) {
-    const document::System2* system = document::system2(fractal);
-    if (!system) return std::nullopt;
-    auto conjugated = ifs::conjugate(transformation, *system);
-    if (!conjugated) return std::nullopt;
-    if (fractal.cage) {
-        for (auto* vertices : {&fractal.cage->rest, &fractal.cage->current}) {
+    auto result = document::conjugated(fractal, transformation);
+    if (result && result->cage) {
+        for (auto* vertices : {&result->cage->rest, &result->cage->current}) {
             for (auto& vertex : *vertices)
                 vertex = transformation(vertex);
         }
     }
-    fractal.system = std::move(*conjugated);
-    return fractal;
+    return result;
 }
 
 std::optional<ifs::Vector<2>> middleOfBox(const document::Fractal& fractal) {

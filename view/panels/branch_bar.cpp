@@ -8,11 +8,13 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace view {
@@ -36,7 +38,7 @@ BranchBar::BranchBar(document::Document* document, CanvasView* canvas, QWidget* 
     connect(canvas, &CanvasView::toolChanged, this, &BranchBar::follow);
     connect(canvas, &CanvasView::selectedMapsChanged, this, &BranchBar::endSwing);
     connect(document, &document::Document::changed, this, [this] {
-        if (!m_swinging.isOpen()) centre(); // another edit has ended ours
+        m_swinging.isOpen() ? follow() : centre(); // another edit has ended ours
     });
     follow();
 }
@@ -64,7 +66,13 @@ QWidget* BranchBar::makeBranch() {
     m_edit->addItem(tr("the last map of its address"));
     m_edit->setItemData(1, tr("The code keeps its maps. All branches that this map makes change alike."),
                         Qt::ToolTipRole);
+    m_edit->addItem(tr("where it is shown, and it alone"));
+    m_edit->setItemData(2,
+                        tr("The code stays as it is. This branch is shown elsewhere, and nothing like it at "
+                           "other scales."),
+                        Qt::ToolTipRole);
     m_edit->setAccessibleName(tr("What changing the branch changes"));
+    m_putBack = new QPushButton(row);
     editLabel->setBuddy(m_edit);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -75,9 +83,13 @@ QWidget* BranchBar::makeBranch() {
     layout->addStretch();
     layout->addWidget(editLabel);
     layout->addWidget(m_edit);
+    layout->addWidget(m_putBack);
+    connect(m_putBack, &QPushButton::clicked, this, &BranchBar::putBack);
     connect(m_depth, &QSpinBox::valueChanged, m_canvas, &CanvasView::setBranchDepth);
     connect(m_edit, &QComboBox::currentIndexChanged, this, [this](int index) {
-        m_canvas->setBranchEdit(index == 0 ? document::BranchEdit::OwnMap : document::BranchEdit::LastMap);
+        constexpr std::array edits{document::BranchEdit::OwnMap, document::BranchEdit::LastMap,
+                                   document::BranchEdit::Display};
+        m_canvas->setBranchEdit(edits.at(std::size_t(index)));
         m_edit->setToolTip(m_edit->itemData(index, Qt::ToolTipRole).toString());
     });
     m_edit->setToolTip(m_edit->itemData(0, Qt::ToolTipRole).toString());
@@ -114,16 +126,40 @@ void BranchBar::follow() {
     const QSignalBlocker quiet(m_depth);
     m_depth->setValue(m_canvas->branchDepth());
     const ifs::Word& address = m_canvas->branchAddress();
-    const auto cut = std::min(address.size(), std::size_t(m_canvas->branchDepth()));
-    const auto middle = address.begin() + std::ptrdiff_t(cut);
-    const QString branch = document::addressText({address.begin(), middle}, cut);
+    const ifs::Word word = branch();
+    const ifs::Word rest(address.begin() + std::ptrdiff_t(word.size()), address.end());
     m_address->setText(
-        address.empty()
-            ? tr("no branch selected")
-            : tr("branch <b>%1</b> %2").arg(branch, document::addressText({middle, address.end()}, 8)));
+        address.empty() ? tr("no branch selected")
+                        : tr("branch <b>%1</b> %2")
+                              .arg(document::addressText(word, word.size()), document::addressText(rest, 8)));
+    const document::Fractal& fractal = m_document->fractal();
+    const bool isMoved = document::isMoved(fractal, word);
+    m_putBack->setText(isMoved ? tr("Put &Back") : tr("Put All &Back"));
+    m_putBack->setToolTip(isMoved ? tr("Shows the branch where its maps put it")
+                                  : tr("Shows every branch where its maps put it"));
+    m_putBack->setVisible(!fractal.moved.empty());
     const std::size_t selected = m_canvas->selectedMaps().size();
     m_swing->setEnabled(selected > 0);
     m_angle->setText(tr("%1°").arg(m_swing->value()));
+}
+
+ifs::Word BranchBar::branch() const {
+    ifs::Word word = m_canvas->branchAddress();
+    word.resize(std::min(word.size(), std::size_t(m_canvas->branchDepth())));
+    return word;
+}
+
+void BranchBar::putBack() {
+    const ifs::Word word = branch();
+    document::Fractal fractal = m_document->fractal();
+    const bool isMoved = document::isMoved(fractal, word);
+    if (isMoved)
+        fractal = document::withBranchPutBack(fractal, word);
+    else
+        fractal.moved.clear();
+    m_document->edit(isMoved ? tr("Put branch %1 back").arg(document::addressText(word, word.size()))
+                             : tr("Put all branches back"),
+                     fractal);
 }
 
 // Counted from where the slider left the middle.

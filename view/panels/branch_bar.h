@@ -8,6 +8,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QSlider;
 class QSpinBox;
 
@@ -23,6 +24,7 @@ public:
 
     QSpinBox* depth() const { return m_depth; }
     QComboBox* edit() const { return m_edit; }
+    QPushButton* putBackButton() const { return m_putBack; } // there when a branch is moved
     QSlider* swing() const { return m_swing; }
 
 protected:
@@ -32,6 +34,8 @@ private:
     QWidget* makeBranch();
     QWidget* makeSwing();
     void follow();
+    ifs::Word branch() const; // that is selected
+    void putBack();           // it, where it is moved; else all branches
     void swingTo(int degrees);
     void endSwing();
     void centre();
@@ -43,6 +47,7 @@ private:
     QSpinBox* m_depth = nullptr;
     QLabel* m_address = nullptr;
     QComboBox* m_edit = nullptr;
+    QPushButton* m_putBack = nullptr;
     QSlider* m_swing = nullptr;
     QLabel* m_angle = nullptr;
     LiveEdit m_swinging;
