@@ -76,7 +76,7 @@ void CliConvertTest::convertsThereAndBack() {
     QFETCH(QByteArray, file);
     QFETCH(QByteArray, there);
     QFETCH(QByteArray, back);
-    QCOMPARE(run("convert systems.ifs " + file + " --entry fern" + there).status, 0);
+    QCOMPARE(run("convert systems.ifs --entry fern " + file + there).status, 0);
     QCOMPARE(run("convert " + file + " back.ifs" + back).status, 0);
     const auto maps = [this](const char* arguments) {
         return run(QByteArray("info --json ") + arguments).entry()[QLatin1String("maps")].toArray();

@@ -97,7 +97,7 @@ void CliInfoTest::howACageOfManyCornersDeforms() {
 }
 
 void CliInfoTest::factsOfTheFern() {
-    const Result result = run("info systems.ifs --entry fern --json");
+    const Result result = run("info --entry fern systems.ifs --json");
     QCOMPARE(result.status, 0);
     const QJsonObject fern = result.entry();
     compare(fern[QLatin1String("mean")], 2659956.0 / 3338159, 20588360.0 / 3338159, 1e-11);
