@@ -1100,12 +1100,12 @@
         <translation>Abbildungen und Äste</translation>
     </message>
     <message>
-        <source>Order of the Columns</source>
-        <translation>Reihenfolge der Spalten</translation>
+        <source>P&amp;aste</source>
+        <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>&amp;Use This Order</source>
-        <translation>Diese &amp;Reihenfolge</translation>
+        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <translation>Die Fraktale aus der Zwischenablage zur Datei hinzufügen: Einträge einer .ifs-Datei, Flames oder eine Zahlentabelle</translation>
     </message>
 </context>
 <context>
@@ -5289,6 +5289,14 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
         <translation>In dieser Reihenfolge kontrahieren diese Abbildungen nicht: %1. Vielleicht bedeuten die Spalten etwas anderes.</translation>
+    </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Reihenfolge der Spalten</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>Diese &amp;Reihenfolge</translation>
     </message>
 </context>
 <context>

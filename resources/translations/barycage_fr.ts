@@ -1100,12 +1100,12 @@
         <translation>Applications et branches</translation>
     </message>
     <message>
-        <source>Order of the Columns</source>
-        <translation>Ordre des colonnes</translation>
+        <source>P&amp;aste</source>
+        <translation>C&amp;oller</translation>
     </message>
     <message>
-        <source>&amp;Use This Order</source>
-        <translation>&amp;Utiliser cet ordre</translation>
+        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <translation>Ajouter au fichier les fractales du presse-papiers : entrées d’un fichier .ifs, flames ou tableau de nombres</translation>
     </message>
 </context>
 <context>
@@ -5289,6 +5289,14 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
         <translation>Dans cet ordre, ces applications ne sont pas contractantes&#x202f;: %1. Peut-être les colonnes signifient-elles autre chose.</translation>
+    </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Ordre des colonnes</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>&amp;Utiliser cet ordre</translation>
     </message>
 </context>
 <context>

@@ -1103,12 +1103,12 @@
         <translation>Пресликувања и гранки</translation>
     </message>
     <message>
-        <source>Order of the Columns</source>
-        <translation>Редослед на колоните</translation>
+        <source>P&amp;aste</source>
+        <translation>&amp;Залепи</translation>
     </message>
     <message>
-        <source>&amp;Use This Order</source>
-        <translation>&amp;Користи го овој редослед</translation>
+        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <translation>Додај ги во датотеката фракталите од таблата со исечоци: записи од датотека .ifs, flame-фрактали или табела со броеви</translation>
     </message>
 </context>
 <context>
@@ -5299,6 +5299,14 @@ The entry is kept as it is.</source>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
         <translation>При овој редослед не се контракции пресликувањата: %1. Можеби колоните значат нешто друго.</translation>
+    </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Редослед на колоните</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>&amp;Користи го овој редослед</translation>
     </message>
 </context>
 <context>
