@@ -1883,6 +1883,10 @@
         <translation>Das System hat keinen Attraktor, dessen Umriss bewiesen werden könnte; es gibt nichts zu kopieren.</translation>
     </message>
     <message>
+        <source>In this view the picture is too large to be written as shapes.</source>
+        <translation>In dieser Ansicht ist das Bild zu groß, um als Formen geschrieben zu werden.</translation>
+    </message>
+    <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
         <translation>Es gibt keine Zeilen von Zahlen: Eine Zeile ist a b c d e f und vielleicht ein Gewicht.</translation>
     </message>

@@ -1883,6 +1883,10 @@
         <translation>El sistema no tiene un atractor cuyo contorno se pueda demostrar, así que no hay nada de lo que hacer copias.</translation>
     </message>
     <message>
+        <source>In this view the picture is too large to be written as shapes.</source>
+        <translation>En esta vista la imagen es demasiado grande para escribirla como formas.</translation>
+    </message>
+    <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
         <translation>No hay filas de números: una fila es a b c d e f y, si acaso, un peso.</translation>
     </message>

@@ -1883,6 +1883,10 @@
         <translation>Le système n’a pas d’attracteur dont on puisse certifier un contour&#x202f;: il n’y a donc rien à copier.</translation>
     </message>
     <message>
+        <source>In this view the picture is too large to be written as shapes.</source>
+        <translation>Dans cette vue, l’image est trop grande pour être écrite en formes vectorielles.</translation>
+    </message>
+    <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
         <translation>Il n’y a pas de lignes de nombres&#x202f;: une ligne est a b c d e f, suivie éventuellement d’un poids.</translation>
     </message>

@@ -1886,6 +1886,10 @@
         <translation>Системот нема атрактор чија контура би можела со сигурност да се определи, па нема од што да се прават копии.</translation>
     </message>
     <message>
+        <source>In this view the picture is too large to be written as shapes.</source>
+        <translation>Во овој поглед сликата е преголема за да се запише како облици.</translation>
+    </message>
+    <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
         <translation>Нема редици од броеви: редицата е a b c d e f и евентуално тежина.</translation>
     </message>

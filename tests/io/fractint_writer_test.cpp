@@ -70,6 +70,8 @@ private slots:
     void strictFormLimits();
     void dataFilesKeepTheirBytes();
     void randomEditsKeepTheRest();
+    void aShorterTextIsStillACollection_data();
+    void aShorterTextIsStillACollection();
 
 private:
     void editAtRandom(Fractal& fractal, QRandomGenerator& random);
@@ -424,6 +426,25 @@ void FractintWriterTest::randomEditsKeepTheRest() {
         QCOMPARE(reread.tail, original.tail);
     }
     QVERIFY(keptRows > 1500); // written afresh only in rare cases
+}
+
+void FractintWriterTest::aShorterTextIsStillACollection_data() {
+    QTest::addColumn<QByteArray>("odd");
+    QTest::newRow("NUL") << QByteArray(8, '\0');
+    QTest::newRow("a word of IFStile") << QByteArray("; $dim\n");
+    QTest::newRow("a word of XaoS") << QByteArray("; (formula 'mandel)\n");
+    QTest::newRow("words of a script") << QByteArray("scale\n").repeated(30);
+}
+
+// What stood too far down, or was too little, to make the text something else comes to the fore.
+void FractintWriterTest::aShorterTextIsStillACollection() {
+    QFETCH(QByteArray, odd);
+    const QByteArray rows = QByteArray(".5 0 0 .5 0 0 1\n").repeated(300);
+    const QByteArray before = "a {\n" + rows + "}\n" + odd + "\nb {\n.5 0 0 .5 0 0 1\n}\n";
+    QCOMPARE(io::readFractint(before).entries.size(), 2);
+    const QByteArray after = afterEdit(before, [](Fractal& f) { maps(f).resize(1); });
+    QVERIFY(after.size() < 512 && after.contains(odd));
+    QCOMPARE(io::readFractint(after).entries.size(), 2);
 }
 
 QTEST_APPLESS_MAIN(FractintWriterTest)
