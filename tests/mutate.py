@@ -3,7 +3,8 @@
 """Changes one sign, comparison or constant of the model at a time and sees whether a test notices.
 
 A copy of the tree is built below build/mutate; the tree itself is not touched. A mutant is caught when a test fails,
-crashes or takes far too long. First the test of the file's own name is asked, then the others of its folder.
+crashes or takes far too long. Only tests that link the changed file are asked, until one fails: first the test of the
+file's own name, then the others of its folder, the quick ones before the slow ones.
 """
 import argparse
 import json
@@ -114,14 +115,11 @@ class Judge:
             return False
 
     def verdict(self, stem):
-        own = [test for test in self.tests if test.name == stem + "_test"]
-        others = sorted((test for test in self.tests if test not in own), key=self.seconds.get)
-        for group in (own, others):
-            if group and self.build(group) != 0:
+        for test in sorted(self.tests, key=lambda test: (test.name != stem + "_test", self.seconds[test])):
+            if self.build([test]) != 0:
                 return "does not compile"
-            for test in group:
-                if not self.passes(test, 20 + 10 * self.seconds[test]):
-                    return "caught"
+            if not self.passes(test, 20 + 10 * self.seconds[test]):
+                return "caught"
         return "survived"
 
 

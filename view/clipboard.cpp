@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "clipboard.h"
 
-#include "io/fractint_reader.h"
+#include "io/collection_reader.h"
 #include "io/fractint_writer.h"
 #include "io/table_reader.h"
 
 #include <QCoreApplication>
 #include <QMimeData>
-
-#include <algorithm>
 
 namespace view {
 namespace {
@@ -19,28 +17,13 @@ bool isReadable(const document::Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
 }
 
-document::Entry fresh(document::Fractal fractal) {
-    document::Entry entry;
-    entry.fractal = std::make_shared<const document::Fractal>(std::move(fractal));
-    return entry;
-}
-
-// A text without braces may still be a table of numbers.
-FoundEntries entryInTable(const QByteArray& text) {
-    FoundEntries found;
+// Rows alone are Fractint's in a file; on the clipboard they may come from anywhere.
+bool areColumnsOpen(const io::Collection& collection, const QByteArray& text) {
+    if (collection.isOrderAssumed) return true;
+    if (collection.format != u"fractint" || collection.file.entries.isEmpty() || text.contains('{'))
+        return false;
     const io::Table table = io::readTable(QString::fromUtf8(text));
-    found.problems = table.problems;
-    if (table.rows.empty() ||
-        std::any_of(table.problems.begin(), table.problems.end(), [](const auto& problem) {
-            return problem.severity == document::Problem::Severity::Error;
-        }))
-        return found;
-    document::Fractal fractal;
-    fractal.name =
-        QCoreApplication::translate("view::Clipboard", "pasted", "name of an entry made from a table");
-    fractal.system = io::systemOf(table);
-    found.entries.append(fresh(std::move(fractal)));
-    return found;
+    return table.isTable && !table.isOrdered;
 }
 
 } // namespace
@@ -66,17 +49,15 @@ std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries
 }
 
 FoundEntries entriesIn(const QByteArray& text) {
-    const document::FractalFile file = io::readFractint(text);
-    if (file.entries.isEmpty())
-        if (FoundEntries table = entryInTable(text); !table.entries.isEmpty()) return table;
-    FoundEntries found;
-    found.problems = file.problems;
-    for (const document::Entry& read : file.entries) {
-        document::Entry entry = read;
+    const io::Collection collection = io::readCollection(
+        text, QCoreApplication::translate("view::Clipboard", "pasted", "name of an entry made from a table"));
+    FoundEntries found{{}, collection.file.problems};
+    for (document::Entry entry : collection.file.entries) {
         if (isReadable(entry)) entry.source.reset();
         found.problems += entry.problems;
-        found.entries.append(entry);
+        found.entries.append(std::move(entry));
     }
+    if (areColumnsOpen(collection, text)) found.table = QString::fromUtf8(text);
     return found;
 }
 

@@ -19,11 +19,14 @@ namespace view {
 QByteArray entriesText(const QList<document::Entry>& entries);
 std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries);
 
-// Entries found in a text: an .ifs file or part of one, or a bare table of numbers. Readable entries carry no
-// source, so that they are written anew; the ids mean nothing.
+// Entries found in a text: an .ifs file or part of one, flames, or a bare table of numbers. Readable entries
+// carry no source, so that they are written anew; the ids mean nothing.
 struct FoundEntries {
     QList<document::Entry> entries;
-    document::Problems problems; // all of them, of the text and of its entries
+    document::Problems problems{}; // all of them, of the text and of its entries
+    // The text, when it is a table that does not say what its columns are: its entry is in the order of
+    // Fractint, and the user is to be asked.
+    QString table{};
 };
 FoundEntries entriesIn(const QByteArray& text);
 FoundEntries entriesIn(const QMimeData& mimeData);

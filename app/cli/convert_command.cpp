@@ -384,7 +384,8 @@ void addConvertCommand(CLI::App& program, Run& run) {
         ->expected(2, 1'000'000);
     command->add_option("--entry", arguments->entries, "Only the entry of this name (may be repeated)")
         ->expected(1)
-        ->take_all();
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_flag("--bake", arguments->bake, "Make what the cage shows the code");
     command->add_flag("--strict", arguments->strict, "Write .ifs that every reader takes");
     command->add_option(

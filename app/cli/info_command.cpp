@@ -63,7 +63,8 @@ void addInfoCommand(CLI::App& program, Run& run) {
         ->required();
     command->add_option("--entry", arguments->entries, "Only the entry of this name (may be repeated)")
         ->expected(1)
-        ->take_all();
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_flag("--json", arguments->json, "One JSON object with every digit");
     command->add_option("--hull-tolerance", arguments->hullTolerance,
                         "Tolerance of the convex hull, in the system's units (1e-6 of the diagonal)");

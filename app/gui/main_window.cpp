@@ -35,10 +35,9 @@
 #include <QSettings>
 #include <QToolBar>
 
-#include <numeric>
-
 namespace {
 
+constexpr int cascade = 32;         // pixels from one window to the next
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
 
 QString fileFilter() {
@@ -197,7 +196,9 @@ void MainWindow::connectDocument() {
     });
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
     connect(&m_file, &OpenFile::pathChanged, this, &MainWindow::updateTitle);
-    connect(&m_file, &OpenFile::orderAssumed, this, &MainWindow::askForColumns);
+    connect(&m_file, &OpenFile::orderAssumed, this, [this](const QString& table) {
+        view::PasteTableDialog::askForColumns(&m_document, table, this);
+    });
     connect(m_canvas, &view::CanvasView::message, this, &MainWindow::say);
     connect(&m_recovery, &Recovery::cannotKeep, this,
             [this](const QString& sentence) { fail(tr("No recovery"), sentence); });
@@ -274,18 +275,6 @@ void MainWindow::reportOpened() {
         sentence += tr(", %n of them could not be read and are kept as they are", nullptr, int(broken));
     if (bent > 0) sentence += tr(", %n read with a remark", nullptr, int(bent));
     say(sentence + u'.');
-}
-
-// The maps are there in the order of Fractint; another one is a step of the history.
-void MainWindow::askForColumns(const QString& table) {
-    const document::System2* system = document::system2(m_document.fractal());
-    if (!system) return;
-    view::Rows all(system->maps.size());
-    std::iota(all.begin(), all.end(), 0);
-    auto* dialog = new view::PasteTableDialog(&m_document, all, table, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWords(tr("Order of the Columns"), tr("&Use This Order"));
-    dialog->open();
 }
 
 void MainWindow::chooseAndOpen() {
@@ -415,7 +404,15 @@ void MainWindow::restoreLayout() {
         {260, 430}, Qt::Horizontal);
     if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray()))
         resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
+    if (const QWidget* other = QApplication::activeWindow(); other && other->pos() == pos())
+        move(pos() + QPoint(cascade, cascade)); // both are to be seen
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
+}
+
+// The desktop, too, may fill the screen with the window.
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange && m_fullScreen) m_fullScreen->setChecked(isFullScreen());
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -44,6 +44,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void childEvent(QChildEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -77,7 +78,6 @@ private:
     bool saveAs();
     void revert();
     void reportOpened();
-    void askForColumns(const QString& table);
     void fillRecent();
     void updateTitle();
     void say(const QString& sentence); // in the status bar, for a few seconds
@@ -102,6 +102,7 @@ private:
     QMenu* m_panelMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QActionGroup* m_tools = nullptr;
+    QAction* m_fullScreen = nullptr;
     QToolBar* m_branchBar = nullptr;  // under the canvas while maps or branches are dragged
     QList<QAction*> m_toolBarActions; // a null pointer is a separator
 };

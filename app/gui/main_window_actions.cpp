@@ -14,6 +14,7 @@
 #include "main_window.h"
 #include "panels/arising_bar.h"
 #include "panels/branch_bar.h"
+#include "panels/entries_panel.h"
 #include "session.h"
 #include "theme.h"
 #include "tour.h"
@@ -133,6 +134,10 @@ void MainWindow::createEditActions() {
     redo->setStatusTip(tr("Make the edit again that was taken back"));
     m_editMenu->addActions({undo, redo});
     m_editMenu->addSeparator();
+    command(m_editMenu, QStringLiteral("paste"), tr("P&aste"), QKeySequence::Paste,
+            tr("Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of "
+               "numbers"),
+            [this] { findChild<view::EntriesPanel*>()->paste(); });
     command(m_editMenu, QStringLiteral("transform"), tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
             tr("Rotate, scale, shear, reflect or move the whole fractal by numbers"), [this] {
                 auto* dialog = new view::TransformDialog(&m_document, this);
@@ -297,10 +302,10 @@ void MainWindow::createViewActions() {
     }
     m_viewMenu->addSeparator();
     m_panelMenu = m_viewMenu->addMenu(tr("&Panels"));
-    QAction* full =
+    m_fullScreen =
         action(m_viewMenu, {}, tr("F&ull Screen"), QKeySequence(tr("F11")), tr("Use the whole screen"));
-    full->setCheckable(true);
-    connect(full, &QAction::toggled, this,
+    m_fullScreen->setCheckable(true);
+    connect(m_fullScreen, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     m_toolBarActions << fit << in << out << nullptr << createArisingBar();
     createBranchBar();

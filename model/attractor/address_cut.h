@@ -68,6 +68,9 @@ struct AddressCut {
     std::vector<Curve> curves;
     std::size_t firstExact = 0;
     std::vector<ifs::AffineMap<2>> exact;
+    const Curve* curveOf(std::size_t word) const { // nullptr where there is none
+        return word >= firstCurved && word < firstExact ? &curves[word - firstCurved] : nullptr;
+    }
     double probability = 0; // Σ p_σ: an unbiased estimate of the measure of the words that meet the view
 };
 

@@ -68,6 +68,37 @@ struct Placement {
     }
 };
 
+// The same with the terms of second order.
+struct CurvedPlacement {
+    Placement affine;
+    FloatVector xaa, xab, xbb, yaa, yab, ybb;
+
+    HWY_ATTR CurvedPlacement(const Word& word, const Curve& curve)
+        : affine(word),
+          xaa(hn::Set(Float(), curve.xaa)),
+          xab(hn::Set(Float(), curve.xab)),
+          xbb(hn::Set(Float(), curve.xbb)),
+          yaa(hn::Set(Float(), curve.yaa)),
+          yab(hn::Set(Float(), curve.yab)),
+          ybb(hn::Set(Float(), curve.ybb)) {}
+    HWY_ATTR HWY_INLINE FloatVector column(FloatVector px, FloatVector py) const {
+        return second(xaa, xab, xbb, affine.xx, affine.xy, affine.x, px, py);
+    }
+    HWY_ATTR HWY_INLINE FloatVector row(FloatVector px, FloatVector py) const {
+        return second(yaa, yab, ybb, affine.yx, affine.yy, affine.y, px, py);
+    }
+
+private:
+    // (p + aa·a + ab·b)·a + (q + bb·b)·b + r
+    HWY_ATTR static HWY_INLINE FloatVector second(FloatVector aa, FloatVector ab, FloatVector bb,
+                                                  FloatVector p, FloatVector q, FloatVector r, FloatVector a,
+                                                  FloatVector b) {
+        const FloatVector alongA = HWY_NAMESPACE::affine(aa, ab, p, a, b);
+        const FloatVector alongB = hn::Add(hn::Mul(bb, b), q);
+        return HWY_NAMESPACE::affine(alongA, alongB, r, a, b);
+    }
+};
+
 // Cell (column, row) of a grid has the number row·stride + column − origin.
 struct Numbering {
     IntVector stride;
@@ -84,7 +115,8 @@ struct Numbering {
 };
 
 // The cells of at most 128 points that all lie in the grid.
-HWY_ATTR static HWY_INLINE void cellsInside(const Placement& place, const Numbering& grid, const float* x,
+template <class Place>
+HWY_ATTR static HWY_INLINE void cellsInside(const Place& place, const Numbering& grid, const float* x,
                                             const float* y, std::size_t count,
                                             std::uint32_t* HWY_RESTRICT cells) {
     const Float d;
@@ -97,9 +129,10 @@ HWY_ATTR static HWY_INLINE void cellsInside(const Placement& place, const Number
 }
 
 // The same wherever they lie: trash cells for those outside the window.
-HWY_ATTR static HWY_INLINE void cellsOf(const Placement& place, const Numbering& grid,
-                                        const CellWindow& window, const float* x, const float* y,
-                                        std::size_t count, std::uint32_t* HWY_RESTRICT cells) {
+template <class Place>
+HWY_ATTR static HWY_INLINE void cellsOf(const Place& place, const Numbering& grid, const CellWindow& window,
+                                        const float* x, const float* y, std::size_t count,
+                                        std::uint32_t* HWY_RESTRICT cells) {
     const Float d;
     const Int di;
     const FloatVector zero = hn::Zero(d);
@@ -139,9 +172,9 @@ HWY_ATTR static HWY_INLINE void addChunks(const Run& run, CellsOfPoints cellsOfP
         ++counts[cells[k]];
 }
 
-HWY_ATTR void addToCounts(const Word& word, const Run& run, const CellWindow& window,
-                          std::uint32_t* HWY_RESTRICT counts) {
-    const Placement place(word);
+template <class Place>
+HWY_ATTR static HWY_INLINE void addToCountsAt(const Place& place, const Run& run, const CellWindow& window,
+                                              std::uint32_t* HWY_RESTRICT counts) {
     const Numbering grid(window.width, 0, window.firstRow);
     addChunks(
         run,
@@ -150,15 +183,31 @@ HWY_ATTR void addToCounts(const Word& word, const Run& run, const CellWindow& wi
         counts);
 }
 
-HWY_ATTR void addInside(const Word& word, const Run& run, const CellWindow& window,
-                        std::uint32_t* HWY_RESTRICT counts) {
-    const Placement place(word);
+HWY_ATTR void addToCounts(const Word& word, const Curve* curve, const Run& run, const CellWindow& window,
+                          std::uint32_t* HWY_RESTRICT counts) {
+    if (curve == nullptr)
+        addToCountsAt(Placement(word), run, window, counts);
+    else
+        addToCountsAt(CurvedPlacement(word, *curve), run, window, counts);
+}
+
+template <class Place>
+HWY_ATTR static HWY_INLINE void addInsideAt(const Place& place, const Run& run, const CellWindow& window,
+                                            std::uint32_t* HWY_RESTRICT counts) {
     const Numbering grid(window.width, 0, window.firstRow);
     addChunks(
         run,
         [&](const float* x, const float* y, std::size_t count, std::uint32_t* cells)
             HWY_ATTR { cellsInside(place, grid, x, y, count, cells); },
         counts);
+}
+
+HWY_ATTR void addInside(const Word& word, const Curve* curve, const Run& run, const CellWindow& window,
+                        std::uint32_t* HWY_RESTRICT counts) {
+    if (curve == nullptr)
+        addInsideAt(Placement(word), run, window, counts);
+    else
+        addInsideAt(CurvedPlacement(word, *curve), run, window, counts);
 }
 
 HWY_ATTR void addToPatch(const Word& word, const Run& run, const Patch& patch, const CellWindow& window,
@@ -230,11 +279,12 @@ struct ColourSum {
 };
 #endif
 
-HWY_ATTR std::uint32_t addToColours(const Word& word, const Run& run, const CellWindow& window,
-                                    const ColourCell& colour, ColourCell* HWY_RESTRICT sums) {
+template <class Place>
+HWY_ATTR static HWY_INLINE std::uint32_t addToColoursAt(const Place& place, const Run& run,
+                                                        const CellWindow& window, const ColourCell& colour,
+                                                        ColourCell* HWY_RESTRICT sums) {
     alignas(64) std::uint32_t cells[chunk];
     ColourSum sum(colour);
-    const Placement place(word);
     const Numbering grid(window.width, 0, window.firstRow);
     for (std::size_t done = 0; done < run.count; done += chunk) {
         const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
@@ -243,6 +293,13 @@ HWY_ATTR std::uint32_t addToColours(const Word& word, const Run& run, const Cell
             sum.addTo(sums[cells[k]]);
     }
     return sum.bits();
+}
+
+HWY_ATTR std::uint32_t addToColours(const Word& word, const Curve* curve, const Run& run,
+                                    const CellWindow& window, const ColourCell& colour,
+                                    ColourCell* HWY_RESTRICT sums) {
+    return curve == nullptr ? addToColoursAt(Placement(word), run, window, colour, sums)
+                            : addToColoursAt(CurvedPlacement(word, *curve), run, window, colour, sums);
 }
 
 // Tables whose length is a power of two. Of an index only the bits count that tell their entries apart.
@@ -489,14 +546,16 @@ std::string simdName() {
 
 namespace kernels {
 
-void addToCounts(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts) {
+void addToCounts(const Word& word, const Curve* curve, const Run& run, const CellWindow& window,
+                 std::uint32_t* counts) {
     heedEnvironment();
-    HWY_DYNAMIC_DISPATCH(addToCounts)(word, run, window, counts);
+    HWY_DYNAMIC_DISPATCH(addToCounts)(word, curve, run, window, counts);
 }
 
-void addInside(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts) {
+void addInside(const Word& word, const Curve* curve, const Run& run, const CellWindow& window,
+               std::uint32_t* counts) {
     heedEnvironment();
-    HWY_DYNAMIC_DISPATCH(addInside)(word, run, window, counts);
+    HWY_DYNAMIC_DISPATCH(addInside)(word, curve, run, window, counts);
 }
 
 void addToPatch(const Word& word, const Run& run, const Patch& patch, const CellWindow& window,
@@ -505,10 +564,10 @@ void addToPatch(const Word& word, const Run& run, const Patch& patch, const Cell
     HWY_DYNAMIC_DISPATCH(addToPatch)(word, run, patch, window, counts);
 }
 
-std::uint32_t addToColours(const Word& word, const Run& run, const CellWindow& window,
+std::uint32_t addToColours(const Word& word, const Curve* curve, const Run& run, const CellWindow& window,
                            const ColourCell& colour, ColourCell* cells) {
     heedEnvironment();
-    return HWY_DYNAMIC_DISPATCH(addToColours)(word, run, window, colour, cells);
+    return HWY_DYNAMIC_DISPATCH(addToColours)(word, curve, run, window, colour, cells);
 }
 
 void iterate(Lanes& lanes, const ChaosTables& tables, Guard guard, std::size_t steps, float* x, float* y) {

@@ -33,10 +33,13 @@ struct Run {
     std::size_t count = 0;
 };
 
-// Part of a grid: cells of `width` columns from row `firstRow` to before `endRow`.
-void addToCounts(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts);
+// Part of a grid: cells of `width` columns from row `firstRow` to before `endRow`. A word that has no curve
+// comes with nullptr.
+void addToCounts(const Word& word, const Curve* curve, const Run& run, const CellWindow& window,
+                 std::uint32_t* counts);
 // For a run that is known to lie in the window.
-void addInside(const Word& word, const Run& run, const CellWindow& window, std::uint32_t* counts);
+void addInside(const Word& word, const Curve* curve, const Run& run, const CellWindow& window,
+               std::uint32_t* counts);
 
 // For a run that falls into at most `patchCells` cells, all inside the window, whose first is (column, row):
 // counted in several small copies, because increments of one counter have to wait for each other.
@@ -51,7 +54,7 @@ void addToPatch(const Word& word, const Run& run, const Patch& patch, const Cell
                 std::uint32_t* counts);
 
 // Returns the bits seen in all sums.
-std::uint32_t addToColours(const Word& word, const Run& run, const CellWindow& window,
+std::uint32_t addToColours(const Word& word, const Curve* curve, const Run& run, const CellWindow& window,
                            const ColourCell& colour, ColourCell* cells);
 
 // 64 orbits side by side.

@@ -2,7 +2,6 @@
 #include "attractor/picture.h"
 
 #include "attractor/arithmetic.h"
-#include "attractor/curved_splat.h"
 #include "attractor/linear_light.h"
 #include "attractor/preattractor.h"
 #include "attractor/splat.h"
@@ -192,8 +191,8 @@ void Picture::planSampleSet() {
         const Word& word = cut->words[k];
         sum += word.probability * perMeasure;
         const auto after = static_cast<std::uint64_t>(sum);
-        // Where the samples of a bent word may fall, its affine map does not tell.
-        const bool counted = whole || k >= cut->firstCurved || meets(word, samples, window);
+        // Where samples that go through the cage one by one may fall, the word does not tell.
+        const bool counted = whole || k >= cut->firstExact || meets(word, samples, window, cut->curveOf(k));
         counts.push_back(counted ? after - before : 0);
         sinceCarry += counts.back();
         before = after;
@@ -264,15 +263,12 @@ void Picture::runJob(const Job& job, std::size_t thread) {
             plotExactly(k, count, thread);
             continue;
         }
-        if (k >= cut->firstCurved) {
-            plotCurved(k, count, thread);
-            continue;
-        }
-        const CellRegion cells = reachedCells(word, samples, sums.window());
+        const Curve* curve = cut->curveOf(k);
+        const CellRegion cells = reachedCells(word, samples, sums.window(), curve);
         if (!coloured()) {
-            splat(word, samples, count, sums.window(), sums.counts(thread, cells));
+            splat(word, samples, count, sums.window(), sums.counts(thread, cells), curve);
         } else if (splat(word, samples, count, sums.window(), colourOf(word.firstMap, word.addressCoordinate),
-                         sums.colours(thread, cells))) {
+                         sums.colours(thread, cells), curve)) {
             sums.carryOverColours(thread);
         }
     }
@@ -298,16 +294,6 @@ bool Picture::completeOrbit(const std::stop_token& stop) {
         remaining -= run;
     }
     return true;
-}
-
-void Picture::plotCurved(std::uint32_t k, std::uint64_t count, std::size_t thread) {
-    const Word& word = cut->words[k];
-    const Curve& curve = cut->curves[k - cut->firstCurved];
-    if (!coloured())
-        splatCurved(word, curve, samples, count, sums.window(), sums.counts(thread));
-    else if (splatCurved(word, curve, samples, count, sums.window(),
-                         colourOf(word.firstMap, word.addressCoordinate), sums.colours(thread)))
-        sums.carryOverColours(thread);
 }
 
 // The samples of a word that bends too much for a second-order map, in coordinates of the code.

@@ -78,7 +78,6 @@ struct Picture {
     void runJobs(const std::stop_token& stop);
     void runJob(const Job& job, std::size_t thread);
     bool completeOrbit(const std::stop_token& stop);
-    void plotCurved(std::uint32_t k, std::uint64_t count, std::size_t thread);
     void plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread);
     bool plot(const ifs::Vector<2>& x, const ColourCell* colour, std::size_t thread);
     bool completePreattractor(const std::stop_token& stop);

@@ -4,17 +4,18 @@
 #include "attractor/kernels.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace attractor {
 
 namespace {
 
-// Where the samples fall: exact, because rounding is monotonic and the corners are rounded like the samples.
 struct Reach {
     float left = 0, right = 0, top = 0, bottom = 0;
 };
 
-Reach reach(const Word& word, const SampleSet& samples) {
+// Where the samples fall: exact, because rounding is monotonic and the corners are rounded like the samples.
+Reach affineReach(const Word& word, const SampleSet& samples) {
     const auto extreme = [&](float a, float b, float c, bool high) {
         const float x = (a >= 0) == high ? samples.highX : samples.lowX;
         const float y = (b >= 0) == high ? samples.highY : samples.lowY;
@@ -22,6 +23,25 @@ Reach reach(const Word& word, const SampleSet& samples) {
     };
     return {extreme(word.xx, word.xy, word.x, false), extreme(word.xx, word.xy, word.x, true),
             extreme(word.yx, word.yy, word.y, false), extreme(word.yx, word.yy, word.y, true)};
+}
+
+// Where they fall at most, each term as large as it gets.
+Reach curvedReach(const Word& word, const Curve& curve, const SampleSet& samples) {
+    constexpr float rounding = 1e-5F;
+    const float a = std::max(std::abs(samples.lowX), std::abs(samples.highX));
+    const float b = std::max(std::abs(samples.lowY), std::abs(samples.highY));
+    const auto half = [&](float p, float q, float r, float aa, float ab, float bb) {
+        const float terms = std::abs(p) * a + std::abs(q) * b + std::abs(aa) * (a * a) +
+                            std::abs(ab) * (a * b) + std::abs(bb) * (b * b);
+        return terms + rounding * (terms + std::abs(r));
+    };
+    const float x = half(word.xx, word.xy, word.x, curve.xaa, curve.xab, curve.xbb);
+    const float y = half(word.yx, word.yy, word.y, curve.yaa, curve.yab, curve.ybb);
+    return {word.x - x, word.x + x, word.y - y, word.y + y};
+}
+
+Reach reach(const Word& word, const SampleSet& samples, const Curve* curve) {
+    return curve == nullptr ? affineReach(word, samples) : curvedReach(word, *curve, samples);
 }
 
 bool inside(const Reach& r, const CellWindow& window) {
@@ -63,21 +83,22 @@ void forEachRun(const Word& word, const SampleSet& samples, std::uint64_t count,
 
 } // namespace
 
-CellRegion reachedCells(const Word& word, const SampleSet& samples, const CellWindow& window) {
-    const Reach r = reach(word, samples);
+CellRegion reachedCells(const Word& word, const SampleSet& samples, const CellWindow& window,
+                        const Curve* curve) {
+    const Reach r = reach(word, samples, curve);
     if (outside(r, window)) return {};
     return {cellWithin(r.left, 0, window.width), cellWithin(r.right, 0, window.width) + 1,
             cellWithin(r.top, window.firstRow, window.endRow),
             cellWithin(r.bottom, window.firstRow, window.endRow) + 1};
 }
 
-bool meets(const Word& word, const SampleSet& samples, const CellWindow& window) {
-    return !outside(reach(word, samples), window);
+bool meets(const Word& word, const SampleSet& samples, const CellWindow& window, const Curve* curve) {
+    return !outside(reach(word, samples, curve), window);
 }
 
 void splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
-           std::uint32_t* counts) {
-    const Reach r = reach(word, samples);
+           std::uint32_t* counts, const Curve* curve) {
+    const Reach r = reach(word, samples, curve);
     if (outside(r, window)) return;
     if (inside(r, window)) {
         const kernels::Patch p = patch(r);
@@ -87,25 +108,25 @@ void splat(const Word& word, const SampleSet& samples, std::uint64_t count, cons
         }
         // Clearing and adding up the copies must stay small beside the counting itself.
         const auto most = static_cast<int>(std::min<std::uint64_t>(count / 16, kernels::patchCells));
-        if (p.width <= most && p.height <= most && p.width * p.height <= most) {
+        if (curve == nullptr && p.width <= most && p.height <= most && p.width * p.height <= most) {
             forEachRun(word, samples, count,
                        [&](const kernels::Run& run) { kernels::addToPatch(word, run, p, window, counts); });
             return;
         }
         forEachRun(word, samples, count,
-                   [&](const kernels::Run& run) { kernels::addInside(word, run, window, counts); });
+                   [&](const kernels::Run& run) { kernels::addInside(word, curve, run, window, counts); });
         return;
     }
     forEachRun(word, samples, count,
-               [&](const kernels::Run& run) { kernels::addToCounts(word, run, window, counts); });
+               [&](const kernels::Run& run) { kernels::addToCounts(word, curve, run, window, counts); });
 }
 
 bool splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
-           const ColourCell& colour, ColourCell* cells) {
-    if (outside(reach(word, samples), window)) return false;
+           const ColourCell& colour, ColourCell* cells, const Curve* curve) {
+    if (outside(reach(word, samples, curve), window)) return false;
     std::uint32_t seen = 0;
     forEachRun(word, samples, count, [&](const kernels::Run& run) {
-        seen |= kernels::addToColours(word, run, window, colour, cells);
+        seen |= kernels::addToColours(word, curve, run, window, colour, cells);
     });
     return seen >> 31 != 0;
 }

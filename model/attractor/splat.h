@@ -32,14 +32,16 @@ struct CellRegion {
 
     friend bool operator==(const CellRegion&, const CellRegion&) = default;
 };
-// Where the samples of the set can fall with this word.
-CellRegion reachedCells(const Word& word, const SampleSet& samples, const CellWindow& window);
+// Where the samples of the set can fall with this word, and with the curve that it may have.
+CellRegion reachedCells(const Word& word, const SampleSet& samples, const CellWindow& window,
+                        const Curve* curve = nullptr);
 // Whether any sample of the set can fall into the window with this word.
-bool meets(const Word& word, const SampleSet& samples, const CellWindow& window);
+bool meets(const Word& word, const SampleSet& samples, const CellWindow& window,
+           const Curve* curve = nullptr);
 
 // Adds `count` samples of the run of the word to `counts`, which has window.cells() + trashCells counters.
 void splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
-           std::uint32_t* counts);
+           std::uint32_t* counts, const Curve* curve = nullptr);
 
 // A colour in linear light, 12 bits a channel, as it is summed per cell: {samples, red, green, blue}.
 struct alignas(16) ColourCell {
@@ -50,6 +52,6 @@ struct alignas(16) ColourCell {
 };
 // The same with a colour per sample; returns true when some sum is past 2³¹ and wants to be carried over.
 bool splat(const Word& word, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
-           const ColourCell& colour, ColourCell* cells);
+           const ColourCell& colour, ColourCell* cells, const Curve* curve = nullptr);
 
 } // namespace attractor

@@ -236,12 +236,7 @@ void FileReader::addEntry(const Block& block) {
     source->line = m_lines.line();
     source->lineEnd = source->text.contains('\r') || source->text.contains('\n') ? firstLineEnd(source->text)
                                                                                  : m_file.lineEnd;
-    Block inside = block;
-    for (qsizetype* offset :
-         {&inside.all.begin, &inside.all.end, &inside.name.begin, &inside.name.end, &inside.close})
-        *offset -= block.all.begin;
-    inside.open = block.open < 0 ? -1 : block.open - block.all.begin;
-    fractint::ParsedEntry parsed = fractint::parseEntry(source->text, inside, m_lineEnd);
+    fractint::ParsedEntry parsed = fractint::parseEntry(source->text, fractint::relative(block), m_lineEnd);
     source->fractal = std::move(parsed.fractal);
     if (block.open < 0 && !m_bareName.isEmpty()) {
         source->fractal.name = document::uniqueName({}, m_bareName);

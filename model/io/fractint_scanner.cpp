@@ -51,6 +51,15 @@ bool isBlank(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r') || c == '\0' || c == ctrlZ;
 }
 
+Block relative(Block block) {
+    const qsizetype begin = block.all.begin;
+    for (qsizetype* offset :
+         {&block.all.begin, &block.all.end, &block.name.begin, &block.name.end, &block.close})
+        *offset -= begin;
+    if (block.open >= 0) block.open -= begin;
+    return block;
+}
+
 char lineEndByte(QByteArrayView bytes) {
     return !bytes.contains('\n') && bytes.contains('\r') ? '\r' : '\n';
 }

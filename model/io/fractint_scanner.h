@@ -33,6 +33,9 @@ struct Block {
     bool hasPrefix = false; // "ifs:" stood before the name
 };
 
+// The block in its own text: where it begins is offset 0.
+Block relative(Block block);
+
 // '\n', or '\r' for a file that has no other line ends.
 char lineEndByte(QByteArrayView bytes);
 

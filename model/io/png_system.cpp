@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 namespace io {
@@ -24,6 +25,15 @@ struct Source {
 }
 
 void onWarning(png_structp, png_const_charp) {}
+
+// libpng asks for as much as a chunk says it is long, before it looks whether there is so much.
+png_voidp onAllocate(png_structp, png_alloc_size_t size) {
+    return size <= largestText + 65536 ? std::malloc(size) : nullptr;
+}
+
+void onFree(png_structp, png_voidp memory) {
+    std::free(memory);
+}
 
 void onRead(png_structp png, png_bytep data, png_size_t size) {
     auto* source = static_cast<Source*>(png_get_io_ptr(png));
@@ -67,7 +77,8 @@ bool looksLikePng(const QByteArray& bytes) {
 }
 
 EmbeddedSystem readPngSystem(const QByteArray& bytes) {
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
+    png_structp png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning, nullptr,
+                                               onAllocate, onFree);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     Source source{bytes.constData(), bytes.constData() + bytes.size()};
     EmbeddedSystem result;

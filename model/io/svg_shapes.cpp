@@ -20,6 +20,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
+constexpr double largestPixel = 1e40; // so that no product of two such numbers leaves the doubles
+
 // Unions of polygons in whole numbers, in which they are exact. Every level has a grid of its own, in the
 // coordinates of the code, as fine as the numbers allow that are multiplied without overflow.
 class UnionOfLevels {
@@ -99,7 +101,17 @@ ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camer
     if (!system) return {{}, Text::tr("Only plane systems can be written as a scalable picture.")};
     ifs::AffineMap<2> display = worldToPixel(camera);
     if (fractal.cage) display = display * ifs::displayMap(*fractal.cage);
-    auto levels = SvgLevels::of(*system, display, document::movedBranches(fractal));
+    const auto isWritable = [](const auto& numbers) { return (numbers.array().abs() < largestPixel).all(); };
+    const std::vector<ifs::MovedBranch<2>> moved = document::movedBranches(fractal);
+    bool fits = isWritable(display.linear) && isWritable(display.translation);
+    for (const auto& [word, change] : moved)
+        fits = fits && isWritable((display * change).linear) && isWritable((display * change).translation);
+    if (fractal.cage)
+        for (const auto* polygon : {&fractal.cage->rest, &fractal.cage->current})
+            for (const auto& vertex : *polygon)
+                fits = fits && isWritable(toPixel(camera, vertex));
+    if (!fits) return {{}, Text::tr("In this view the picture is too large to be written as shapes.")};
+    auto levels = SvgLevels::of(*system, display, moved);
     if (!levels)
         return {
             {},

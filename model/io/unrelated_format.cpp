@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/unrelated_format.h"
 
+#include "io/fractint_entry.h"
 #include "io/number.h"
 
 #include <QByteArrayList>
@@ -28,6 +29,27 @@ bool isBinary(QByteArrayView bytes) {
         return (byte < 0x20 && !(byte >= '\t' && byte <= '\r') && byte != 0x1a) || byte == 0x7f;
     });
     return odd > 2 && odd * 20 > head.size();
+}
+
+// An entry that can be read outweighs every word and odd byte around it, and does so after any edit of it.
+bool holdsSystem(QByteArrayView bytes) {
+    const char lineEnd = fractint::lineEndByte(bytes);
+    fractint::Scanner scanner(bytes, lineEnd);
+    while (const auto block = scanner.next()) {
+        if (block->kind != fractint::BlockKind::Entry && block->kind != fractint::BlockKind::Unclosed)
+            continue;
+        const QByteArrayView text = bytes.sliced(block->all.begin, block->all.size());
+        if (fractint::parseEntry(text, fractint::relative(*block), lineEnd).layout.rowLength > 0) return true;
+    }
+    return false;
+}
+
+QString ifstile() {
+    return Text::tr("This is an IFStile file (.aifs), not a Fractint collection.");
+}
+
+QString xaos() {
+    return Text::tr("This is a XaoS position file, not a Fractint collection.");
 }
 
 std::optional<QString> byMagic(QByteArrayView bytes) {
@@ -63,10 +85,14 @@ std::optional<QString> byBeginning(QByteArrayView text) {
                               "collection.")
                    : Text::tr("This is an XML or HTML file, not a Fractint collection.");
     }
-    if (text.startsWith('@') || text.contains("$dim"))
-        return Text::tr("This is an IFStile file (.aifs), not a Fractint collection.");
-    if (text.startsWith("(initstate)") || text.contains("(formula '"))
-        return Text::tr("This is a XaoS position file, not a Fractint collection.");
+    if (text.startsWith('@')) return ifstile();
+    if (text.startsWith("(initstate)")) return xaos();
+    return std::nullopt;
+}
+
+std::optional<QString> byWords(QByteArrayView text) {
+    if (text.contains("$dim")) return ifstile();
+    if (text.contains("(formula '")) return xaos();
     return std::nullopt;
 }
 
@@ -128,12 +154,15 @@ std::optional<QString> byLines(const QByteArrayList& lines) {
 std::optional<QString> unrelatedFormat(QByteArrayView bytes) {
     if (bytes.startsWith("\xef\xbb\xbf")) bytes = bytes.sliced(3);
     if (const auto magic = byMagic(bytes)) return magic;
-    if (isBinary(bytes))
+    const bool isCollection = holdsSystem(bytes);
+    if (!isCollection && isBinary(bytes))
         return Text::tr(
             "This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with "
             "iterated function systems.");
     const QByteArrayView text = bytes.first(std::min(bytes.size(), sampleSize)).trimmed();
     if (const auto beginning = byBeginning(text)) return beginning;
+    if (isCollection) return std::nullopt;
+    if (const auto words = byWords(text)) return words;
     return byLines(linesOf(text));
 }
 

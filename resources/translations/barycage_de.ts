@@ -1100,12 +1100,12 @@
         <translation>Abbildungen und Äste</translation>
     </message>
     <message>
-        <source>Order of the Columns</source>
-        <translation>Reihenfolge der Spalten</translation>
+        <source>P&amp;aste</source>
+        <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>&amp;Use This Order</source>
-        <translation>Diese &amp;Reihenfolge</translation>
+        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <translation>Die Fraktale aus der Zwischenablage zur Datei hinzufügen: Einträge einer .ifs-Datei, Flames oder eine Zahlentabelle</translation>
     </message>
 </context>
 <context>
@@ -1881,6 +1881,10 @@
     <message>
         <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
         <translation>Das System hat keinen Attraktor, dessen Umriss bewiesen werden könnte; es gibt nichts zu kopieren.</translation>
+    </message>
+    <message>
+        <source>In this view the picture is too large to be written as shapes.</source>
+        <translation>In dieser Ansicht ist das Bild zu groß, um als Formen geschrieben zu werden.</translation>
     </message>
     <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
@@ -5289,6 +5293,14 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
         <translation>In dieser Reihenfolge kontrahieren diese Abbildungen nicht: %1. Vielleicht bedeuten die Spalten etwas anderes.</translation>
+    </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Reihenfolge der Spalten</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>Diese &amp;Reihenfolge</translation>
     </message>
 </context>
 <context>

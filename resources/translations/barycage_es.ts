@@ -1100,12 +1100,12 @@
         <translation>Aplicaciones y ramas</translation>
     </message>
     <message>
-        <source>Order of the Columns</source>
-        <translation>Orden de las columnas</translation>
+        <source>P&amp;aste</source>
+        <translation>P&amp;egar</translation>
     </message>
     <message>
-        <source>&amp;Use This Order</source>
-        <translation>&amp;Usar este orden</translation>
+        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <translation>Añadir al archivo los fractales del portapapeles: entradas de un archivo .ifs, flames o una tabla de números</translation>
     </message>
 </context>
 <context>
@@ -1881,6 +1881,10 @@
     <message>
         <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
         <translation>El sistema no tiene un atractor cuyo contorno se pueda demostrar, así que no hay nada de lo que hacer copias.</translation>
+    </message>
+    <message>
+        <source>In this view the picture is too large to be written as shapes.</source>
+        <translation>En esta vista la imagen es demasiado grande para escribirla como formas.</translation>
     </message>
     <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
@@ -5289,6 +5293,14 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
         <translation>En este orden no son contractivas estas aplicaciones: %1. Quizá las columnas significan otra cosa.</translation>
+    </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Orden de las columnas</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>&amp;Usar este orden</translation>
     </message>
 </context>
 <context>

@@ -1100,12 +1100,12 @@
         <translation>Applications et branches</translation>
     </message>
     <message>
-        <source>Order of the Columns</source>
-        <translation>Ordre des colonnes</translation>
+        <source>P&amp;aste</source>
+        <translation>C&amp;oller</translation>
     </message>
     <message>
-        <source>&amp;Use This Order</source>
-        <translation>&amp;Utiliser cet ordre</translation>
+        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <translation>Ajouter au fichier les fractales du presse-papiers : entrées d’un fichier .ifs, flames ou tableau de nombres</translation>
     </message>
 </context>
 <context>
@@ -1881,6 +1881,10 @@
     <message>
         <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
         <translation>Le système n’a pas d’attracteur dont on puisse certifier un contour&#x202f;: il n’y a donc rien à copier.</translation>
+    </message>
+    <message>
+        <source>In this view the picture is too large to be written as shapes.</source>
+        <translation>Dans cette vue, l’image est trop grande pour être écrite en formes vectorielles.</translation>
     </message>
     <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
@@ -5289,6 +5293,14 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
         <translation>Dans cet ordre, ces applications ne sont pas contractantes&#x202f;: %1. Peut-être les colonnes signifient-elles autre chose.</translation>
+    </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Ordre des colonnes</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>&amp;Utiliser cet ordre</translation>
     </message>
 </context>
 <context>

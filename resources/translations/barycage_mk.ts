@@ -1103,12 +1103,12 @@
         <translation>Пресликувања и гранки</translation>
     </message>
     <message>
-        <source>Order of the Columns</source>
-        <translation>Редослед на колоните</translation>
+        <source>P&amp;aste</source>
+        <translation>&amp;Залепи</translation>
     </message>
     <message>
-        <source>&amp;Use This Order</source>
-        <translation>&amp;Користи го овој редослед</translation>
+        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <translation>Додај ги во датотеката фракталите од таблата со исечоци: записи од датотека .ifs, flame-фрактали или табела со броеви</translation>
     </message>
 </context>
 <context>
@@ -1884,6 +1884,10 @@
     <message>
         <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
         <translation>Системот нема атрактор чија контура би можела со сигурност да се определи, па нема од што да се прават копии.</translation>
+    </message>
+    <message>
+        <source>In this view the picture is too large to be written as shapes.</source>
+        <translation>Во овој поглед сликата е преголема за да се запише како облици.</translation>
     </message>
     <message>
         <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
@@ -5299,6 +5303,14 @@ The entry is kept as it is.</source>
     <message>
         <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
         <translation>При овој редослед не се контракции пресликувањата: %1. Можеби колоните значат нешто друго.</translation>
+    </message>
+    <message>
+        <source>Order of the Columns</source>
+        <translation>Редослед на колоните</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Order</source>
+        <translation>&amp;Користи го овој редослед</translation>
     </message>
 </context>
 <context>

@@ -8,13 +8,17 @@
 #include "support/paths.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -36,6 +40,11 @@ private slots:
     void theFilesOfTheLastRunAreKnown();
     void theColumnsOfATableAreAskedFor();
     void aWindowMayGoWhileANameIsTyped();
+    void panelsAreWhereTheyWereLeft();
+    void theWholeScreenAndBack();
+    void windowsHaveTheirOwnDocuments();
+    void whatOthersCopiedIsPasted();
+    void theHintGoesWithAnotherTool();
 
 private:
     static QList<MainWindow*> windows() { return session::windows(); }
@@ -200,6 +209,128 @@ void MainWindowTest::aWindowMayGoWhileANameIsTyped() {
             [&] { names << window->document().fractal().name; });
     delete window;
     QCOMPARE(names, QStringList{QStringLiteral("renamed")});
+}
+
+// One is closed, one floats, one is in front of those that share its place, and one is on the other side.
+void MainWindowTest::panelsAreWhereTheyWereLeft() {
+    QSettings().clear();
+    const auto panel = [](MainWindow* window, const char* id) {
+        return window->findChild<QDockWidget*>(QLatin1String(id));
+    };
+    MainWindow* first = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(first));
+    first->resize(1200, 700);
+    QVERIFY(panel(first, "collection")->isVisible() && !panel(first, "maps")->isFloating());
+    panel(first, "collection")->close();
+    panel(first, "history")->setFloating(true);
+    first->addDockWidget(Qt::LeftDockWidgetArea, panel(first, "analysis"));
+    panel(first, "appearance")->raise();
+    first->resizeDocks({panel(first, "maps")}, {390}, Qt::Horizontal);
+    QTRY_COMPARE(panel(first, "appearance")->width(), 390);
+    first->close();
+    QTRY_VERIFY(windows().isEmpty());
+
+    MainWindow* second = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(second));
+    QCOMPARE(second->size(), QSize(1200, 700));
+    QVERIFY(!panel(second, "collection")->isVisible());
+    QVERIFY(panel(second, "history")->isFloating() && panel(second, "history")->isVisible());
+    QCOMPARE(second->dockWidgetArea(panel(second, "analysis")), Qt::LeftDockWidgetArea);
+    QTRY_VERIFY(!panel(second, "appearance")->visibleRegion().isEmpty());
+    QVERIFY(panel(second, "maps")->visibleRegion().isEmpty()); // behind it
+    QTRY_COMPARE(panel(second, "appearance")->width(), 390);
+    QSettings().clear();
+}
+
+void MainWindowTest::theWholeScreenAndBack() {
+    QSettings().clear();
+    MainWindow* window = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->resize(900, 600);
+    QAction* full = nullptr;
+    for (auto* action : window->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(Qt::Key_F11)) full = action;
+    QVERIFY(full);
+    QTest::keyClick(window, Qt::Key_F11);
+    QTRY_VERIFY(window->isFullScreen() && full->isChecked());
+    QTRY_COMPARE(window->size(), window->screen()->size());
+    QVERIFY(window->menuBar()->isVisible() && !window->menuBar()->visibleRegion().isEmpty());
+    QTest::keyClick(window, Qt::Key_F11);
+    QTRY_VERIFY(!window->isFullScreen() && !full->isChecked());
+    QTRY_COMPARE(window->size(), QSize(900, 600));
+
+    window->showFullScreen(); // by the desktop
+    QTRY_VERIFY(full->isChecked());
+    window->close(); // so left, so found
+    QTRY_VERIFY(windows().isEmpty());
+    MainWindow* next = shown({});
+    QTRY_VERIFY(next->isFullScreen());
+    for (auto* action : next->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(Qt::Key_F11)) action->trigger();
+    QTRY_VERIFY(!next->isFullScreen());
+    QSettings().clear();
+}
+
+void MainWindowTest::windowsHaveTheirOwnDocuments() {
+    MainWindow* first = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(first));
+    QTest::keyClick(first, Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(windows().size(), 2);
+    MainWindow* second = windows()[windows().first() == first ? 1 : 0];
+    QVERIFY(second->isVisible());
+    QVERIFY(second->pos() != first->pos()); // both can be seen
+    QVERIFY(second->path().isEmpty());
+    document::Fractal changed = second->document().fractal();
+    changed.name = QStringLiteral("other");
+    second->document().edit(QStringLiteral("rename"), changed);
+    QCOMPARE(first->document().undoStack()->count(), 0);
+    QVERIFY(first->document().fractal().name != changed.name);
+    second->document().undoStack()->undo();
+    second->close();
+    QTRY_COMPARE(windows().size(), 1);
+    QVERIFY(first->isVisible());
+}
+
+// Wherever the focus is, but in a field.
+void MainWindowTest::whatOthersCopiedIsPasted() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    const auto paste = [&](const QString& text) {
+        QGuiApplication::clipboard()->setText(text);
+        window->findChild<view::CanvasView*>()->setFocus();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_V, Qt::ControlModifier);
+        return window->document().fractal();
+    };
+    const auto entries = [&] { return window->document().file().entries.size(); };
+    const qsizetype before = entries();
+    QCOMPARE(paste(QStringLiteral("guest { .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5 }")).name,
+             QStringLiteral("guest"));
+    QCOMPARE(entries(), before + 1);
+    QCOMPARE(paste(QStringLiteral("<flame name=\"ember\"><xform weight=\"1\" linear=\"1\" "
+                                  "coefs=\"0.5 0 0 0.5 0 0\"/></flame>"))
+                 .name,
+             QStringLiteral("ember"));
+    QCOMPARE(entries(), before + 2);
+    QCOMPARE(document::system2(paste(QStringLiteral(".5 0 0 .5 0 0 .5\n.5 0 0 .5 .5 0 .5\n")))->maps.size(),
+             std::size_t(2));
+    QCOMPARE(entries(), before + 3);
+}
+
+void MainWindowTest::theHintGoesWithAnotherTool() {
+    QSettings().clear();
+    for (const bool byTool : {true, false}) {
+        auto* window = new MainWindow;
+        window->openFirstPicture();
+        window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window));
+        auto* canvas = window->findChild<view::CanvasView*>();
+        QCOMPARE(!canvas->hint().isEmpty(), byTool); // not a second time
+        if (byTool) canvas->setTool(view::CanvasView::Tool::Maps);
+        QVERIFY(canvas->hint().isEmpty());
+        canvas->setTool(view::CanvasView::Tool::Cage);
+        QVERIFY(canvas->hint().isEmpty());
+        delete window;
+    }
 }
 
 QTEST_MAIN(MainWindowTest)

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 using document::Journal;
 using document::Snapshot;
 
@@ -105,14 +107,24 @@ void JournalTest::damagedJournalsAreIgnored() {
     }
 }
 
+// Whatever the umask, and when the folder is there already.
 void JournalTest::onlyTheOwnerMayRead() {
     const QTemporaryDir parent;
     const QString folder = parent.filePath(QStringLiteral("recovery"));
+    const auto mode = [](const QString& path) {
+        struct stat status = {};
+        return ::stat(QFile::encodeName(path).constData(), &status) == 0 ? status.st_mode & 07777U : ~0U;
+    };
+    const mode_t before = ::umask(0);
     Journal journal(folder);
-    QVERIFY(journal.write(snapshot("a")));
-    const auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
-    QVERIFY(!(QFile::permissions(folder) & others));
-    QVERIFY(!(QFile::permissions(QDir(folder).filePath(journalsIn(folder).value(0))) & others));
+    const bool written = journal.write(snapshot("a"));
+    ::umask(before);
+    QVERIFY(written);
+    QCOMPARE(mode(folder), 0700U);
+    QCOMPARE(mode(QDir(folder).filePath(journalsIn(folder).value(0))), 0600U);
+    QCOMPARE(::chmod(QFile::encodeName(folder).constData(), 0755), 0);
+    const Journal another(folder);
+    QCOMPARE(mode(folder), 0700U);
 }
 
 void JournalTest::aFolderThatMayNotBeWrittenIsSaid() {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/readers.h"
 
-#include <QtLogging>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -11,7 +11,6 @@
 #include "io/png_system.h"
 #include "io/svg_system.h"
 #include "io/table_reader.h"
-#include "io/unrelated_format.h"
 
 #include <QtEndian>
 
@@ -95,8 +94,6 @@ void checkEdited(document::FractalFile file) {
         break;
     }
     const QByteArray text = io::writeFractint(file);
-    // A few odd bytes are no reason to take a text for something else, until the text gets shorter.
-    if (io::unrelatedFormat(text)) return;
     const document::FractalFile back = io::readFractint(text, QStringLiteral("bare"));
     promise(back.entries.size() == file.entries.size(), "an edit of one entry changes no other");
     for (qsizetype i = 0; i < file.entries.size(); ++i) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/readers.h"
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -12,9 +14,10 @@
 
 #include <unistd.h>
 
-// Without libFuzzer: gives a reader its seeds, then many changed ones, always the same for the same seeds.
+// Without libFuzzer: gives a reader its seeds, then changed ones, always the same and in the same order for
+// the same seeds.
 //
-//   fuzz_readers READER [COUNT]         so many changed inputs
+//   fuzz_readers READER [SECONDS]       changed inputs for so long, and at least 2000
 //   fuzz_readers READER FILE…           these files alone, for what was found before
 //   fuzz_readers --write FOLDER READER  the seeds as files, and tokens.dict beside them
 //   fuzz_readers --list
@@ -129,12 +132,16 @@ int replay(const fuzz::Reader& reader, const QStringList& files) {
     return 0;
 }
 
-int mutate(const fuzz::Reader& reader, int count) {
+int mutate(const fuzz::Reader& reader, int seconds) {
+    constexpr int fewest = 2000; // also where everything is slow: under a sanitizer, on a busy machine
+
     const QByteArrayList seeds = fuzz::seedsOf(reader);
     for (const QByteArray& seed : seeds)
         give(reader, seed);
     Mutator mutator(seeds);
-    for (int i = 0; i < count; ++i)
+    const QDeadlineTimer end(std::chrono::seconds{seconds});
+    int count = 0;
+    for (; count < fewest || !end.hasExpired(); ++count)
         give(reader, mutator.next());
     std::printf("%s: %d seeds, %d inputs made of them\n", reader.name, int(seeds.size()), count);
     return 0;
@@ -164,7 +171,7 @@ int main(int argc, char** argv) {
     if (write) return writeSeeds(arguments.value(1), *found);
     for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGILL, SIGBUS})
         std::signal(signal, keepCurrent);
-    bool isCount = true;
-    const int count = arguments.value(1, QStringLiteral("2000")).toInt(&isCount);
-    return isCount ? mutate(*found, count) : replay(*found, arguments.mid(1));
+    bool isDuration = true;
+    const int seconds = arguments.value(1, QStringLiteral("10")).toInt(&isDuration);
+    return isDuration ? mutate(*found, seconds) : replay(*found, arguments.mid(1));
 }

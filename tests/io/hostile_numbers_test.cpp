@@ -79,11 +79,12 @@ void survive(const document::Fractal& fractal, std::optional<attractor::Camera> 
             for (const std::uint32_t pixel : frame.pixels) // premultiplied over an opaque background
                 QCOMPARE(pixel >> 24, 255U);
         }
-    io::SvgFormat format;
-    format.depth = 3;
-    const io::SvgPicture svg = io::svgPicture(fractal, camera, format);
-    QVERIFY(svg.plan.failure || !svg.bytes.isEmpty());
-    QVERIFY(!svg.bytes.contains("nan") && !svg.bytes.contains("inf"));
+    for (const auto style : {io::ShapeStyle::Structured, io::ShapeStyle::Outline, io::ShapeStyle::Points}) {
+        const io::SvgFormat format{3, io::CageVisibility::Shown, style, 1000, 1};
+        const io::SvgPicture svg = io::svgPicture(fractal, camera, format);
+        QCOMPARE(svg.bytes.isEmpty(), svg.plan.failure.has_value());
+        QVERIFY(!svg.bytes.contains("nan") && !svg.bytes.contains("inf"));
+    }
 }
 
 } // namespace
@@ -136,6 +137,8 @@ void HostileNumbersTest::cages_data() {
     QTest::newRow("a line") << QList<QPointF>{{0, 0}, {1, 1}, {2, 2}};
     QTest::newRow("mirrored") << QList<QPointF>{{0, 0}, {0, 1}, {1, 0}};
     QTest::newRow("the largest") << QList<QPointF>{{-largest, -largest}, {largest, -largest}, {0, largest}};
+    for (const double size : {1e20, 1e39, 1e100, 1e154, 1e200, 1e300, DBL_MAX}) // as the program might set it
+        QTest::addRow("%g", size) << QList<QPointF>{{-size, -size}, {size, -size}, {0, size}};
     QTest::newRow("the smallest") << QList<QPointF>{{0, 0}, {smallest, 0}, {0, smallest}};
     QTest::newRow("a bow tie") << QList<QPointF>{{0, 0}, {1, 1}, {1, 0}, {0, 1}};
     QTest::newRow("four points in one") << QList<QPointF>{{0, 0}, {0, 0}, {0, 0}, {0, 0}};

@@ -78,6 +78,7 @@ private slots:
     void pictureWithoutSystemSaysSo();
     void damagedPicturesAreRefused();
     void oversizedTextIsRefused();
+    void aChunkTakesNoMoreMemoryThanItHas();
     void fullDiskIsReported();
     void bandsGiveTheSameBytes();
     void sixteenBitsComeBack();
@@ -156,6 +157,23 @@ void PngWriterTest::oversizedTextIsRefused() {
     const EmbeddedSystem system = readPngSystem(written(randomPicture(5, 5, true), format));
     QVERIFY(system.failure);
     QVERIFY(system.text.isEmpty());
+}
+
+void PngWriterTest::aChunkTakesNoMoreMemoryThanItHas() {
+    PngFormat format;
+    format.systemText = fern;
+    QByteArray bytes = written(randomPicture(5, 5, true), format);
+    bytes[bytes.indexOf("iTXt") - 4] = '\x74'; // nearly 2 GB
+    const auto peak = [] { // of the address space: memory that is asked for and never written counts
+        QFile status(QStringLiteral("/proc/self/status"));
+        if (!status.open(QIODevice::ReadOnly)) return 0LL;
+        const QByteArray text = status.readAll();
+        return text.mid(text.indexOf("VmPeak:") + 7).trimmed().split(' ').first().toLongLong() * 1024;
+    };
+    const qint64 before = peak();
+    QVERIFY(before > 0);
+    QVERIFY(readPngSystem(bytes).failure);
+    QVERIFY(peak() - before < 100'000'000);
 }
 
 void PngWriterTest::fullDiskIsReported() {

@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 class ThumbnailCacheTest : public QObject {
     Q_OBJECT
 
@@ -14,6 +16,7 @@ private slots:
     void findsByWhatIsShown();
     void survivesDamage();
     void staysBelowItsSize();
+    void onlyTheOwnerMayLookInside();
 };
 
 namespace {
@@ -88,6 +91,24 @@ void ThumbnailCacheTest::staysBelowItsSize() {
     QVERIFY(bytes <= most);
     QVERIFY(bytes > most / 2);
     QVERIFY(!cache.find(shifted(29), 32).isNull());
+}
+
+// Whatever the umask, and when the folder is there already.
+void ThumbnailCacheTest::onlyTheOwnerMayLookInside() {
+    const QTemporaryDir parent;
+    const QString folder = parent.filePath(QStringLiteral("cache/thumbnails"));
+    const auto mode = [](const QString& path) {
+        struct stat status = {};
+        return ::stat(QFile::encodeName(path).constData(), &status) == 0 ? status.st_mode & 07777U : ~0U;
+    };
+    const mode_t before = ::umask(0);
+    io::ThumbnailCache(folder).keep(shifted(0), 16, picture(16, 0xff336699));
+    ::umask(before);
+    QCOMPARE(mode(folder), 0700U);
+    QCOMPARE(::chmod(QFile::encodeName(folder).constData(), 0755), 0);
+    const io::ThumbnailCache again(folder);
+    QCOMPARE(mode(folder), 0700U);
+    QVERIFY(!again.find(shifted(0), 16).isNull());
 }
 
 QTEST_GUILESS_MAIN(ThumbnailCacheTest)

@@ -43,6 +43,8 @@ private slots:
     void unreadableTextIsKept();
     void plainTextOfOthers();
     void bareTable();
+    void flames();
+    void columnsThatSayNothing();
     void nothingToFind();
 };
 
@@ -110,6 +112,29 @@ void ClipboardTest::bareTable() {
     QCOMPARE(system->maps.size(), std::size_t{2});
     QCOMPARE(system->maps[1].map.translation.x(), 0.5);
     QVERIFY(system->maps[0].id != system->maps[1].id);
+}
+
+void ClipboardTest::flames() {
+    const view::FoundEntries found =
+        view::entriesIn(R"(<flame name="gasket" size="640 480" center="0 0" scale="100">)"
+                        R"(<xform weight="0.5" linear="1" coefs="0.5 0 0 0.5 0 0"/>)"
+                        R"(<xform weight="0.5" linear="1" coefs="0.5 0 0 0.5 0.25 0"/></flame>)");
+    QCOMPARE(found.entries.size(), 1);
+    QCOMPARE(found.entries.front().fractal->name, u"gasket"_s);
+    const auto* system = document::system2(*found.entries.front().fractal);
+    QVERIFY(system);
+    QCOMPARE(system->maps.size(), std::size_t{2});
+    QCOMPARE(system->maps[1].map.translation.x(), 0.25);
+    QVERIFY(found.table.isEmpty());
+}
+
+// Only bare numbers leave open which column is which.
+void ClipboardTest::columnsThatSayNothing() {
+    const auto isOpen = [](const char* text) { return !view::entriesIn(text).table.isEmpty(); };
+    QVERIFY(isOpen("0.5 0 0 0.5 0 0 0.5\n0.5 0 0 0.5 0.5 0 0.5\n"));
+    QVERIFY(isOpen("0.5,0,0,0.5,0,0\n0.5,0,0,0.5,0.5,0\n"));
+    QVERIFY(!isOpen("a,b,c,d,e,f\n0.5,0,0,0.5,0,0\n0.5,0,0,0.5,0.5,0\n"));
+    QVERIFY(!isOpen("gasket {\n 0.5 0 0 0.5 0 0 0.5\n 0.5 0 0 0.5 0.5 0 0.5\n}\n"));
 }
 
 void ClipboardTest::nothingToFind() {

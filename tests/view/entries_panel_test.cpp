@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clipboard.h"
+#include "dialogs/paste_table_dialog.h"
 #include "panels/entries_list.h"
 #include "panels/entries_model.h"
 #include "panels/entries_panel.h"
@@ -60,6 +61,7 @@ private slots:
     void dropFromElsewhere();
     void copyAndPasteBetweenDocuments();
     void pasteNonsense();
+    void aBareTableIsAskedAbout();
     void comment();
     void filterHidesAndKeepsCurrent();
     void currentFollowsBothWays();
@@ -289,6 +291,21 @@ void EntriesPanelTest::pasteNonsense() {
     QCOMPARE(messages.count(), 1);
     QVERIFY(m_document->file() == m_before);
     QCOMPARE(m_document->undoStack()->count(), 0);
+}
+
+void EntriesPanelTest::aBareTableIsAskedAbout() {
+    QGuiApplication::clipboard()->setText(u"0.5 0.1 3 0.2 0.4 5 0.25\n0.3 0 2 0 0.3 1 0.75\n"_s);
+    m_panel->paste();
+    QCOMPARE(names().size(), m_before.entries.size() + 1);
+    const auto shift = [&] { return document::system2(m_document->fractal())->maps[0].map.translation.x(); };
+    auto* dialog = m_panel->findChild<view::PasteTableDialog*>();
+    QVERIFY(dialog);
+    QCOMPARE(shift(), 3.0); // the first order in which every map contracts
+    dialog->accept();
+    QCOMPARE(shift(), 3.0);
+    QCOMPARE(m_document->undoStack()->count(), 2);
+    m_document->undoStack()->undo();
+    QCOMPARE(shift(), 0.4); // Fractint's
 }
 
 void EntriesPanelTest::comment() {

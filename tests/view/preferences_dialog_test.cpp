@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/preferences_dialog.h"
+#include "support/contrast.h"
 #include "theme.h"
 
 #include <QApplication>
@@ -8,7 +9,9 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>
+#include <QProxyStyle>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -35,6 +38,7 @@ private slots:
     void spoiltSettingsAreTakenAsDefaults();
     void everyLanguageHasItsCatalogue();
     void themesAreWornAndTakenOff();
+    void whatIsNotCheckedIsSeen();
 
 private:
     static QComboBox* box(const PreferencesDialog& dialog, const QString& name) {
@@ -103,7 +107,11 @@ void PreferencesDialogTest::everyLanguageHasItsCatalogue() {
 }
 
 void PreferencesDialogTest::themesAreWornAndTakenOff() {
-    const QString style = QApplication::style()->name();
+    const auto styleName = [] {
+        const auto* proxy = qobject_cast<QProxyStyle*>(QApplication::style());
+        return (proxy ? proxy->baseStyle() : QApplication::style())->name();
+    };
+    const QString style = styleName();
     view::wear(Preferences::Theme::Desktop);
     const QPalette desktop = QApplication::palette();
     for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
@@ -116,9 +124,36 @@ void PreferencesDialogTest::themesAreWornAndTakenOff() {
         QVERIFY(worn.color(QPalette::PlaceholderText).alpha() < 255);
     }
     view::wear(Preferences::Theme::Desktop);
-    QCOMPARE(QApplication::style()->name(), style);
+    QCOMPARE(styleName(), style);
     for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Text, QPalette::Highlight})
         QCOMPARE(QApplication::palette().color(role), desktop.color(role));
+}
+
+// The frame of a box or circle without its mark has a contrast of 3 to 1 to the window and to its inside.
+void PreferencesDialogTest::whatIsNotCheckedIsSeen() {
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
+        view::wear(theme);
+        QWidget window;
+        QAbstractButton* buttons[] = {new QCheckBox(&window), new QRadioButton(&window)};
+        window.resize(60, 60);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        for (QAbstractButton* button : buttons) {
+            const QImage seen = button->grab().toImage();
+            const QRgb around = window.palette().color(QPalette::Window).rgb();
+            const QRgb inside = window.palette().color(QPalette::Base).rgb();
+            double best = 0; // of the smaller of both contrasts
+            for (int x = 0; x < seen.width(); ++x) {
+                const QRgb pixel = seen.pixel(x, seen.height() / 2);
+                best = std::max(best,
+                                std::min(support::contrast(pixel, around), support::contrast(pixel, inside)));
+            }
+            QVERIFY2(best >= 3, qPrintable(QStringLiteral("%1 in theme %2: %3")
+                                               .arg(QLatin1String(button->metaObject()->className()))
+                                               .arg(int(theme))
+                                               .arg(best)));
+        }
+    }
 }
 
 QTEST_MAIN(PreferencesDialogTest)

@@ -27,9 +27,10 @@ void CageItem::setPolygon(const QPolygonF& polygon) {
 }
 
 void CageItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {
-    m_hovered = hovered;
-    m_pressed = pressed;
-    m_focused = focused;
+    const auto own = [](CanvasPart part) { return part.map < 0 ? part : CanvasPart(); };
+    m_hovered = own(hovered);
+    m_pressed = own(pressed);
+    m_focused = own(focused);
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const CanvasPart self{CanvasPart::Kind::Vertex, int(i)};
         HandleStates state;

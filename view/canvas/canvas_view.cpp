@@ -147,11 +147,7 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
     }
     for (PolygonTool* tool : {static_cast<PolygonTool*>(m_cageTool), static_cast<PolygonTool*>(m_mapsTool),
                               static_cast<PolygonTool*>(m_branchTool)})
-        connect(tool, &PolygonTool::grasped, this, [this] {
-            if (m_hint.isEmpty()) return;
-            setHint({});
-            emit hintDismissed();
-        });
+        connect(tool, &PolygonTool::grasped, this, &CanvasView::dismissHint);
     m_scene->setFrame(bridge->frame());
 }
 
@@ -211,6 +207,7 @@ void CanvasView::setTool(Tool tool) {
         return;
     }
     if (tool != Tool::Cage) setOverlaysVisible(true);
+    dismissHint();
     active().stop();
     m_tool = tool;
     active().start();
@@ -367,6 +364,12 @@ void CanvasView::showTrail(const std::vector<ifs::Vector<2>>& points) {
 void CanvasView::setHint(const QString& hint) {
     m_hint = hint;
     m_scene->setHint(hint);
+}
+
+void CanvasView::dismissHint() {
+    if (m_hint.isEmpty()) return;
+    setHint({});
+    emit hintDismissed();
 }
 
 QString CanvasView::note() const {

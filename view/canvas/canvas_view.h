@@ -93,7 +93,8 @@ public:
     Snapping snapping() const;
     void showOutlines(std::vector<document::OutlineShape> shapes); // of an analysis
     void showTrail(const std::vector<ifs::Vector<2>>& points);     // of a chaos game, the newest last
-    void setHint(const QString& hint); // for a first run: shown until the first gesture
+    QString hint() const { return m_hint; }
+    void setHint(const QString& hint); // for a first run: shown until the first gesture or another tool
 
     QString note() const; // the sentence about the picture, if one is shown
     QImage picture()
@@ -149,6 +150,7 @@ private:
     void holdPainting();
     void paintAgain();
     void finishTool();
+    void dismissHint();
     bool offerReset(); // whether the placement is flat, so that a question is open now
     bool canvasKey(const QKeyEvent& event);
     void pan(const QPointF& pixels);

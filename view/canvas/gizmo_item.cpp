@@ -133,9 +133,9 @@ void GizmoItem::paintKnob(QPainter& painter, CanvasPart::Kind kind, const QPoint
         ring.addEllipse(QPointF(), 14, 14);
         strokeWithHalo(painter, ring, m_style, m_style.accent, m_style.lineWidth + 0.5);
     }
-    painter.setPen(QPen(m_style.axis, 1));
-    painter.setBrush(m_style.noteBackground);
-    painter.drawEllipse(QPointF(), radius + 1, radius + 1);
+    painter.setPen(QPen(m_style.line, 1));
+    painter.setBrush(m_style.halo);
+    painter.drawEllipse(QPointF(), radius + 2, radius + 2);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(lit ? m_style.accent : m_style.line, m_style.lineWidth, Qt::SolidLine, Qt::RoundCap,
                         Qt::RoundJoin));

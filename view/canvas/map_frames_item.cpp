@@ -134,8 +134,8 @@ void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const
         const bool numbered = frame.selected || lit;
         const double r = numbered ? radius + (lit ? 1 : 0) : dot;
         painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(6, 9, 14, 170));
-        painter.drawEllipse(at, r + 1.5, r + 1.5);
+        painter.setBrush(m_style.core);
+        painter.drawEllipse(at, r + 2, r + 2);
         painter.setPen(QPen(m_style.rim, m_style.lineWidth));
         painter.setBrush(frame.colour);
         painter.drawEllipse(at, r - 0.5, r - 0.5);

@@ -50,15 +50,19 @@ OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& pal
     style.gridMajor = translucent(ink, strong ? 0.36 : 0.11);
     style.axis = translucent(ink, strong ? 0.9 : 0.34);
     style.label = translucent(ink, strong ? 1 : 0.55);
-    style.halo = dark ? QColor(6, 9, 14, strong ? 255 : 150) : QColor(255, 255, 255, strong ? 255 : 190);
-    style.line = dark ? QColor(238, 243, 250) : QColor(30, 40, 58);
-    style.core = QColor(22, 28, 40);
-    style.rim = QColor(250, 252, 255);
-    style.number = QColor(250, 252, 255);
+    // Side by side, black and white leave no colour to which neither has a contrast of 4.5 to 1; no other two
+    // tones do.
+    const QColor black(0, 0, 0);
+    const QColor white(255, 255, 255);
+    style.halo = dark ? black : white;
+    style.line = dark ? white : black;
+    style.core = black;
+    style.rim = white;
+    style.number = white;
     style.accent = dark ? QColor(255, 190, 70) : QColor(214, 96, 0);
     style.noteBackground = dark ? QColor(28, 34, 46, 232) : QColor(255, 255, 255, 240);
     style.noteText = dark ? QColor(240, 244, 250) : QColor(28, 36, 50);
-    style.lineWidth = strong ? 2.5 : 1.5;
+    style.lineWidth = strong ? 2.5 : 2;
     return style;
 }
 
@@ -90,7 +94,10 @@ void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlaySt
             painter.drawPath(path);
     };
     painter.setBrush(Qt::NoBrush);
-    stroke(style.halo, width + 2, Qt::SolidLine);
+    const bool lit = colour == style.accent;
+    const double ground = lit && pattern == Qt::SolidLine ? width + 3 : width;
+    stroke(style.halo, ground + 3, Qt::SolidLine);
+    if (lit) stroke(style.line, ground, Qt::SolidLine);
     stroke(colour, width, pattern);
 }
 

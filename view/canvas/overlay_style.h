@@ -28,13 +28,14 @@ struct OverlayStyle {
     QColor accent; // hover, focus, snap
     QColor noteBackground;
     QColor noteText;
-    double lineWidth = 1.5;
+    double lineWidth = 2;
     bool onDark = false; // the backdrop is dark
 };
 
 OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& palette);
 
-// A line that is seen on any picture: the halo, then the line.
+// A line that is seen on any picture: the halo, then the line. One in the accent colour lies
+// on a line.
 void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
                     const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
 

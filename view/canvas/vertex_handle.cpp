@@ -40,10 +40,10 @@ void VertexHandle::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
     const bool lit = m_state & (HandleStates(HandleState::Hovered) | HandleState::Pressed);
     const double grown = m_state.testFlag(HandleState::Hovered) ? radius + 1 : radius;
     painter->setPen(Qt::NoPen);
-    painter->setBrush(QColor(6, 9, 14, 170));
-    painter->drawEllipse(QPointF(), grown + 1.5, grown + 1.5);
+    painter->setBrush(m_style.core);
+    painter->drawEllipse(QPointF(), grown + 2, grown + 2);
     painter->setBrush(lit ? m_style.accent : m_style.core);
-    painter->setPen(QPen(m_style.rim, m_style.lineWidth + 0.25));
+    painter->setPen(QPen(m_style.rim, m_style.lineWidth));
     painter->drawEllipse(QPointF(), grown - 0.5, grown - 0.5);
 
     QFont font = painter->font();

@@ -77,21 +77,18 @@ void ExportDialog::createFormat() {
     m_transparent->setWhatsThis(tr("The picture has no background and can be laid over another."));
     m_triangle = new QCheckBox(tr("Include the &control triangle"), m_options);
     m_triangle->setWhatsThis(tr("Draws the cage over the picture."));
-    m_pngOptions = createPngOptions();
-    m_svgOptions = createSvgOptions();
-    auto* form = new QFormLayout(m_options);
-    form->setContentsMargins({});
-    form->addRow(tr("&Format:"), m_format);
-    form->addRow(tr("Size:"), m_size);
-    form->addRow(QString(), m_transparent);
-    form->addRow(QString(), m_triangle);
-    form->addRow(m_pngOptions);
-    form->addRow(m_svgOptions);
+    m_form = new QFormLayout(m_options);
+    m_form->setContentsMargins({});
+    m_form->addRow(tr("&Format:"), m_format);
+    m_form->addRow(tr("Size:"), m_size);
+    m_form->addRow(QString(), m_transparent);
+    m_form->addRow(QString(), m_triangle);
+    createPngOptions();
+    createSvgOptions();
 }
 
-QWidget* ExportDialog::createPngOptions() {
-    auto* page = new QWidget(m_options);
-    m_quality = new QComboBox(page);
+void ExportDialog::createPngOptions() {
+    m_quality = new QComboBox(m_options);
     m_quality->addItem(tr("Draft: 25 samples a pixel"), 25);
     m_quality->addItem(tr("Good: 100 samples a pixel"), 100);
     m_quality->addItem(tr("Fine: 400 samples a pixel"), 400);
@@ -100,69 +97,61 @@ QWidget* ExportDialog::createPngOptions() {
     m_quality->setAccessibleName(tr("Quality"));
     m_quality->setWhatsThis(
         tr("How many points are drawn for each pixel: more make a smoother picture and take longer."));
-    m_supersample = new QSpinBox(page);
+    m_supersample = new QSpinBox(m_options);
     m_supersample->setRange(1, 4);
     m_supersample->setValue(m_fractal.appearance.supersample);
     m_supersample->setAccessibleName(tr("Cells along the side of a pixel"));
     m_supersample->setWhatsThis(tr("Every pixel is drawn from so many finer ones along its side: smoother "
                                    "edges, for more memory and time."));
-    m_depthOfColour = new QComboBox(page);
+    m_depthOfColour = new QComboBox(m_options);
     m_depthOfColour->addItem(tr("8 bits a channel"), QVariant::fromValue(io::PngFormat::Depth::Bits8));
     m_depthOfColour->addItem(tr("16 bits a channel, for further work on the picture"),
                              QVariant::fromValue(io::PngFormat::Depth::Bits16));
     m_depthOfColour->setAccessibleName(tr("Colour depth"));
     m_depthOfColour->setWhatsThis(tr("16 bits keep fine steps of brightness for later work in a picture "
                                      "editor; 8 bits are enough to look at."));
-    m_memory = new QLabel(page);
+    m_memory = new QLabel(m_options);
     m_memory->setAccessibleName(tr("Memory needed"));
-    auto* form = new QFormLayout(page);
-    form->setContentsMargins({});
-    form->addRow(tr("&Quality:"), m_quality);
-    form->addRow(tr("&Supersampling:"), m_supersample);
-    form->addRow(tr("C&olour depth:"), m_depthOfColour);
-    form->addRow(tr("Memory:"), m_memory);
-    return page;
+    m_form->addRow(tr("&Quality:"), m_quality);
+    m_form->addRow(tr("&Supersampling:"), m_supersample);
+    m_form->addRow(tr("C&olour depth:"), m_depthOfColour);
+    m_form->addRow(tr("Memory:"), m_memory);
 }
 
-QWidget* ExportDialog::createSvgOptions() {
-    auto* page = new QWidget(m_options);
-    m_style = new QComboBox(page);
+void ExportDialog::createSvgOptions() {
+    m_style = new QComboBox(m_options);
     m_style->addItem(tr("Copies of copies: a small file"), int(io::ShapeStyle::Structured));
     m_style->addItem(tr("Outline, for cutters and plotters"), int(io::ShapeStyle::Outline));
     m_style->addItem(tr("Points"), int(io::ShapeStyle::Points));
     m_style->setAccessibleName(tr("Kind of shapes"));
     m_style->setWhatsThis(tr("Copies of copies make a small file that drawing programs can edit; the outline "
                              "is one path; points are dots of the chaos game."));
-    m_points = new QSpinBox(page);
+    m_points = new QSpinBox(m_options);
     m_points->setRange(1, int(io::SvgFormat::mostPoints));
     m_points->setValue(int(io::SvgFormat().points));
     m_points->setSingleStep(10'000);
     m_points->setGroupSeparatorShown(true);
     m_points->setAccessibleName(tr("Number of points"));
     m_points->setWhatsThis(tr("How many dots of the chaos game are drawn."));
-    m_autoDepth = new QCheckBox(tr("As deep as a pixel &needs"), page);
+    m_autoDepth = new QCheckBox(tr("As deep as a pixel &needs"), m_options);
     m_autoDepth->setChecked(true);
     m_autoDepth->setWhatsThis(
         tr("Copies are made smaller until no pixel of this size could tell the difference."));
-    m_depth = new QSpinBox(page);
+    m_depth = new QSpinBox(m_options);
     m_depth->setRange(0, 200);
     m_depth->setAccessibleName(tr("Levels of copies"));
     m_depth->setWhatsThis(tr("How many levels of copies the picture has. The file hardly grows with it, the "
                              "time to draw it does."));
-    m_plan = new QLabel(page);
+    m_plan = new QLabel(m_options);
     m_plan->setWordWrap(true);
     m_plan->setMinimumHeight(3 * m_plan->fontMetrics().lineSpacing());
     m_plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_plan->setAccessibleName(tr("What the picture will be like"));
-    auto* form = new QFormLayout(page);
-    form->setContentsMargins({});
-    form->addRow(tr("S&hapes:"), m_style);
-    form->addRow(tr("&Points:"), m_points);
-    form->addRow(tr("&Depth:"), m_depth);
-    form->addRow(QString(), m_autoDepth);
-    form->addRow(m_plan);
-    m_svgForm = form;
-    return page;
+    m_form->addRow(tr("S&hapes:"), m_style);
+    m_form->addRow(tr("&Points:"), m_points);
+    m_form->addRow(tr("&Depth:"), m_depth);
+    m_form->addRow(QString(), m_autoDepth);
+    m_form->addRow(m_plan);
 }
 
 QWidget* ExportDialog::createProgress() {
@@ -231,8 +220,6 @@ io::Export ExportDialog::exportNow() const {
 
 void ExportDialog::update() {
     const bool plane = document::system2(m_fractal) != nullptr;
-    m_pngOptions->setVisible(!isSvg());
-    m_svgOptions->setVisible(isSvg());
     m_size->setResolutionVisible(!isSvg());
     m_depth->setEnabled(!m_autoDepth->isChecked());
     m_start->setEnabled(plane && !m_job);
@@ -241,9 +228,14 @@ void ExportDialog::update() {
         m_message->show();
     }
     const bool points = style() == io::ShapeStyle::Points;
-    m_svgForm->setRowVisible(m_points, points);
-    m_svgForm->setRowVisible(m_depth, !points);
-    m_svgForm->setRowVisible(m_autoDepth, !points);
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{m_quality, m_supersample, m_depthOfColour, m_memory})
+        m_form->setRowVisible(field, !isSvg());
+    for (QWidget* field : std::initializer_list<QWidget*>{m_style, m_plan})
+        m_form->setRowVisible(field, isSvg());
+    m_form->setRowVisible(m_points, isSvg() && points);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_depth, m_autoDepth})
+        m_form->setRowVisible(field, isSvg() && !points);
     m_transparent->setEnabled(!isSvg() || style() != io::ShapeStyle::Outline);
     if (isSvg()) {
         m_planTimer.start();

@@ -43,8 +43,8 @@ signals:
 
 private:
     void createFormat();
-    QWidget* createPngOptions();
-    QWidget* createSvgOptions();
+    void createPngOptions();
+    void createSvgOptions();
     QWidget* createProgress();
     void connectOptions();
 
@@ -69,15 +69,13 @@ private:
     QSpinBox* m_supersample = nullptr;
     QComboBox* m_depthOfColour = nullptr;
     QLabel* m_memory = nullptr;
-    QFormLayout* m_svgForm = nullptr;
+    QFormLayout* m_form = nullptr;
     QComboBox* m_style = nullptr;
     QSpinBox* m_points = nullptr;
     QCheckBox* m_autoDepth = nullptr;
     QSpinBox* m_depth = nullptr;
     QLabel* m_plan = nullptr;
     QWidget* m_options = nullptr;
-    QWidget* m_pngOptions = nullptr;
-    QWidget* m_svgOptions = nullptr;
     QLabel* m_message = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_start = nullptr;

@@ -13,6 +13,7 @@
 #include <QTableWidget>
 
 #include <algorithm>
+#include <numeric>
 
 namespace view {
 
@@ -84,9 +85,16 @@ PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& row
     update();
 }
 
-void PasteTableDialog::setWords(const QString& title, const QString& accept) {
-    setWindowTitle(title);
-    m_accept->setText(accept);
+void PasteTableDialog::askForColumns(document::Document* document, const QString& table, QWidget* parent) {
+    const document::System2* system = document::system2(document->fractal());
+    if (!system) return;
+    Rows all(system->maps.size());
+    std::iota(all.begin(), all.end(), 0);
+    auto* dialog = new PasteTableDialog(document, all, table, parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Order of the Columns"));
+    dialog->m_accept->setText(tr("&Use This Order"));
+    dialog->open();
 }
 
 // The first order in which every map contracts.

@@ -24,8 +24,9 @@ public:
     PasteTableDialog(document::Document* document, const Rows& rows, const QString& text,
                      QWidget* parent = nullptr);
 
-    // For rows that come from elsewhere than the clipboard.
-    void setWords(const QString& title, const QString& accept);
+    // Asks what the columns are of a table that has become the current entry, in the order of Fractint.
+    // Another order is a step of the history.
+    static void askForColumns(document::Document* document, const QString& table, QWidget* parent);
 
     int count() const { return int(m_table.rows.size()); } // of maps, as read now
 

@@ -2,6 +2,7 @@
 #include "panels/entries_panel.h"
 
 #include "clipboard.h"
+#include "dialogs/paste_table_dialog.h"
 #include "icon.h"
 #include "panels/entries_comment_dialog.h"
 #include "panels/entries_delegate.h"
@@ -288,6 +289,7 @@ void EntriesPanel::insertFrom(const QMimeData& mimeData, EntryId after) {
     if (unreadable > 0)
         emit message(tr("%n pasted entries could not be read; their text is kept as it is.", nullptr,
                         static_cast<int>(unreadable)));
+    if (!found.table.isEmpty()) PasteTableDialog::askForColumns(m_document, found.table, this);
 }
 
 void EntriesPanel::moveEntries(const QList<EntryId>& ids, EntryId before) {
