@@ -2030,6 +2030,14 @@
         <source>The file has more than 64 MB, which is the limit for XML.</source>
         <translation>Die Datei hat mehr als 64 MB; das ist die Grenze für XML.</translation>
     </message>
+    <message>
+        <source>moved branch</source>
+        <translation>verschobener Ast</translation>
+    </message>
+    <message>
+        <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
+        <translation>Ein gespeicherter Ort eines Astes ist nicht brauchbar (seine Abbildung ist unvollständig, seine Adresse nennt Abbildungen, die es nicht gibt, oder kommt zweimal vor, oder es sind zu viele) und wird nicht angewandt.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2687,6 +2695,38 @@
     <message>
         <source>Let maps swing</source>
         <translation>Abbildungen schwingen lassen</translation>
+    </message>
+    <message>
+        <source>where it is shown, and it alone</source>
+        <translation>wo er gezeigt wird, und nur er</translation>
+    </message>
+    <message>
+        <source>The code stays as it is. This branch is shown elsewhere, and nothing like it at other scales.</source>
+        <translation>Der Code bleibt, wie er ist. Dieser Ast wird anderswo gezeigt, und nichts seinesgleichen in anderen Größen.</translation>
+    </message>
+    <message>
+        <source>Put &amp;Back</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put All &amp;Back</source>
+        <translation>Alle &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Shows the branch where its maps put it</source>
+        <translation>Zeigt den Ast dort, wohin ihn seine Abbildungen legen</translation>
+    </message>
+    <message>
+        <source>Shows every branch where its maps put it</source>
+        <translation>Zeigt jeden Ast dort, wohin ihn seine Abbildungen legen</translation>
+    </message>
+    <message>
+        <source>Put branch %1 back</source>
+        <translation>Ast %1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all branches back</source>
+        <translation>Alle Äste zurücksetzen</translation>
     </message>
 </context>
 <context>

@@ -2030,6 +2030,14 @@
         <source>The file has more than 64 MB, which is the limit for XML.</source>
         <translation>El archivo tiene más de 64 MB, que es el límite para XML.</translation>
     </message>
+    <message>
+        <source>moved branch</source>
+        <translation>rama desplazada</translation>
+    </message>
+    <message>
+        <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
+        <translation>Un lugar guardado de una rama no es utilizable (su aplicación está incompleta, su dirección nombra aplicaciones que no existen o aparece dos veces, o hay demasiados) y no se aplica.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2687,6 +2695,38 @@
     <message>
         <source>Let maps swing</source>
         <translation>Hacer oscilar aplicaciones</translation>
+    </message>
+    <message>
+        <source>where it is shown, and it alone</source>
+        <translation>dónde se muestra, y solo ella</translation>
+    </message>
+    <message>
+        <source>The code stays as it is. This branch is shown elsewhere, and nothing like it at other scales.</source>
+        <translation>El código queda como está. Esta rama se muestra en otro lugar, y nada semejante a otras escalas.</translation>
+    </message>
+    <message>
+        <source>Put &amp;Back</source>
+        <translation>&amp;Devolver a su lugar</translation>
+    </message>
+    <message>
+        <source>Put All &amp;Back</source>
+        <translation>&amp;Devolver todas</translation>
+    </message>
+    <message>
+        <source>Shows the branch where its maps put it</source>
+        <translation>Muestra la rama donde la ponen sus aplicaciones</translation>
+    </message>
+    <message>
+        <source>Shows every branch where its maps put it</source>
+        <translation>Muestra cada rama donde la ponen sus aplicaciones</translation>
+    </message>
+    <message>
+        <source>Put branch %1 back</source>
+        <translation>Devolver la rama %1 a su lugar</translation>
+    </message>
+    <message>
+        <source>Put all branches back</source>
+        <translation>Devolver todas las ramas a su lugar</translation>
     </message>
 </context>
 <context>

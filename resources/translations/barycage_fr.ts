@@ -2030,6 +2030,14 @@
         <source>The file has more than 64 MB, which is the limit for XML.</source>
         <translation>Le fichier dépasse 64 Mo, ce qui est la limite pour le XML.</translation>
     </message>
+    <message>
+        <source>moved branch</source>
+        <translation>branche déplacée</translation>
+    </message>
+    <message>
+        <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
+        <translation>Une place enregistrée d’une branche n’est pas utilisable (son application est incomplète, son adresse nomme des applications qui n’existent pas ou apparaît deux fois, ou il y en a trop) et n’est pas appliquée.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2687,6 +2695,38 @@
     <message>
         <source>Let maps swing</source>
         <translation>Faire osciller des applications</translation>
+    </message>
+    <message>
+        <source>where it is shown, and it alone</source>
+        <translation>où elle est montrée, et elle seule</translation>
+    </message>
+    <message>
+        <source>The code stays as it is. This branch is shown elsewhere, and nothing like it at other scales.</source>
+        <translation>Le code reste tel quel. Cette branche est montrée ailleurs, et rien de semblable aux autres échelles.</translation>
+    </message>
+    <message>
+        <source>Put &amp;Back</source>
+        <translation>&amp;Remettre en place</translation>
+    </message>
+    <message>
+        <source>Put All &amp;Back</source>
+        <translation>Tout &amp;remettre en place</translation>
+    </message>
+    <message>
+        <source>Shows the branch where its maps put it</source>
+        <translation>Montre la branche là où ses applications la mettent</translation>
+    </message>
+    <message>
+        <source>Shows every branch where its maps put it</source>
+        <translation>Montre chaque branche là où ses applications la mettent</translation>
+    </message>
+    <message>
+        <source>Put branch %1 back</source>
+        <translation>Remettre la branche %1 en place</translation>
+    </message>
+    <message>
+        <source>Put all branches back</source>
+        <translation>Remettre toutes les branches en place</translation>
     </message>
 </context>
 <context>

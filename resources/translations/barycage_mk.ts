@@ -2033,6 +2033,14 @@
         <source>The file has more than 64 MB, which is the limit for XML.</source>
         <translation>Датотеката има повеќе од 64 MB, што е границата за XML.</translation>
     </message>
+    <message>
+        <source>moved branch</source>
+        <translation>поместена гранка</translation>
+    </message>
+    <message>
+        <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
+        <translation>Зачувано место на гранка не е употребливо (нејзиното пресликување е нецелосно, нејзината адреса именува пресликувања што ги нема или се јавува двапати, или ги има премногу) и не се применува.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2690,6 +2698,38 @@
     <message>
         <source>Let maps swing</source>
         <translation>Нишање на пресликувања</translation>
+    </message>
+    <message>
+        <source>where it is shown, and it alone</source>
+        <translation>каде се прикажува, и само таа</translation>
+    </message>
+    <message>
+        <source>The code stays as it is. This branch is shown elsewhere, and nothing like it at other scales.</source>
+        <translation>Кодот останува каков што е. Оваа гранка се прикажува на друго место, и ништо слично на неа во други размери.</translation>
+    </message>
+    <message>
+        <source>Put &amp;Back</source>
+        <translation>&amp;Врати на место</translation>
+    </message>
+    <message>
+        <source>Put All &amp;Back</source>
+        <translation>&amp;Врати ги сите</translation>
+    </message>
+    <message>
+        <source>Shows the branch where its maps put it</source>
+        <translation>Ја прикажува гранката таму каде што ја ставаат нејзините пресликувања</translation>
+    </message>
+    <message>
+        <source>Shows every branch where its maps put it</source>
+        <translation>Ја прикажува секоја гранка таму каде што ја ставаат нејзините пресликувања</translation>
+    </message>
+    <message>
+        <source>Put branch %1 back</source>
+        <translation>Врати ја гранката %1 на место</translation>
+    </message>
+    <message>
+        <source>Put all branches back</source>
+        <translation>Врати ги сите гранки на место</translation>
     </message>
 </context>
 <context>
