@@ -8,6 +8,7 @@ file's own name, then the others of its folder, the quick ones before the slow o
 """
 import argparse
 import json
+import math
 import os
 import random
 import re
@@ -128,6 +129,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="*", help="sources (all of model/ifs and model/io without)")
     parser.add_argument("--sample", type=int, help="so many mutants, chosen at random")
+    parser.add_argument("--minutes", type=float, default=math.inf, help="begin no mutant after that")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--report", type=Path, help="write the survivors to this file")
     arguments = parser.parse_args()
@@ -135,14 +137,16 @@ def main():
     files = arguments.files or [str(path.relative_to(ROOT)) for folder in FOLDERS
                                 for path in sorted((ROOT / folder).glob("*.cpp"))]
     all_mutants = [(name, mutant) for name in files for mutant in mutants(ROOT / name)]
-    if arguments.sample and arguments.sample < len(all_mutants):
-        all_mutants = random.Random(arguments.seed).sample(all_mutants, arguments.sample)
-    all_mutants.sort()
+    random.Random(arguments.seed).shuffle(all_mutants)  # so that what comes first is a fair sample
+    all_mutants = all_mutants[:arguments.sample]
     prepare()
+    end = time.monotonic() + 60 * arguments.minutes
     judges = {}
     counts = {"caught": 0, "survived": 0, "does not compile": 0}
     survivors = []
     for number, (name, (place, length, replacement)) in enumerate(all_mutants, 1):
+        if time.monotonic() > end:
+            break
         folder = str(Path(name).parent)
         judge = judges.get(folder) or judges.setdefault(folder, Judge(FOLDERS[folder]))
         text = (ROOT / name).read_text()
@@ -164,7 +168,7 @@ def main():
     print(f"{share}; {counts['does not compile']} did not compile")
     if arguments.report:
         arguments.report.write_text("\n".join([share + ".", "", "| where | line | became |", "|---|---|---|",
-                                               *survivors]) + "\n")
+                                               *sorted(survivors)]) + "\n")
 
 
 if __name__ == "__main__":
