@@ -8,6 +8,7 @@ file's own name, then the others of its folder, the quick ones before the slow o
 """
 import argparse
 import json
+import math
 import os
 import random
 import re
@@ -87,7 +88,8 @@ def tests_in(folder):
     listing = subprocess.run(["ctest", "--show-only=json-v1"], cwd=BUILD / "tests" / folder, check=True,
                              capture_output=True, text=True).stdout
     slow = {"name": "LABELS", "value": ["slow"]}
-    return [Path(test["command"][0]) for test in json.loads(listing)["tests"] if slow not in test["properties"]]
+    return [BUILD / "tests" / folder / test["name"] for test in json.loads(listing)["tests"]
+            if slow not in test["properties"]]
 
 
 class Judge:
@@ -106,7 +108,7 @@ class Judge:
             self.seconds[test] = time.monotonic() - began
 
     def build(self, tests):
-        return run(["ninja", "-C", BUILD, *(test.relative_to(BUILD) for test in tests)])
+        return run(["cmake", "--build", BUILD, "--target", *(test.name for test in tests)])
 
     def passes(self, test, limit):
         try:
@@ -127,6 +129,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="*", help="sources (all of model/ifs and model/io without)")
     parser.add_argument("--sample", type=int, help="so many mutants, chosen at random")
+    parser.add_argument("--minutes", type=float, default=math.inf, help="begin no mutant after that")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--report", type=Path, help="write the survivors to this file")
     arguments = parser.parse_args()
@@ -134,14 +137,16 @@ def main():
     files = arguments.files or [str(path.relative_to(ROOT)) for folder in FOLDERS
                                 for path in sorted((ROOT / folder).glob("*.cpp"))]
     all_mutants = [(name, mutant) for name in files for mutant in mutants(ROOT / name)]
-    if arguments.sample and arguments.sample < len(all_mutants):
-        all_mutants = random.Random(arguments.seed).sample(all_mutants, arguments.sample)
-    all_mutants.sort()
+    random.Random(arguments.seed).shuffle(all_mutants)  # so that what comes first is a fair sample
+    all_mutants = all_mutants[:arguments.sample]
     prepare()
+    end = time.monotonic() + 60 * arguments.minutes
     judges = {}
     counts = {"caught": 0, "survived": 0, "does not compile": 0}
     survivors = []
     for number, (name, (place, length, replacement)) in enumerate(all_mutants, 1):
+        if time.monotonic() > end:
+            break
         folder = str(Path(name).parent)
         judge = judges.get(folder) or judges.setdefault(folder, Judge(FOLDERS[folder]))
         text = (ROOT / name).read_text()
@@ -163,7 +168,7 @@ def main():
     print(f"{share}; {counts['does not compile']} did not compile")
     if arguments.report:
         arguments.report.write_text("\n".join([share + ".", "", "| where | line | became |", "|---|---|---|",
-                                               *survivors]) + "\n")
+                                               *sorted(survivors)]) + "\n")
 
 
 if __name__ == "__main__":

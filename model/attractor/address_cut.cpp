@@ -2,7 +2,6 @@
 #include "attractor/address_cut.h"
 
 #include "attractor/arithmetic.h"
-#include "attractor/bend_table.h"
 #include "attractor/chaos_game.h"
 #include "attractor/double_double.h"
 
@@ -21,6 +20,8 @@ struct Shown {
     double size = 0;                                     // of the box, without what is not known
     double affineMiss = 0;                               // of its first-order map
     double curvedMiss = 0;                               // of its second-order map
+    Curve curve;                                         // its second-order terms, and what it shows in
+    float curveX = 0, curveY = 0;                        // the middle, where the first-order map has x, y
 };
 
 // camera·cage·w_σ(centre + δ) = offset + linear·δ, in cells; of a cage that bends, w_σ alone, in coordinates
@@ -49,7 +50,7 @@ public:
     static constexpr bool bends = false;
     static constexpr std::size_t most = 1U << 15; // words kept while refining
 
-    AffineView(const DrawableSystem& system, const Projection& projection)
+    AffineView(const DrawableSystem& system, const Projection& projection, BendTable&)
         : m_system(system), m_projection(projection) {}
 
     // Of a part of the address tree that is shown through `change`.
@@ -102,12 +103,14 @@ public:
     static constexpr bool bends = true;
     static constexpr std::size_t most = 1U << 17;
 
-    BentView(const DrawableSystem& system, const Projection& projection)
+    BentView(const DrawableSystem& system, const Projection& projection, BendTable& table)
         : m_system(system),
           m_projection(projection),
           m_scale(std::abs(projection.scale(0, 0))),
-          m_table(*projection.cage.bend(), system.centre, reach(system),
-                  mostBendError / 2 * projection.cellsPerPixel / m_scale) {}
+          m_table(table) {
+        m_table.follow(*projection.cage.bend(), system.centre, reach(system),
+                       mostBendError / 2 * projection.cellsPerPixel / m_scale);
+    }
 
     Node<double> root(const ifs::AffineMap<2>& change) const {
         const ifs::Matrix<2>& linear = change.linear;
@@ -128,11 +131,15 @@ public:
     }
 
     Shown shown(const Node<double>& node) {
-        const BendTable::Piece piece = pieceOf(node);
+        const BendTable::Piece piece = m_table.piece({node.x, node.y}, spread(node));
         const ifs::Vector<2> cell = m_projection.cell(piece.middle());
         const ifs::Matrix<2> linear = m_projection.scale * piece.linear;
         const ifs::Vector<2> half = linear.cwiseAbs().rowwise().sum();
         const ifs::Vector<2> miss = m_scale * piece.miss;
+        const ifs::Vector<2> middle = m_projection.cell(piece.value);
+        const auto cells = [this](const ifs::Vector<2>& v, int row) {
+            return static_cast<float>(m_projection.scale(row, row) * v[row]);
+        };
         const ifs::Vector<2> affineMiss = m_scale * piece.curvature() + miss;
         return {linear(0, 0),
                 linear(0, 1),
@@ -144,34 +151,27 @@ public:
                 half.y() + affineMiss.y(),
                 2 * half.maxCoeff(),
                 affineMiss.maxCoeff(),
-                miss.maxCoeff()};
-    }
-
-    // For the second-order map: adds the terms, and takes out of the affine map what stands for them.
-    Curve curve(const Node<double>& node, Word& word) {
-        const BendTable::Piece piece = pieceOf(node);
-        const auto cells = [this](const ifs::Vector<2>& v, int row) {
-            return static_cast<float>(m_projection.scale(row, row) * v[row]);
-        };
-        const ifs::Vector<2> middle = m_projection.cell(piece.value);
-        word.x = static_cast<float>(middle.x());
-        word.y = static_cast<float>(middle.y());
-        return {cells(piece.aa, 0), cells(piece.ab, 0), cells(piece.bb, 0),
-                cells(piece.aa, 1), cells(piece.ab, 1), cells(piece.bb, 1)};
+                miss.maxCoeff(),
+                {cells(piece.aa, 0), cells(piece.ab, 0), cells(piece.bb, 0), cells(piece.aa, 1),
+                 cells(piece.ab, 1), cells(piece.bb, 1)},
+                static_cast<float>(middle.x()),
+                static_cast<float>(middle.y())};
     }
 
     // From box coordinates to those of the code.
     ifs::AffineMap<2> exactMap(const Node<double>& node) const { return {spread(node), {node.x, node.y}}; }
 
 private:
-    // How far from its centre the attractor is shown.
+    // How far from its centre the attractor is shown, in steps, so that a branch that is dragged does not
+    // make the table begin anew in every frame.
     static double reach(const DrawableSystem& system) {
         double farthest = system.halfExtent.maxCoeff();
         if (system.moved.empty()) return farthest;
         for (const ifs::AffineMap<2>& piece : shownPieces(system)) {
             const ifs::Vector<2> away = (piece(system.centre) - system.centre).cwiseAbs() +
                                         piece.linear.cwiseAbs() * system.halfExtent;
-            farthest = std::max(farthest, away.maxCoeff());
+            while (farthest < away.maxCoeff() && std::isfinite(away.maxCoeff()))
+                farthest *= 2;
         }
         return farthest;
     }
@@ -181,26 +181,25 @@ private:
                               0, 0)
             .linear;
     }
-    BendTable::Piece pieceOf(const Node<double>& node) {
-        return m_table.piece({node.x, node.y}, spread(node));
-    }
 
     const DrawableSystem& m_system;
     const Projection& m_projection;
     double m_scale;
-    BendTable m_table;
+    BendTable& m_table;
 };
 
 template <class Real, class View> class Tree {
 public:
-    Tree(const DrawableSystem& system, const Projection& projection, const CutSettings& settings)
+    Tree(const DrawableSystem& system, const Projection& projection, const CutSettings& settings,
+         CutMemory& memory)
         : m_settings(settings),
           m_width(projection.grid.width),
           m_height(projection.grid.height),
           m_largest(2.0 * std::max(m_width, m_height)),
           m_mostMiss(mostBendError * projection.cellsPerPixel),
           m_kept(std::clamp<std::size_t>((std::size_t{1} << 20) / system.maps.size(), 64, View::most)),
-          m_view(system, projection) {
+          m_nodeMemory(&memory.nodes),
+          m_view(system, projection, memory.bends) {
         for (std::size_t i = 0; i < system.maps.size(); ++i)
             m_branches.push_back(branch(system.maps[i], system.centre, system.probabilities[i]));
         for (const auto& [word, change] : ifs::pieces<2>(system.moved, system.maps.size())) {
@@ -215,7 +214,7 @@ public:
     AddressCut cut(const std::stop_token& stop) {
         // First the measure in view, coarsely; then the cut, whose threshold is a power of two so that words
         // keep their identity while the view moves a little.
-        const std::vector<Node<Real>> coarse = leaves(m_settings.words / 16.0, Threshold::Relative, stop);
+        const Nodes coarse = leaves(m_settings.words / 16.0, Threshold::Relative, stop);
         double visible = 0;
         for (const Node<Real>& node : coarse)
             visible += node.probability;
@@ -230,6 +229,7 @@ public:
     }
 
 private:
+    using Nodes = std::pmr::vector<Node<Real>>;
     enum class Threshold { Absolute, Relative };
 
     static constexpr std::size_t mostWaiting = 1U << 20;  // words of the next level before refining it
@@ -295,15 +295,15 @@ private:
 
     // Level by level. With Threshold::Relative the limit is a number of words, each at most its share of what
     // is visible so far.
-    std::vector<Node<Real>> leaves(double limit, Threshold kind, const std::stop_token& stop) {
-        std::vector<Node<Real>> done;
-        std::vector<Node<Real>> open;
+    Nodes leaves(double limit, Threshold kind, const std::stop_token& stop) {
+        Nodes done(m_nodeMemory);
+        Nodes open(m_nodeMemory);
         std::ranges::copy_if(m_roots, std::back_inserter(open),
                              [this](const Node<Real>& node) { return visible(node); });
         std::size_t children = 0;
         std::size_t nextLook = 0;
         double settled = 0;
-        std::vector<Node<Real>> next;
+        Nodes next(m_nodeMemory);
         while (!open.empty() && children < mostChildren) {
             double threshold = limit;
             if (kind == Threshold::Relative) {
@@ -339,7 +339,7 @@ private:
     }
 
     // Nodes that wait for nothing but their bend.
-    void settleBent(std::vector<Node<Real>>& open, std::vector<Node<Real>>& done, double threshold) const {
+    void settleBent(Nodes& open, Nodes& done, double threshold) const {
         const auto bentOnly = [&](const Node<Real>& node) {
             return isTooBent(node) && node.depth >= m_settings.minDepth && node.shown.size <= m_largest &&
                    node.probability <= threshold;
@@ -350,7 +350,7 @@ private:
 
     // Overlapping systems have exponentially many words in a small view. A systematic sample of them, each
     // standing for its share, keeps every estimate unbiased.
-    void thinOut(std::vector<Node<Real>>& nodes, std::size_t wanted) const {
+    void thinOut(Nodes& nodes, std::size_t wanted) const {
         double total = 0;
         for (const Node<Real>& node : nodes)
             total += node.probability;
@@ -372,25 +372,31 @@ private:
         nodes.resize(kept);
     }
 
-    AddressCut words(std::vector<Node<Real>> nodes) {
-        const auto curved = std::stable_partition(nodes.begin(), nodes.end(), [this](const Node<Real>& n) {
-            return n.shown.affineMiss <= m_mostMiss;
-        });
-        const auto bent =
-            std::stable_partition(curved, nodes.end(), [this](const Node<Real>& n) { return !isTooBent(n); });
+    AddressCut words(const Nodes& nodes) {
         AddressCut result;
         result.words.reserve(nodes.size());
-        for (const Node<Real>& node : nodes) {
+        const auto add = [&](const Node<Real>& node) {
             result.words.push_back(word(node));
             result.probability += node.probability;
-        }
-        result.firstCurved = static_cast<std::size_t>(curved - nodes.begin());
-        result.firstExact = static_cast<std::size_t>(bent - nodes.begin());
+        };
+        const auto isAffine = [this](const Node<Real>& node) { return node.shown.affineMiss <= m_mostMiss; };
+        for (const Node<Real>& node : nodes)
+            if (isAffine(node)) add(node);
+        result.firstCurved = result.firstExact = result.words.size();
         if constexpr (View::bends) {
-            for (std::size_t k = result.firstCurved; k < result.firstExact; ++k)
-                result.curves.push_back(m_view.curve(nodes[k], result.words[k]));
-            for (std::size_t k = result.firstExact; k < nodes.size(); ++k)
-                result.exact.push_back(m_view.exactMap(nodes[k]));
+            for (const Node<Real>& node : nodes) {
+                if (isAffine(node) || isTooBent(node)) continue;
+                add(node);
+                result.words.back().x = node.shown.curveX;
+                result.words.back().y = node.shown.curveY;
+                result.curves.push_back(node.shown.curve);
+            }
+            result.firstExact = result.words.size();
+            for (const Node<Real>& node : nodes) {
+                if (isAffine(node) || !isTooBent(node)) continue;
+                add(node);
+                result.exact.push_back(m_view.exactMap(node));
+            }
         }
         return result;
     }
@@ -421,6 +427,7 @@ private:
     double m_exact = 0;    // probability below which samples are mapped one by one
     bool m_followsBend = false;
     std::size_t m_kept; // fewer where every word has thousands of children
+    std::pmr::memory_resource* m_nodeMemory;
     View m_view;
     std::vector<Branch<Real>> m_branches;
     std::vector<Node<Real>> m_roots; // with exactly one of which every address begins
@@ -439,10 +446,12 @@ Projection projection(const Camera& camera, const ifs::Placement& cage, int cell
 }
 
 AddressCut addressCut(const DrawableSystem& system, const Projection& projection, const CutSettings& settings,
-                      std::stop_token stop) {
+                      std::stop_token stop, CutMemory* kept) {
     if (system.maps.empty()) return {};
+    CutMemory own;
+    CutMemory& memory = kept != nullptr ? *kept : own;
     if (projection.cage.bend() != nullptr)
-        return Tree<double, BentView>(system, projection, settings).cut(stop);
+        return Tree<double, BentView>(system, projection, settings, memory).cut(stop);
     const ifs::AffineMap<2>& cage = projection.cage.affine();
     double reach = 0;
     for (const auto& [word, change] : ifs::pieces<2>(system.moved, system.maps.size())) {
@@ -451,8 +460,8 @@ AddressCut addressCut(const DrawableSystem& system, const Projection& projection
                                     shown.linear.cwiseAbs().maxCoeff() * system.halfExtent.maxCoeff());
     }
     const bool deep = projection.scale.cwiseAbs().maxCoeff() * reach > 1e9;
-    return deep ? Tree<DoubleDouble, AffineView<DoubleDouble>>(system, projection, settings).cut(stop)
-                : Tree<double, AffineView<double>>(system, projection, settings).cut(stop);
+    return deep ? Tree<DoubleDouble, AffineView<DoubleDouble>>(system, projection, settings, memory).cut(stop)
+                : Tree<double, AffineView<double>>(system, projection, settings, memory).cut(stop);
 }
 
 } // namespace attractor

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/bend_table.h"
 #include "attractor/camera.h"
 #include "attractor/drawable_system.h"
 #include "ifs/control_cage.h"
 
 #include <cstdint>
+#include <memory_resource>
 #include <stop_token>
 #include <vector>
 
@@ -74,8 +76,14 @@ struct AddressCut {
     double probability = 0; // Σ p_σ: an unbiased estimate of the measure of the words that meet the view
 };
 
+// What one cut can leave to the next: memory, and what is known of a cage that bends. Never changes a word.
+struct CutMemory {
+    BendTable bends;
+    std::pmr::unsynchronized_pool_resource nodes{std::pmr::pool_options{1, 1U << 22}};
+};
+
 // Empty when stopped.
 AddressCut addressCut(const DrawableSystem& system, const Projection& projection, const CutSettings& settings,
-                      std::stop_token stop = {});
+                      std::stop_token stop = {}, CutMemory* kept = nullptr);
 
 } // namespace attractor

@@ -13,8 +13,9 @@ using ifs::Vector;
 using Expansion = ifs::PolygonDeformation::Expansion;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double safety = 2;         // errors are measured in the corners of a square only
-constexpr double smallest = 0x1p-40; // of the first square
+constexpr double safety = 2;               // errors are measured in a few places only
+constexpr double smallest = 0x1p-40;       // of the first square
+constexpr std::size_t mostKept = 1U << 15; // coordinates, of all squares
 
 // F″(a, b)
 Vector<2> second(const Expansion& e, const Vector<2>& a, const Vector<2>& b) {
@@ -44,18 +45,61 @@ Expansion movedBy(const Expansion& e, const Vector<2>& d) {
     return result;
 }
 
+double valueAt(const ifs::Jet& jet, const Vector<2>& d) {
+    const double xx = d.x() * d.x();
+    const double xy = d.x() * d.y();
+    const double yy = d.y() * d.y();
+    const double cubic = jet.xxx * (xx * d.x()) + 3 * (jet.xxy * (xx * d.y()) + jet.xyy * (yy * d.x())) +
+                         jet.yyy * (yy * d.y());
+    return jet.value + (jet.x * d.x() + jet.y * d.y()) + (0.5 * (jet.xx * xx + jet.yy * yy) + jet.xy * xy) +
+           cubic / 6;
+}
+
+// Where errors are measured: in the four corners of [−1, 1]², and in the middle of its edges.
+constexpr std::size_t corners = 4;
+Vector<2> onEdge(std::size_t place) {
+    constexpr std::array<std::array<int, 2>, 8> places{
+        {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+    return {places[place][0], places[place][1]};
+}
+
 } // namespace
 
-BendTable::BendTable(const ifs::PolygonDeformation& bend, const Vector<2>& centre, double halfSize,
-                     double tolerance)
-    : m_bend(bend), m_tolerance(tolerance) {
-    const auto corners = bend.from();
-    for (std::size_t j = 0; j < corners.size(); ++j) {
-        const Vector<2> before = corners[(j + corners.size() - 1) % corners.size()] - corners[j];
-        const Vector<2> after = corners[(j + 1) % corners.size()] - corners[j];
+void BendTable::follow(const ifs::PolygonDeformation& bend, const Vector<2>& centre, double halfSize,
+                       double tolerance) {
+    // The first square depends on the corners, so that it stays while the system is edited.
+    Vector<2> low = bend.from()[0];
+    Vector<2> high = low;
+    for (const Vector<2>& corner : bend.from()) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    const Vector<2> middle = (low + high) / 2;
+    const double reach = (centre - middle).cwiseAbs().maxCoeff() + halfSize;
+    double half = (high - low).maxCoeff() / 2;
+    while (half < reach)
+        half *= 2;
+    if (m_squares.empty() || m_squares[0].centre != middle || m_squares[0].half != half ||
+        m_kind != bend.coordinates() || !std::ranges::equal(m_rest, bend.from()) ||
+        m_expanded * m_rest.size() > mostKept)
+        restart(bend, middle, half);
+    m_bend = &bend;
+    m_tolerance = tolerance;
+    ++m_number;
+}
+
+void BendTable::restart(const ifs::PolygonDeformation& bend, const Vector<2>& centre, double half) {
+    m_kind = bend.coordinates();
+    m_rest.assign(bend.from().begin(), bend.from().end());
+    m_cornerSize.clear();
+    for (std::size_t j = 0; j < m_rest.size(); ++j) {
+        const Vector<2> before = m_rest[(j + m_rest.size() - 1) % m_rest.size()] - m_rest[j];
+        const Vector<2> after = m_rest[(j + 1) % m_rest.size()] - m_rest[j];
         m_cornerSize.push_back(std::min(before.cwiseAbs().maxCoeff(), after.cwiseAbs().maxCoeff()) / 2);
     }
-    m_squares.emplace_back(centre, halfSize);
+    m_squares.clear();
+    m_squares.emplace_back(centre, half);
+    m_expanded = 0;
 }
 
 // Coordinates vary over the distance from the corners, and near them over the length of the edges: what is
@@ -63,25 +107,56 @@ BendTable::BendTable(const ifs::PolygonDeformation& bend, const Vector<2>& centr
 double BendTable::featureSize(const Vector<2>& x) const {
     double size = infinity;
     for (std::size_t j = 0; j < m_cornerSize.size(); ++j)
-        size = std::min(size, (m_bend.from()[j] - x).cwiseAbs().maxCoeff() + m_cornerSize[j]);
+        size = std::min(size, (m_rest[j] - x).cwiseAbs().maxCoeff() + m_cornerSize[j]);
     return size;
 }
 
-void BendTable::measure(Square& square) const {
-    const auto expansion = m_bend.expansion(square.centre);
-    if (expansion) {
-        square.expansion = *expansion;
-    } else {
-        square.expansion.value = m_bend(square.centre);
-        square.expansion.linear = m_bend.fit().linear;
-    }
+// The coordinates around the centre of the square, whatever the bend.
+void BendTable::expand(Square& square) {
     square.feature = featureSize(square.centre);
-    square.error = expansion && square.half <= square.feature ? 0 : infinity;
-    for (int corner = 0; corner < 4 && square.error < infinity; ++corner) {
-        const Vector<2> offset = square.half * Vector<2>(corner % 2 == 0 ? -1 : 1, corner / 2 == 0 ? -1 : 1);
-        const Vector<2> miss = m_bend(square.centre + offset) - movedBy(square.expansion, offset).value;
+    auto jets = ifs::coordinateJets(m_kind, m_rest, square.centre);
+    if (!jets) return;
+    square.coordinates = std::move(*jets);
+    square.misses.resize(m_rest.size());
+    for (std::size_t place = 0; place < square.misses[0].size(); ++place) {
+        const Vector<2> offset = square.half * onEdge(place);
+        const auto there = ifs::generalizedCoordinates(m_kind, m_rest, square.centre + offset);
+        for (std::size_t j = 0; j < m_rest.size(); ++j)
+            square.misses[j][place] = there[j] - valueAt(square.coordinates[j], offset);
+    }
+    ++m_expanded;
+}
+
+void BendTable::measure(Square& square) {
+    if (square.feature < 0) expand(square);
+    square.bend = m_number;
+    square.error = infinity;
+    if (square.coordinates.empty()) {
+        square.expansion = {};
+        square.expansion.value = (*m_bend)(square.centre);
+        square.expansion.linear = m_bend->fit().linear;
+        return;
+    }
+    square.expansion = m_bend->expansion(square.centre, square.coordinates);
+    if (square.half > square.feature) return;
+    square.error = 0;
+    for (std::size_t place = 0; place < square.misses[0].size(); ++place) {
+        Vector<2> miss = Vector<2>::Zero();
+        for (std::size_t j = 0; j < m_rest.size(); ++j)
+            miss += square.misses[j][place] * m_bend->residuals()[j];
         square.error = std::max(square.error, safety * miss.cwiseAbs().maxCoeff());
     }
+}
+
+// What the expansion misses at most in a piece, as found in its corners.
+double BendTable::missIn(const Square& square, const Vector<2>& x, const ifs::Matrix<2>& spread) const {
+    double result = 0;
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+        const Vector<2> at = x + spread * onEdge(corner);
+        const Vector<2> miss = (*m_bend)(at)-movedBy(square.expansion, at - square.centre).value;
+        result = std::max(result, safety * miss.cwiseAbs().maxCoeff());
+    }
+    return result;
 }
 
 // What the expansion misses at most, in a piece that reaches `radius` beyond x, itself in the square. It is
@@ -97,7 +172,7 @@ double BendTable::error(const Square& square, double distance, double radius) {
 BendTable::Found BendTable::find(const Vector<2>& x, double radius) {
     std::size_t at = 0;
     while (true) {
-        if (m_squares[at].error < 0) measure(m_squares[at]);
+        if (m_squares[at].bend != m_number) measure(m_squares[at]);
         const double distance = (x - m_squares[at].centre).cwiseAbs().maxCoeff();
         const double missed = error(m_squares[at], distance, radius);
         const double half = m_squares[at].half / 2;
@@ -132,8 +207,12 @@ BendTable::Piece BendTable::piece(const Vector<2>& x, const ifs::Matrix<2>& spre
     result.aa = 0.5 * second(e, a, a);
     result.ab = second(e, a, b);
     result.bb = 0.5 * second(e, b, b);
-    result.miss = 0.25 * (aaa.cwiseAbs() + bbb.cwiseAbs()) + 0.5 * (aab.cwiseAbs() + abb.cwiseAbs()) +
-                  Vector<2>::Constant(found.miss);
+    result.miss = 0.25 * (aaa.cwiseAbs() + bbb.cwiseAbs()) + 0.5 * (aab.cwiseAbs() + abb.cwiseAbs());
+    // The estimate grows with the fourth power of a size. Where it alone is too much, a measurement is worth
+    // it.
+    const bool doubtful = found.miss > m_tolerance && found.miss < infinity;
+    const bool matters = result.miss.maxCoeff() < 2 * m_tolerance;
+    result.miss.array() += doubtful && matters ? std::min(found.miss, missIn(s, x, spread)) : found.miss;
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "ifs/generalized_coordinates.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,13 +11,15 @@
 namespace attractor {
 
 // A bend as small pieces of the plane see it. Third-order expansions over squares that are quartered where
-// pieces ask for more, so that a piece costs a few multiplications. The same bits on every machine.
+// pieces ask for more, so that a piece costs a few multiplications. What depends on the corners at rest alone
+// is kept from one bend to the next, and never changes a bit; the same bits on every machine.
 class BendTable {
 public:
-    // For pieces in the square centre ± halfSize; expansions are refined until they miss at most `tolerance`
-    // in displayed coordinates, or are small beside the piece. The bend must outlive the table.
-    BendTable(const ifs::PolygonDeformation& bend, const ifs::Vector<2>& centre, double halfSize,
-              double tolerance);
+    // From now on the pieces are those of this bend, which must outlive them, in the square
+    // centre ± halfSize. Expansions are refined until they miss at most `tolerance` in displayed coordinates,
+    // or are small beside the piece.
+    void follow(const ifs::PolygonDeformation& bend, const ifs::Vector<2>& centre, double halfSize,
+                double tolerance);
 
     // The image of the parallelogram {x + a·spread₁ + b·spread₂ : |a|, |b| ≤ 1}:
     // value + linear·(a, b) + aa·a² + ab·ab + bb·b², but for `miss` at most; infinite where nothing is known.
@@ -37,13 +40,19 @@ private:
         Square(const ifs::Vector<2>& c, double h) : centre(c), half(h) {}
         ifs::Vector<2> centre;
         double half;
-        double error = -1; // of the expansion, in the square; infinite where there is none; −1: not measured
-        double feature = 0;         // how far around it the bend is known to vary slowly
         std::uint32_t children = 0; // first of four; 0: not quartered
+        std::uint32_t bend = 0;     // the number of the one that has been measured
+        double error = 0;           // of its expansion, in the square; infinite where there is none
+        double feature = -1;        // how far around it coordinates vary slowly; −1: nothing is known yet
         ifs::PolygonDeformation::Expansion expansion;
+        std::vector<ifs::Jet> coordinates;         // in the centre; none where they have no derivatives
+        std::vector<std::array<double, 8>> misses; // of their expansion, around the square
     };
-    void measure(Square& square) const;
+    void restart(const ifs::PolygonDeformation& bend, const ifs::Vector<2>& centre, double half);
+    void expand(Square& square);
+    void measure(Square& square);
     double featureSize(const ifs::Vector<2>& x) const;
+    double missIn(const Square& square, const ifs::Vector<2>& x, const ifs::Matrix<2>& spread) const;
     static double error(const Square& square, double distance, double radius);
     struct Found {
         std::size_t square = 0;
@@ -51,10 +60,14 @@ private:
     };
     Found find(const ifs::Vector<2>& x, double radius);
 
-    const ifs::PolygonDeformation& m_bend;
-    double m_tolerance;
+    const ifs::PolygonDeformation* m_bend = nullptr;
+    std::uint32_t m_number = 0; // of the bend
+    double m_tolerance = 0;
+    ifs::Coordinates m_kind = ifs::Coordinates::MeanValue;
+    std::vector<ifs::Vector<2>> m_rest;
     std::vector<double> m_cornerSize; // half of the shorter edge at each corner
     std::vector<Square> m_squares;
+    std::size_t m_expanded = 0; // squares
 };
 
 } // namespace attractor

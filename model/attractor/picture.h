@@ -45,6 +45,7 @@ struct Picture {
 
     // Density
     std::optional<AddressCut> cut;
+    CutMemory cutMemory;
     SampleSet samples;
     std::uint64_t sampleSets = 0; // drawn so far
     std::vector<std::uint64_t> counts;

@@ -29,8 +29,9 @@ public:
         }
         m_outlined = std::pow(static_cast<double>(job.system.maps.size()), job.iterations) <= mostOutlined;
         if (const ifs::PolygonDeformation* bend = projection.cage.bend())
-            m_bend.emplace(*bend, (m_low + m_high) / 2, reach(),
-                           mostBendError * projection.cellsPerPixel / std::abs(projection.scale(0, 0)));
+            m_bend.emplace().follow(*bend, (m_low + m_high) / 2, reach(),
+                                    mostBendError * projection.cellsPerPixel /
+                                        std::abs(projection.scale(0, 0)));
     }
 
     bool paint(const std::stop_token& stop) {

@@ -45,36 +45,44 @@ std::array<Point<Number>, mostCorners> seenFrom(const Point<Number>& x, std::spa
     return s;
 }
 
+// Corners in turn; a division would take longer than all the rest.
+std::size_t after(std::size_t corner, std::size_t corners) {
+    return corner + 1 < corners ? corner + 1 : 0;
+}
+std::size_t before(std::size_t corner, std::size_t corners) {
+    return (corner > 0 ? corner : corners) - 1;
+}
+
 // w_j = C_j ∏_{k ≠ j−1, j} A_k with A_k the area at x over edge k: no division, so edges need no care.
 template <class Number>
 bool wachspressWeights(std::span<const Vector<2>> polygon, const Point<Number>& x, Weights<Number>& w) {
     const std::size_t n = polygon.size();
     const auto s = seenFrom(x, polygon);
-    Weights<Number> area, after; // after[k] = A_k ⋯ A_{n−1}
+    Weights<Number> area, behind; // behind[k] = A_k ⋯ A_{n−1}
     double largest = 0;
     for (std::size_t k = 0; k < n; ++k) {
-        area[k] = cross(s[k], s[(k + 1) % n]);
+        area[k] = cross(s[k], s[after(k, n)]);
         largest = std::max(largest, std::abs(valueOf(area[k])));
     }
     if (!(largest > 0)) return false;
     for (std::size_t k = 0; k < n; ++k)
         area[k] = area[k] * (1 / largest);
-    after[n - 1] = area[n - 1];
+    behind[n - 1] = area[n - 1];
     for (std::size_t k = n - 1; k-- > 0;)
-        after[k] = area[k] * after[k + 1];
+        behind[k] = area[k] * behind[k + 1];
     // Corner 0 leaves out the last edge and the first, corner j edges j − 1 and j.
-    Number before = 1;
+    Number ahead = 1;
     for (std::size_t k = 1; k + 1 < n; ++k)
-        before = before * area[k];
-    w[0] = before;
-    before = 1;
+        ahead = ahead * area[k];
+    w[0] = ahead;
+    ahead = 1;
     for (std::size_t j = 1; j < n; ++j) {
-        w[j] = j + 1 < n ? before * after[j + 1] : before;
-        before = before * area[j - 1];
+        w[j] = j + 1 < n ? ahead * behind[j + 1] : ahead;
+        ahead = ahead * area[j - 1];
     }
     for (std::size_t j = 0; j < n; ++j)
-        w[j] = w[j] *
-               (cross(polygon[j] - polygon[(j + n - 1) % n], polygon[(j + 1) % n] - polygon[j]) / largest);
+        w[j] =
+            w[j] * (cross(polygon[j] - polygon[before(j, n)], polygon[after(j, n)] - polygon[j]) / largest);
     return true;
 }
 
@@ -91,7 +99,7 @@ bool meanValueWeights(std::span<const Vector<2>> polygon, const Point<Number>& x
     }
     std::size_t widest = 0;
     for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t next = (k + 1) % n;
+        const std::size_t next = after(k, n);
         const Number area = cross(s[k], s[next]);
         const Number dot = s[k].x * s[next].x + s[k].y * s[next].y;
         const Number product = r[k] * r[next];
@@ -108,7 +116,7 @@ bool meanValueWeights(std::span<const Vector<2>> polygon, const Point<Number>& x
     for (std::size_t k = 0; k < n; ++k)
         numerator[k] = k == widest ? numerator[k] : numerator[k] / denominator[k] * common;
     for (std::size_t j = 0; j < n; ++j)
-        w[j] = (numerator[(j + n - 1) % n] + numerator[j]) / r[j];
+        w[j] = (numerator[before(j, n)] + numerator[j]) / r[j];
     return true;
 }
 
@@ -222,6 +230,24 @@ std::vector<double> generalizedCoordinates(Coordinates kind, std::span<const Vec
     return result;
 }
 
+std::optional<std::vector<Jet>> coordinateJets(Coordinates kind, std::span<const Vector<2>> polygon,
+                                               const Vector<2>& x) {
+    Weights<Jet> w;
+    Jet sum;
+    if (cornerAt(polygon, x, sizeOf(polygon)) ||
+        !weights<Jet>(kind, polygon, {Jet(x.x(), 1, 0), Jet(x.y(), 0, 1)}, w, sum))
+        return std::nullopt;
+    std::vector<Jet> result;
+    for (std::size_t j = 0; j < polygon.size(); ++j) {
+        result.push_back(w[j] / sum);
+        const Jet& c = result.back();
+        // Not a number, or infinite, when any of them is.
+        const double all = c.value + c.x + c.y + c.xx + c.xy + c.yy + c.xxx + c.xxy + c.xyy + c.yyy;
+        if (!std::isfinite(all)) return std::nullopt;
+    }
+    return result;
+}
+
 std::vector<double> meanValueCoordinates(std::span<const Vector<3>> vertices,
                                          std::span<const std::array<int, 3>> triangles, const Vector<3>& x) {
     constexpr double inPlane = 1e-14;
@@ -320,18 +346,18 @@ Vector<2> PolygonDeformation::operator()(const Vector<2>& x) const {
 }
 
 std::optional<PolygonDeformation::Expansion> PolygonDeformation::expansion(const Vector<2>& x) const {
-    Weights<Jet> w;
-    Jet sum;
-    if (cornerAt(m_from, x, m_size) ||
-        !weights<Jet>(m_kind, m_from, {Jet(x.x(), 1, 0), Jet(x.y(), 0, 1)}, w, sum))
-        return std::nullopt;
+    const auto coordinates = coordinateJets(m_kind, m_from, x);
+    if (!coordinates) return std::nullopt;
+    return expansion(x, *coordinates);
+}
+
+PolygonDeformation::Expansion PolygonDeformation::expansion(const Vector<2>& x,
+                                                            std::span<const Jet> coordinates) const {
     Jet shiftX, shiftY;
     for (std::size_t j = 0; j < m_from.size(); ++j) {
-        shiftX = shiftX + w[j] * m_residuals[j].x();
-        shiftY = shiftY + w[j] * m_residuals[j].y();
+        shiftX = shiftX + coordinates[j] * m_residuals[j].x();
+        shiftY = shiftY + coordinates[j] * m_residuals[j].y();
     }
-    shiftX = shiftX / sum;
-    shiftY = shiftY / sum;
     Expansion result;
     result.value = m_fit(x) + Vector<2>(shiftX.value, shiftY.value);
     result.linear = m_fit.linear;
@@ -343,10 +369,6 @@ std::optional<PolygonDeformation::Expansion> PolygonDeformation::expansion(const
                      Vector<2>(shiftX.yy, shiftY.yy)};
     result.third = {Vector<2>(shiftX.xxx, shiftY.xxx), Vector<2>(shiftX.xxy, shiftY.xxy),
                     Vector<2>(shiftX.xyy, shiftY.xyy), Vector<2>(shiftX.yyy, shiftY.yyy)};
-    const auto finite = [](const Vector<2>& v) { return v.allFinite(); };
-    if (!result.linear.allFinite() || !std::ranges::all_of(result.second, finite) ||
-        !std::ranges::all_of(result.third, finite))
-        return std::nullopt;
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/affine_map.h"
+#include "ifs/jet.h"
 
 #include <array>
 #include <optional>
@@ -29,6 +30,10 @@ enum class Coordinates {
 // coordinates (degenerate polygons, poles) the corners get equal shares.
 std::vector<double> generalizedCoordinates(Coordinates kind, std::span<const Vector<2>> polygon,
                                            const Vector<2>& x);
+
+// The same with their derivatives. nullopt in a corner, where mean value coordinates have none, and in poles.
+std::optional<std::vector<Jet>> coordinateJets(Coordinates kind, std::span<const Vector<2>> polygon,
+                                               const Vector<2>& x);
 
 // Mean value coordinates in space with respect to a closed surface of triangles whose corners run
 // counter-clockwise seen from outside.
@@ -58,18 +63,19 @@ public:
         std::array<Vector<2>, 4> third{Vector<2>::Zero(), Vector<2>::Zero(), Vector<2>::Zero(),
                                        Vector<2>::Zero()}; // xxx xxy xyy yyy
     };
-    // nullopt in a corner, where mean value coordinates have no derivatives, and in poles.
-    std::optional<Expansion> expansion(const Vector<2>& x) const;
+    std::optional<Expansion> expansion(const Vector<2>& x) const; // nullopt as for coordinateJets()
+    Expansion expansion(const Vector<2>& x, std::span<const Jet> coordinates) const;
 
     const AffineMap<2>& fit() const { return m_fit; }
     Coordinates coordinates() const { return m_kind; }
     std::span<const Vector<2>> from() const { return m_from; }
+    std::span<const Vector<2>> residuals() const { return m_residuals; } // v_j′ − fit(v_j)
 
 private:
     Coordinates m_kind;
     std::vector<Vector<2>> m_from;
     AffineMap<2> m_fit;
-    std::vector<Vector<2>> m_residuals; // v_j′ − fit(v_j)
+    std::vector<Vector<2>> m_residuals;
     double m_size = 0;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/banded_rendering.h"
+#include "attractor/bend_table.h"
 #include "attractor/kernels.h"
 #include "attractor/renderer.h"
 #include "attractor/systems.h"
@@ -269,6 +270,62 @@ private slots:
             }
             QVERIFY(selectSimd(best));
         }
+    }
+
+    // What is kept of a cage from one picture to the next shows in none of them.
+    void aDragShowsWhatEachPlacementShowsAlone() {
+        RenderRequest request = bentRequest(systems::maple(), 8, 0.1);
+        request.samples = 300'000;
+        Rendering drag(request);
+        for (const double amount : {0.1, 0.4, -0.2, 0.4}) {
+            request.cage = bentCage(request.system, 8, amount);
+            request.camera.pixelsPerUnit *= 1.3;
+            request.system.maps[0].map.translation.x() += 0.01; // the cage keeps its rest
+            drag.restart(request);
+            QVERIFY(drag.refine());
+            QVERIFY(drag.frame().pixels == render(request).pixels);
+        }
+        request.cage = bentCage(request.system, 5, 0.3); // another rest
+        drag.restart(request);
+        QVERIFY(drag.refine());
+        QVERIFY(drag.frame().pixels == render(request).pixels);
+    }
+
+    void piecesMissNoMoreThanTheySay() {
+        std::mt19937 random(8);
+        std::uniform_real_distribution<double> u(-1, 1);
+        const auto system = systems::maple();
+        const DrawableSystem d = drawable(system);
+        BendTable table;
+        int good = 0;
+        for (int n = 0; n < 40; ++n) {
+            ifs::ControlCage<2> cage = ifs::polygonAtRest<2>(around(system, 4 + n % 7, n % 2 == 0 ? 1 : 0.7));
+            for (Vector<2>& corner : cage.current)
+                corner += 0.3 * d.halfExtent.cwiseProduct(Vector<2>(u(random), u(random)));
+            const ifs::Placement placement(cage, ifs::Coordinates::MeanValue);
+            const double tolerance = 1e-3 * d.halfExtent.maxCoeff();
+            table.follow(*placement.bend(), d.centre, d.halfExtent.maxCoeff(), tolerance / 2);
+            for (int k = 0; k < 100; ++k) {
+                const Vector<2> x = d.centre + d.halfExtent.cwiseProduct(Vector<2>(u(random), u(random)));
+                const double size = std::pow(10, -1 + u(random)) * d.halfExtent.maxCoeff();
+                ifs::Matrix<2> spread;
+                spread << size * u(random), size * u(random), size * u(random), size * u(random);
+                const BendTable::Piece piece = table.piece(x, spread);
+                if (!(piece.miss.maxCoeff() <= tolerance)) continue;
+                ++good;
+                for (int i = 0; i < 81; ++i) {
+                    const double a = -1 + i % 9 / 4.0;
+                    const double b = -1 + i / 9 / 4.0;
+                    const Vector<2> expected = placement(x + spread * Vector<2>(a, b));
+                    const Vector<2> curved = piece.value + piece.linear * Vector<2>(a, b) +
+                                             piece.aa * (a * a) + piece.ab * (a * b) + piece.bb * (b * b);
+                    const Vector<2> affine = piece.middle() + piece.linear * Vector<2>(a, b);
+                    QVERIFY((curved - expected).cwiseAbs().maxCoeff() <= tolerance);
+                    QVERIFY(((affine - expected).cwiseAbs() - piece.curvature()).maxCoeff() <= tolerance);
+                }
+            }
+        }
+        QVERIFY2(good > 1000, qPrintable(QString::number(good)));
     }
 
     void bandsShowNoSeams() {
