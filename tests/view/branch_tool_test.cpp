@@ -205,7 +205,8 @@ private slots:
         click(pointOf({2, 1}));
         QCOMPARE(scene().branch(), (Word{2, 1}));
         const QPointF corner = at({Kind::Vertex, 0, 0});
-        drag(at({Kind::Inside, 0, 0}), {90, -40});
+        drag(at({Kind::Inside, 0, 0}) * 0.55 + at({Kind::Vertex, 2, 0}) * 0.45,
+             {90, -40}); // beside the pivot
         QCOMPARE(steps(), 1);
         QVERIFY(system() == *document::system2(before));
         QCOMPARE(scene().branch(), (Word{2, 1}));
