@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -26,6 +27,15 @@ void explain(QDialogButtonBox* box) {
             button->setWhatsThis(text);
 }
 
+// The toolkit's own buttons in a field say nothing of themselves.
+void explainPart(QToolButton* button, const QLineEdit& field) {
+    const QAction* action = button->defaultAction();
+    const bool clears = action && action->objectName().startsWith(u"_q_");
+    if (button->accessibleName().isEmpty())
+        button->setAccessibleName(clears ? WhatsThis::tr("Clear") : field.accessibleName());
+    if (button->whatsThis().isEmpty()) button->setWhatsThis(field.whatsThis());
+}
+
 } // namespace
 
 void explainByTips(QWidget* root) {
@@ -37,6 +47,9 @@ void explainByTips(QWidget* root) {
     for (auto* combo : root->findChildren<QComboBox*>()) // the list that pops up is a window of its own
         if (combo->view()->accessibleName().isEmpty())
             combo->view()->setAccessibleName(combo->accessibleName());
+    for (const auto* field : root->findChildren<QLineEdit*>())
+        for (auto* button : field->findChildren<QToolButton*>())
+            explainPart(button, *field);
     for (auto* widget : root->findChildren<QWidget*>()) {
         if (!widget->whatsThis().isEmpty()) continue;
         const auto* button = qobject_cast<QToolButton*>(widget);

@@ -2171,6 +2171,10 @@
         <source>Closes the dialog.</source>
         <translation>Schließt den Dialog.</translation>
     </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
@@ -4901,6 +4905,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Change colour of map %1</source>
         <translation>Farbe der Abbildung %1 ändern</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
     </message>
 </context>
 <context>

@@ -2171,6 +2171,10 @@
         <source>Closes the dialog.</source>
         <translation>Cierra el diálogo.</translation>
     </message>
+    <message>
+        <source>Clear</source>
+        <translation>Borrar</translation>
+    </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
@@ -4901,6 +4905,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Change colour of map %1</source>
         <translation>Cambiar el color de la aplicación %1</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activada</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivada</translation>
     </message>
 </context>
 <context>

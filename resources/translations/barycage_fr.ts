@@ -2171,6 +2171,10 @@
         <source>Closes the dialog.</source>
         <translation>Ferme le dialogue.</translation>
     </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
@@ -4901,6 +4905,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Change colour of map %1</source>
         <translation>Changer la couleur de l’application %1</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>active</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>inactive</translation>
     </message>
 </context>
 <context>

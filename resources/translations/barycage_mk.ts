@@ -2174,6 +2174,10 @@
         <source>Closes the dialog.</source>
         <translation>Го затвора дијалогот.</translation>
     </message>
+    <message>
+        <source>Clear</source>
+        <translation>Избриши</translation>
+    </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
@@ -4911,6 +4915,14 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
     <message>
         <source>Change colour of map %1</source>
         <translation>Промена на бојата на пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>вклучено</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>исклучено</translation>
     </message>
 </context>
 <context>

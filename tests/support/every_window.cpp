@@ -98,7 +98,6 @@ QList<QWidget*> EveryWindow::controls(const QWidget* window) {
                            qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) ||
                            qobject_cast<QComboBox*>(widget->parentWidget()) ||
                            widget->window()->inherits("QComboBoxPrivateContainer") ||
-                           QByteArray(widget->metaObject()->className()) == "QLineEditIconButton" ||
                            (widget->isWindow() && widget != window) || widget->window() != window;
         if (inner) continue;
         if (qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) ||

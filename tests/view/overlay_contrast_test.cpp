@@ -125,7 +125,7 @@ void OverlayContrastTest::onEveryPicture() {
         const QImage under = view::imageOf(*picture);
         const QImage over = painted(scene);
         for (std::size_t i = 0; i < places.size(); ++i) {
-            const double contrast = contrastAt(over, under, places[i], i < onEdges ? 4 : 12);
+            const double contrast = contrastAt(over, under, places[i], i < onEdges ? 6 : 12);
             QVERIFY2(contrast >= enough, qPrintable(QStringLiteral("%1 at %2, %3 on %4")
                                                         .arg(contrast)
                                                         .arg(places[i].x())

@@ -87,7 +87,11 @@ void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlaySt
     const QList<QLineF> lines = straightLines(path);
     const auto stroke = [&](const QColor& ink, double thickness, Qt::PenStyle dashes) {
         const bool fast = !lines.isEmpty() && dashes == Qt::SolidLine;
-        painter.setPen(QPen(ink, thickness, dashes, fast ? Qt::SquareCap : Qt::RoundCap, Qt::RoundJoin));
+        // Round ends would close the gaps, in which the line below is seen.
+        const Qt::PenCapStyle cap = fast                     ? Qt::SquareCap
+                                    : dashes == Qt::DashLine ? Qt::FlatCap
+                                                             : Qt::RoundCap;
+        painter.setPen(QPen(ink, thickness, dashes, cap, Qt::RoundJoin));
         if (fast)
             painter.drawLines(lines);
         else

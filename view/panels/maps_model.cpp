@@ -269,6 +269,7 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
         if (column == Colour)
             return tr("colour %1").arg(data(index, Qt::DecorationRole).value<QColor>().name());
+        if (column == Enabled) return map.enabled ? tr("on") : tr("off");
         return {};
     case Qt::TextAlignmentRole:
         return alignment(column);
