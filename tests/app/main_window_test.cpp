@@ -5,6 +5,7 @@
 #include "preferences.h"
 #include "recovery.h"
 #include "session.h"
+#include "support/own_settings.h"
 #include "support/paths.h"
 
 #include <QAbstractButton>
@@ -16,7 +17,6 @@
 #include <QListView>
 #include <QMessageBox>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
@@ -48,9 +48,7 @@ private:
 };
 
 void MainWindowTest::initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-    QCoreApplication::setApplicationName(QStringLiteral("BarycageTest"));
+    support::useOwnSettings();
     QApplication::setQuitOnLastWindowClosed(false);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/preferences_dialog.h"
+#include "support/own_settings.h"
 #include "theme.h"
 
 #include <QApplication>
@@ -11,7 +12,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QStyle>
 #include <QTest>
 
@@ -23,11 +23,7 @@ class PreferencesDialogTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-        QCoreApplication::setApplicationName(QStringLiteral("BarycagePreferencesTest"));
-    }
+    void initTestCase() { support::useOwnSettings(); }
     void init() { QSettings().clear(); }
     void cleanup() { view::wear(Preferences::Theme::Desktop); }
     void choicesAreStoredAndTold();
