@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "canvas/canvas_geometry.h"
-#include "canvas/canvas_scene.h"
-#include "canvas/canvas_view.h"
-#include "document/fractal.h"
 #include "ifs/branch.h"
 #include "ifs/weaving.h"
 #include "panels/branch_bar.h"
-#include "render_bridge.h"
+#include "view/canvas_fixture.h"
 
 #include <QComboBox>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
-#include <QTest>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -27,18 +22,11 @@ using view::CanvasView;
 using Kind = view::CanvasPart::Kind;
 
 // Addresses under the pointer, branches taken by hand, and maps that swing.
-class BranchToolTest : public QObject {
+class BranchToolTest : public CanvasFixture {
     Q_OBJECT
 
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<view::RenderBridge> m_bridge;
-    std::unique_ptr<CanvasView> m_canvas;
     std::unique_ptr<view::BranchBar> m_bar;
 
-    const view::CanvasScene& scene() const { return m_canvas->canvas(); }
-    int steps() const { return m_document->undoStack()->count(); }
-    const document::System2& system() const { return *document::system2(m_document->fractal()); }
-    QPointF at(const CanvasPart& part) const { return scene().positionOf(part); }
     QPointF pixel(const Vector<2>& code) const {
         return view::pixelOf(m_canvas->camera(), document::placement(m_document->fractal())(code));
     }
@@ -47,46 +35,22 @@ class BranchToolTest : public QObject {
         return pixel(*ifs::addressPoint<2>(ifs::mapsOf(system()), word, {0}));
     }
 
-    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons) {
-        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, {});
-        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
-    }
-    void press(const QPointF& p) { mouse(QEvent::MouseButtonPress, p, Qt::LeftButton, Qt::LeftButton); }
-    void move(const QPointF& p) { mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::LeftButton); }
-    void release(const QPointF& p) { mouse(QEvent::MouseButtonRelease, p, Qt::LeftButton, Qt::NoButton); }
-    void click(const QPointF& p) {
-        press(p);
-        release(p);
-    }
-    void drag(const QPointF& from, const QPointF& by) {
-        press(from);
-        move(from + by / 2);
-        move(from + by);
-        release(from + by);
-    }
-    view::PointerPosition hover(const QPointF& p) {
+    view::PointerPosition read(const QPointF& p) {
         QSignalSpy spy(m_canvas.get(), &CanvasView::pointerMoved);
-        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::NoButton);
+        hover(p);
         return spy.last().first().value<view::PointerPosition>();
     }
 
 private slots:
     void init() {
-        m_document = std::make_unique<Document>();
+        open({800, 600});
         // Pieces that do not touch, so that every point has one address.
         document::Fractal fractal = m_document->fractal();
         for (ifs::WeightedMap<2>& map : document::system2(fractal)->maps)
             map.map.linear *= 0.8;
         m_document->edit(QStringLiteral("test"), fractal);
         m_document->undoStack()->clear();
-        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
-        m_bridge->setQuality(100'000);
-        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
-        m_canvas->resize(800, 600);
-        m_canvas->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
         m_canvas->fit();
-        m_canvas->setFocus();
         m_canvas->setTool(CanvasView::Tool::Branch);
         m_bar = std::make_unique<view::BranchBar>(m_document.get(), m_canvas.get());
         m_bar->show();
@@ -94,23 +58,21 @@ private slots:
 
     void cleanup() {
         m_bar.reset();
-        m_canvas.reset();
-        m_bridge.reset();
-        m_document.reset();
+        close();
     }
 
     void thePointerReadsAddresses() {
         const Word word{2, 1, 0, 1};
-        const view::PointerPosition there = hover(pointOf(word));
+        const view::PointerPosition there = read(pointOf(word));
         QVERIFY(there.address.size() >= word.size());
         QVERIFY(std::equal(word.begin(), word.end(), there.address.begin()));
         QVERIFY(there.fixedPoint);
         QCOMPARE(there.fixedLength, std::size_t{2});
         const auto fixed = ifs::addressPoint<2>(ifs::mapsOf(system()), {}, {2, 1});
         QVERIFY((*there.fixedPoint - *fixed).norm() < 1e-12);
-        QVERIFY(hover({3, 3}).address.empty());
+        QVERIFY(read({3, 3}).address.empty());
         m_canvas->setTool(CanvasView::Tool::Cage); // whatever the tool
-        QVERIFY(!hover(pointOf(word)).address.empty());
+        QVERIFY(!read(pointOf(word)).address.empty());
     }
 
     void aClickSelectsTheBranchToItsDepth() {

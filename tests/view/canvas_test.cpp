@@ -1,39 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/cage_actions.h"
-#include "canvas/canvas_geometry.h"
-#include "canvas/canvas_scene.h"
-#include "canvas/canvas_view.h"
-#include "document/fractal.h"
-#include "render_bridge.h"
+#include "view/canvas_fixture.h"
 
 #include <QAccessible>
 #include <QMessageBox>
 #include <QPointingDevice>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
 #include <QWheelEvent>
 
 #include <cmath>
-#include <memory>
 
-using document::Document;
-using ifs::Vector;
-using view::CanvasPart;
-using view::CanvasView;
-using Kind = view::CanvasPart::Kind;
-
-class CanvasTest : public QObject {
+class CanvasTest : public CanvasFixture {
     Q_OBJECT
 
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<view::RenderBridge> m_bridge;
-    std::unique_ptr<CanvasView> m_canvas;
-
     const std::vector<Vector<2>>& vertices() const { return m_canvas->canvas().cage()->current; }
-    int steps() const { return m_document->undoStack()->count(); }
-    QPoint at(CanvasPart part) const { return m_canvas->canvas().positionOf(part).toPoint(); }
-    QPoint vertex(int index) const { return at({Kind::Vertex, index}); }
+    QPoint vertex(int index) const { return at({Kind::Vertex, index}).toPoint(); }
     QPoint empty() const { return {12, 12}; }
     QPoint inside() const {
         return ((m_canvas->canvas().positionOf({Kind::Vertex, 0}) * 2 +
@@ -41,52 +23,10 @@ class CanvasTest : public QObject {
                 5)
             .toPoint();
     }
-    Qt::CursorShape cursor() const { return m_canvas->viewport()->cursor().shape(); }
-
-    // Events with buttons and modifiers of our own: a drag is press, moves and release.
-    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons,
-               Qt::KeyboardModifiers modifiers = {}) {
-        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, modifiers);
-        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
-    }
-    void press(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
-               Qt::MouseButton button = Qt::LeftButton) {
-        mouse(QEvent::MouseButtonPress, p, button, button, modifiers);
-    }
-    void move(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
-              Qt::MouseButtons buttons = Qt::LeftButton) {
-        mouse(QEvent::MouseMove, p, Qt::NoButton, buttons, modifiers);
-    }
-    void release(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
-                 Qt::MouseButton button = Qt::LeftButton) {
-        mouse(QEvent::MouseButtonRelease, p, button, Qt::NoButton, modifiers);
-    }
-    void hover(const QPointF& p) { move(p, {}, Qt::NoButton); }
-    void drag(const QPointF& from, const QPointF& by, Qt::KeyboardModifiers modifiers = {}) {
-        press(from, modifiers);
-        for (const double part : {0.3, 0.7, 1.0})
-            move(from + by * part, modifiers);
-        release(from + by, modifiers);
-    }
-    void click(const QPoint& p) { QTest::mouseClick(m_canvas->viewport(), Qt::LeftButton, {}, p); }
 
 private slots:
-    void init() {
-        m_document = std::make_unique<Document>();
-        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
-        m_bridge->setQuality(1'000'000);
-        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
-        m_canvas->resize(640, 480);
-        m_canvas->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
-        m_canvas->setFocus();
-    }
-
-    void cleanup() {
-        m_canvas.reset();
-        m_bridge.reset();
-        m_document.reset();
-    }
+    void init() { open(); }
+    void cleanup() { close(); }
 
     void handOverAVertexAndCrossElsewhere() {
         hover(vertex(1));

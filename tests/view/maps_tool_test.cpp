@@ -1,71 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include "canvas/canvas_geometry.h"
-#include "canvas/canvas_scene.h"
-#include "canvas/canvas_view.h"
 #include "canvas/note_item.h"
-#include "document/fractal.h"
 #include "ifs/attractor_existence.h"
 #include "panels/maps_panel.h"
-#include "render_bridge.h"
+#include "view/canvas_fixture.h"
 
 #include <QSignalSpy>
-#include <QTest>
 
 #include <cmath>
-#include <memory>
-
-using document::Document;
-using ifs::Vector;
-using view::CanvasPart;
-using view::CanvasView;
-using Kind = view::CanvasPart::Kind;
 
 // The maps taken on the canvas by the images of the cage.
-class MapsToolTest : public QObject {
+class MapsToolTest : public CanvasFixture {
     Q_OBJECT
 
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<view::RenderBridge> m_bridge;
-    std::unique_ptr<CanvasView> m_canvas;
-
-    const view::CanvasScene& scene() const { return m_canvas->canvas(); }
-    int steps() const { return m_document->undoStack()->count(); }
-    const document::System2& system() const { return *document::system2(m_document->fractal()); }
     const ifs::AffineMap<2>& map(std::size_t place) const { return system().maps[place].map; }
-    QPointF at(const CanvasPart& part) const { return scene().positionOf(part); }
     QPointF corner(int map, int index) const { return at({Kind::Vertex, index, map}); }
     QPointF middle(int map) const { return at({Kind::Inside, 0, map}); }
     Vector<2> inPlane(const QPointF& pixels) const { return view::worldOffset(m_canvas->camera(), pixels); }
     ifs::Verdict verdict() const { return ifs::classify<2>(ifs::activeMaps(system()).maps).verdict; }
-    QString undoText() const { return m_document->undoStack()->undoText(); }
-
-    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons,
-               Qt::KeyboardModifiers modifiers) {
-        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, modifiers);
-        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
-    }
-    void press(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
-        mouse(QEvent::MouseButtonPress, p, Qt::LeftButton, Qt::LeftButton, modifiers);
-    }
-    void move(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
-        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::LeftButton, modifiers);
-    }
-    void release(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
-        mouse(QEvent::MouseButtonRelease, p, Qt::LeftButton, Qt::NoButton, modifiers);
-    }
-    void drag(const QPointF& from, const QPointF& by, Qt::KeyboardModifiers modifiers = {}) {
-        press(from, modifiers);
-        for (const double part : {0.3, 0.7, 1.0})
-            move(from + by * part, modifiers);
-        release(from + by, modifiers);
-    }
-    void click(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
-        press(p, modifiers);
-        release(p, modifiers);
-    }
     Qt::CursorShape cursorAt(const QPointF& p) {
-        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::NoButton, {});
-        return m_canvas->viewport()->cursor().shape();
+        hover(p);
+        return cursor();
     }
     QString prompt() const {
         for (const QGraphicsItem* item : scene().items())
@@ -77,22 +31,10 @@ class MapsToolTest : public QObject {
 
 private slots:
     void init() {
-        m_document = std::make_unique<Document>();
-        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
-        m_bridge->setQuality(1'000'000);
-        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
-        m_canvas->resize(640, 480);
-        m_canvas->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
-        m_canvas->setFocus();
+        open();
         m_canvas->setTool(CanvasView::Tool::Maps);
     }
-
-    void cleanup() {
-        m_canvas.reset();
-        m_bridge.reset();
-        m_document.reset();
-    }
+    void cleanup() { close(); }
 
     void handsOverTheCorners() {
         QCOMPARE(cursorAt(corner(1, 2)), Qt::OpenHandCursor);
