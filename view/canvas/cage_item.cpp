@@ -27,9 +27,7 @@ void CageItem::setPolygon(const QPolygonF& polygon) {
 }
 
 void CageItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {
-    m_hovered = hovered;
-    m_pressed = pressed;
-    m_focused = focused;
+    HandlesItem::setMarks(hovered, pressed, focused);
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const CanvasPart self{CanvasPart::Kind::Vertex, int(i)};
         HandleStates state;
@@ -38,14 +36,12 @@ void CageItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focus
         state.setFlag(HandleState::Focused, focused == self);
         m_handles[i]->setState(state);
     }
-    update();
 }
 
 void CageItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
+    HandlesItem::setStyle(style);
     for (const auto& handle : m_handles)
         handle->setStyle(style);
-    update();
 }
 
 void CageItem::setQuiet(bool quiet) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "canvas/canvas_part.h"
-#include "canvas/overlay_style.h"
+#include "canvas/overlay_item.h"
 
-#include <QGraphicsItem>
 #include <QPolygonF>
 
 #include <memory>
@@ -15,14 +13,14 @@ namespace view {
 class VertexHandle;
 
 // The control cage over the picture: its edges and one numbered handle at every vertex.
-class CageItem : public QGraphicsItem {
+class CageItem : public HandlesItem {
 public:
     CageItem();
     ~CageItem() override;
 
     void setPolygon(const QPolygonF& polygon); // pixels of the view
-    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused);
-    void setStyle(const OverlayStyle& style);
+    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) override;
+    void setStyle(const OverlayStyle& style) override;
     void setQuiet(bool quiet); // pale and without handles: something else is taken
 
     QRectF boundingRect() const override;
@@ -32,10 +30,6 @@ private:
     QPolygonF m_polygon;
     std::vector<std::unique_ptr<VertexHandle>> m_handles;
     bool m_quiet = false;
-    CanvasPart m_hovered;
-    CanvasPart m_pressed;
-    CanvasPart m_focused;
-    OverlayStyle m_style;
 };
 
 } // namespace view

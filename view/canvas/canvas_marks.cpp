@@ -18,11 +18,6 @@ void SnapMark::setSnap(const std::optional<Snapped>& snap, const QPointF& pixel)
     update();
 }
 
-void SnapMark::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 QRectF SnapMark::boundingRect() const {
     constexpr double extent = guide + 3;
     return {-extent, -extent, 2 * extent, 2 * extent};
@@ -53,11 +48,6 @@ void RubberItem::setPoints(const QPolygonF& clicked, const std::optional<QPointF
     prepareGeometryChange();
     m_clicked = clicked;
     m_pointer = pointer;
-    update();
-}
-
-void RubberItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
     update();
 }
 

@@ -59,7 +59,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
     setItemIndexMethod(QGraphicsScene::NoIndex);
     addItem(m_attractor.get());
     double level = 1;
-    for (QGraphicsItem* item : overlays()) {
+    for (OverlayItem* item : overlays()) {
         item->setZValue(level++);
         addItem(item);
     }
@@ -69,7 +69,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
 
 CanvasScene::~CanvasScene() = default;
 
-std::vector<QGraphicsItem*> CanvasScene::overlays() const {
+std::vector<OverlayItem*> CanvasScene::overlays() const {
     return {m_grid.get(),  m_analysisItem.get(), m_trailItem.get(), m_cageItem.get(), m_mapFrames.get(),
             m_gizmo.get(), m_rubber.get(),       m_snapMark.get(),  m_noteItem.get(), m_promptItem.get()};
 }
@@ -527,16 +527,8 @@ void CanvasScene::showTrail(const std::vector<ifs::Vector<2>>& points) {
 void CanvasScene::restyle() {
     const OverlayStyle style = overlayStyle(m_document->fractal().appearance.background, m_palette);
     m_attractor->setStyle(style);
-    m_grid->setStyle(style);
-    m_analysisItem->setStyle(style);
-    m_cageItem->setStyle(style);
-    m_mapFrames->setStyle(style);
-    m_gizmo->setStyle(style);
-    m_snapMark->setStyle(style);
-    m_rubber->setStyle(style);
-    m_trailItem->setStyle(style);
-    m_noteItem->setStyle(style);
-    m_promptItem->setStyle(style);
+    for (OverlayItem* item : overlays())
+        item->setStyle(style);
 }
 
 QString CanvasScene::note() const {
@@ -588,7 +580,7 @@ void CanvasScene::setCageVisible(bool visible) {
 }
 
 void CanvasScene::updateVisibility() {
-    for (QGraphicsItem* item : overlays())
+    for (OverlayItem* item : overlays())
         item->setVisible(m_overlaysVisible);
     const bool cage = m_overlaysVisible && m_cageVisible && m_cage;
     m_cageItem->setVisible(cage);

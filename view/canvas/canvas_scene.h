@@ -138,7 +138,7 @@ private:
     void restyle();
     void updateNote();
     void updateVisibility();
-    std::vector<QGraphicsItem*> overlays() const;
+    std::vector<OverlayItem*> overlays() const;
 
     document::Document* m_document;
     attractor::Camera m_camera;
