@@ -4,6 +4,7 @@
 #include "canvas/canvas_geometry.h"
 #include "canvas/canvas_scene.h"
 #include "canvas/canvas_view.h"
+#include "canvas/note_item.h"
 #include "document/fractal.h"
 #include "render_bridge.h"
 
@@ -47,6 +48,13 @@ protected:
     QString undoText() const { return m_document->undoStack()->undoText(); }
     const document::System2& system() const { return *document::system2(m_document->fractal()); }
     QPointF at(const CanvasPart& part) const { return scene().positionOf(part); }
+    QString stopNote() const {
+        for (const QGraphicsItem* item : scene().items())
+            if (const auto* note = dynamic_cast<const view::NoteItem*>(item);
+                note && note->text().startsWith(QStringLiteral("Stopped")))
+                return note->text();
+        return {};
+    }
     Qt::CursorShape cursor() const { return m_canvas->viewport()->cursor().shape(); }
 
     void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons,
@@ -72,6 +80,9 @@ protected:
         for (const double part : {0.3, 0.7, 1.0})
             move(from + by * part, modifiers);
         release(from + by, modifiers);
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(m_canvas.get(), key, modifiers);
     }
     void click(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
         press(p, modifiers);

@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
+
 namespace view {
 
 CageItem::CageItem() = default;
@@ -34,8 +36,14 @@ void CageItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focus
         state.setFlag(HandleState::Hovered, hovered == self);
         state.setFlag(HandleState::Pressed, pressed == self);
         state.setFlag(HandleState::Focused, focused == self);
+        state.setFlag(HandleState::Selected, std::ranges::find(m_selected, i) != m_selected.end());
         m_handles[i]->setState(state);
     }
+}
+
+void CageItem::setSelected(const std::vector<std::size_t>& vertices) {
+    m_selected = vertices;
+    setMarks(m_hovered, m_pressed, m_focused);
 }
 
 void CageItem::setStyle(const OverlayStyle& style) {

@@ -21,6 +21,7 @@ public:
     void setPolygon(const QPolygonF& polygon); // pixels of the view
     void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) override;
     void setStyle(const OverlayStyle& style) override;
+    void setSelected(const std::vector<std::size_t>& vertices);
     void setQuiet(bool quiet); // pale and without handles: something else is taken
 
     QRectF boundingRect() const override;
@@ -29,6 +30,7 @@ public:
 private:
     QPolygonF m_polygon;
     std::vector<std::unique_ptr<VertexHandle>> m_handles;
+    std::vector<std::size_t> m_selected;
     bool m_quiet = false;
 };
 

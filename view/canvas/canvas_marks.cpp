@@ -81,4 +81,24 @@ void RubberItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     }
 }
 
+void BandItem::setBand(const QRectF& band) {
+    prepareGeometryChange();
+    m_band = band;
+    update();
+}
+
+QRectF BandItem::boundingRect() const {
+    return m_band.adjusted(-2, -2, 2, 2);
+}
+
+void BandItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    if (m_band.isEmpty()) return;
+    QColor fill = m_style.accent;
+    fill.setAlphaF(0.12F);
+    painter->fillRect(m_band, fill);
+    QPainterPath outline;
+    outline.addRect(m_band);
+    strokeWithHalo(*painter, outline, m_style, m_style.accent, m_style.lineWidth - 0.5);
+}
+
 } // namespace view

@@ -36,4 +36,16 @@ private:
     std::optional<QPointF> m_pointer;
 };
 
+// The rectangle that selects what it encloses.
+class BandItem : public OverlayItem {
+public:
+    void setBand(const QRectF& band); // pixels of the view; empty: none
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    QRectF m_band;
+};
+
 } // namespace view

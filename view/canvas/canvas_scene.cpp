@@ -54,6 +54,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_snapMark(std::make_unique<SnapMark>()),
       m_trailItem(std::make_unique<TrailItem>()),
       m_rubber(std::make_unique<RubberItem>()),
+      m_band(std::make_unique<BandItem>()),
       m_noteItem(std::make_unique<NoteItem>(NoteItem::Place::Top)),
       m_promptItem(std::make_unique<NoteItem>(NoteItem::Place::Bottom)) {
     setItemIndexMethod(QGraphicsScene::NoIndex);
@@ -70,8 +71,9 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
 CanvasScene::~CanvasScene() = default;
 
 std::vector<OverlayItem*> CanvasScene::overlays() const {
-    return {m_grid.get(),  m_analysisItem.get(), m_trailItem.get(), m_cageItem.get(), m_mapFrames.get(),
-            m_gizmo.get(), m_rubber.get(),       m_snapMark.get(),  m_noteItem.get(), m_promptItem.get()};
+    return {m_grid.get(),      m_analysisItem.get(), m_trailItem.get(), m_cageItem.get(),
+            m_mapFrames.get(), m_gizmo.get(),        m_rubber.get(),    m_snapMark.get(),
+            m_band.get(),      m_noteItem.get(),     m_promptItem.get()};
 }
 
 void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRatio) {
@@ -108,6 +110,7 @@ void CanvasScene::follow(const document::Change& change) {
         m_pivot.reset();
         setFocused({});
         setSelectedMaps({});
+        setSelectedVertices({});
     }
     if (change.parts & (Change::System | Change::Appearance | Change::Current | Change::File)) {
         m_mapColours.clear();
@@ -118,10 +121,15 @@ void CanvasScene::follow(const document::Change& change) {
             }
     }
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
+        const std::size_t vertices = m_cage ? m_cage->current.size() : 0;
         m_cage = document::system2(fractal) ? std::optional(document::effectiveCage(fractal)) : std::nullopt;
         m_handles =
             m_cage ? std::optional<document::MapHandles>(std::in_place, fractal, *m_cage) : std::nullopt;
-        setSelectedMaps(m_selectedMaps); // those that are left
+        setSelectedMaps(m_selectedMaps);                         // those that are left
+        if (vertices != (m_cage ? m_cage->current.size() : 0)) { // others have the numbers now
+            setSelectedVertices({});
+            if (m_focused.map < 0) setFocused({});
+        }
         takeBranch();
         m_addresses.reset();
         if (m_focused.map >= childCount()) setFocused({});
@@ -355,6 +363,10 @@ void CanvasScene::showSnap(const std::optional<Snapped>& snap) {
     m_snapMark->setSnap(snap, snap ? pixelOf(m_camera, snap->point) : QPointF());
 }
 
+void CanvasScene::showBand(const QRectF& band) {
+    m_band->setBand(band);
+}
+
 void CanvasScene::showRubber(const std::vector<ifs::Vector<2>>& clicked,
                              const std::optional<ifs::Vector<2>>& pointer) {
     m_clicked = clicked;
@@ -474,6 +486,7 @@ void CanvasScene::setTaken(Taken taken) {
     m_pivot.reset();
     m_hovered = {};
     setFocused({});
+    setSelectedVertices({});
     m_cageItem->setQuiet(taken != Taken::Cage);
     place();
 }
@@ -507,6 +520,16 @@ bool CanvasScene::isSelected(int place) const {
     return place >= 0 && place < mapCount() &&
            std::ranges::find(m_selectedMaps, m_handles->maps()[std::size_t(place)].id) !=
                m_selectedMaps.end();
+}
+
+QRectF CanvasScene::frameBox(int place) const {
+    return m_mapFrames->frames().at(std::size_t(place)).outline.boundingRect();
+}
+
+void CanvasScene::setSelectedVertices(std::vector<std::size_t> vertices) {
+    std::ranges::sort(vertices);
+    m_selectedVertices = std::move(vertices);
+    m_cageItem->setSelected(m_selectedVertices);
 }
 
 void CanvasScene::mark() {

@@ -28,7 +28,8 @@ QRectF VertexHandle::boundingRect() const {
 void VertexHandle::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->setRenderHint(QPainter::Antialiasing);
     if (m_state.testFlag(HandleState::Focused)) strokeFocusRing(*painter, QPointF(), focusRadius, m_style);
-    const bool lit = m_state & (HandleStates(HandleState::Hovered) | HandleState::Pressed);
+    const bool lit =
+        m_state & (HandleStates(HandleState::Hovered) | HandleState::Pressed | HandleState::Selected);
     const double grown = m_state.testFlag(HandleState::Hovered) ? radius + 1 : radius;
     painter->setPen(Qt::NoPen);
     painter->setBrush(QColor(6, 9, 14, 170));

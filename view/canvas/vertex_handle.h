@@ -7,7 +7,7 @@
 
 namespace view {
 
-enum class HandleState { Hovered = 1, Pressed = 2, Focused = 4 };
+enum class HandleState { Hovered = 1, Pressed = 2, Focused = 4, Selected = 8 };
 Q_DECLARE_FLAGS(HandleStates, HandleState)
 Q_DECLARE_OPERATORS_FOR_FLAGS(HandleStates)
 
