@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "ifs/attractor_existence.h"
 #include "ifs/branch.h"
+#include "ifs/map_handles.h"
 #include "ifs/weaving.h"
 #include "panels/branch_bar.h"
 #include "view/canvas_fixture.h"
@@ -180,6 +182,50 @@ private slots:
         QVERIFY(system().maps[0] == code.maps[0]);
         m_document->undoStack()->undo();
         QVERIFY(m_document->fractal() == before);
+    }
+
+    // A shear that contracts only when it comes several times: turned, it does no more.
+    void weavingStopsWhereTheAttractorWouldBeLost() {
+        document::Fractal sheared = m_document->fractal();
+        document::System2 code;
+        ifs::append(code, ifs::affineMap(0.5, 2, 0, 0.5, 0, 0), 1);
+        ifs::append(code, ifs::affineMap(0.3, 0, 0, 0.3, 1, 0), 1);
+        sheared.system = code;
+        sheared.cage.reset();
+        m_document->edit(QStringLiteral("test"), sheared);
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        m_canvas->selectMaps({system().maps[0].id});
+        const auto verdict = [this] { return ifs::classify<2>(ifs::activeMaps(system()).maps).verdict; };
+        const Vector<2> root = *document::root(sheared);
+        const auto swung = [&](int degrees) {
+            return ifs::swung(code.maps[0].map, root, degrees * std::numbers::pi / 180);
+        };
+        QSlider* slider = m_bar->swing();
+        slider->setSliderDown(true);
+        slider->setValue(2);
+        QCOMPARE(slider->value(), 2);
+        QVERIFY(stopNote().isEmpty());
+        slider->setValue(60);
+        const int reached = slider->value();
+        QVERIFY(reached > 2 && reached < 8); // 7.5° is where the spectral radius comes to 1
+        QVERIFY((system().maps[0].map.linear - swung(reached).linear).norm() < 1e-12);
+        QVERIFY(ifs::hasAttractor(ifs::classify<2>(ifs::activeMaps(system()).maps)));
+        QVERIFY2(stopNote().contains(QStringLiteral("map 1")) &&
+                     stopNote().contains(QStringLiteral("largest singular value")),
+                 qPrintable(stopNote()));
+        slider->setValue(1); // and back
+        QVERIFY(stopNote().isEmpty());
+        slider->setValue(60);
+        slider->setSliderDown(false);
+        QVERIFY(stopNote().isEmpty());
+        QCOMPARE(steps(), 2);
+
+        m_canvas->setAllowsNoAttractor(true);
+        slider->setSliderDown(true);
+        slider->setValue(60);
+        QCOMPARE(slider->value(), 60);
+        QCOMPARE(verdict(), ifs::Verdict::None);
+        slider->setSliderDown(false);
     }
 };
 
