@@ -12,43 +12,44 @@ namespace view {
 
 namespace {
 
-struct Colours {
-    QRgb window, base, alternate, text, button, light, midlight, mid, dark, shadow, highlight, link, disabled;
+struct RoleColour {
+    QPalette::ColorGroup group;
+    QPalette::ColorRole role;
+    QRgb light, dark;
 };
 
-constexpr Colours lightColours{0xffefefef, 0xffffffff, 0xfff6f6f6, 0xff1c1c1c, 0xffefefef,
-                               0xffffffff, 0xffe4e4e4, 0xffb8b8b8, 0xff9f9f9f, 0xff767676,
-                               0xff2a6fb0, 0xff1d5fa8, 0xff8c8c8c};
-constexpr Colours darkColours{0xff333337, 0xff1d1d20, 0xff252528, 0xffe8e8e8, 0xff434348,
-                              0xff55555a, 0xff424247, 0xff242427, 0xff19191b, 0xff0e0e10,
-                              0xff2f7ac2, 0xff72b2f2, 0xff808084};
+constexpr RoleColour colours[] = {
+    {QPalette::All, QPalette::Window, 0xffefefef, 0xff333337},
+    {QPalette::All, QPalette::Base, 0xffffffff, 0xff1d1d20},
+    {QPalette::All, QPalette::AlternateBase, 0xfff6f6f6, 0xff252528},
+    {QPalette::All, QPalette::ToolTipBase, 0xffefefef, 0xff434348},
+    {QPalette::All, QPalette::Button, 0xffefefef, 0xff434348},
+    {QPalette::All, QPalette::Light, 0xffffffff, 0xff55555a},
+    {QPalette::All, QPalette::Midlight, 0xffe4e4e4, 0xff424247},
+    {QPalette::All, QPalette::Mid, 0xffb8b8b8, 0xff242427},
+    {QPalette::All, QPalette::Dark, 0xff9f9f9f, 0xff19191b},
+    {QPalette::All, QPalette::Shadow, 0xff767676, 0xff0e0e10},
+    {QPalette::All, QPalette::WindowText, 0xff1c1c1c, 0xffe8e8e8},
+    {QPalette::All, QPalette::Text, 0xff1c1c1c, 0xffe8e8e8},
+    {QPalette::All, QPalette::ButtonText, 0xff1c1c1c, 0xffe8e8e8},
+    {QPalette::All, QPalette::ToolTipText, 0xff1c1c1c, 0xffe8e8e8},
+    {QPalette::All, QPalette::BrightText, 0xffffffff, 0xffffffff},
+    {QPalette::All, QPalette::Highlight, 0xff2a6fb0, 0xff2f7ac2},
+    {QPalette::All, QPalette::HighlightedText, 0xffffffff, 0xffffffff},
+    {QPalette::All, QPalette::Link, 0xff1d5fa8, 0xff72b2f2},
+    {QPalette::All, QPalette::LinkVisited, 0xff1d5fa8, 0xff72b2f2},
+    {QPalette::Disabled, QPalette::WindowText, 0xff8c8c8c, 0xff808084},
+    {QPalette::Disabled, QPalette::Text, 0xff8c8c8c, 0xff808084},
+    {QPalette::Disabled, QPalette::ButtonText, 0xff8c8c8c, 0xff808084},
+    {QPalette::Disabled, QPalette::HighlightedText, 0xff8c8c8c, 0xff808084},
+    {QPalette::Disabled, QPalette::Highlight, 0xffb8b8b8, 0xff242427},
+};
 
-QPalette paletteOf(const Colours& colours) {
+QPalette paletteOf(Preferences::Theme theme) {
     QPalette palette;
-    for (const auto& [role, colour] : {std::pair{QPalette::Window, colours.window},
-                                       {QPalette::Base, colours.base},
-                                       {QPalette::AlternateBase, colours.alternate},
-                                       {QPalette::ToolTipBase, colours.button},
-                                       {QPalette::Button, colours.button},
-                                       {QPalette::Light, colours.light},
-                                       {QPalette::Midlight, colours.midlight},
-                                       {QPalette::Mid, colours.mid},
-                                       {QPalette::Dark, colours.dark},
-                                       {QPalette::Shadow, colours.shadow},
-                                       {QPalette::WindowText, colours.text},
-                                       {QPalette::Text, colours.text},
-                                       {QPalette::ButtonText, colours.text},
-                                       {QPalette::ToolTipText, colours.text},
-                                       {QPalette::BrightText, 0xffffffff},
-                                       {QPalette::Highlight, colours.highlight},
-                                       {QPalette::HighlightedText, 0xffffffff},
-                                       {QPalette::Link, colours.link},
-                                       {QPalette::LinkVisited, colours.link}})
-        palette.setColor(role, QColor::fromRgba(colour));
-    for (const QPalette::ColorRole role :
-         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
-        palette.setColor(QPalette::Disabled, role, QColor::fromRgba(colours.disabled));
-    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor::fromRgba(colours.mid));
+    for (const RoleColour& colour : colours)
+        palette.setColor(colour.group, colour.role,
+                         QColor::fromRgba(theme == Preferences::Theme::Dark ? colour.dark : colour.light));
     return palette;
 }
 
@@ -114,8 +115,7 @@ void wear(Preferences::Theme theme) {
         else
             QApplication::setStyle(style);
     }
-    QApplication::setPalette(own ? paletteOf(theme == Preferences::Theme::Dark ? darkColours : lightColours)
-                                 : QPalette());
+    QApplication::setPalette(own ? paletteOf(theme) : QPalette());
     completePalette();
 }
 

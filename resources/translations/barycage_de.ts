@@ -2834,6 +2834,14 @@
         <source>Unbake: take the placement out of the code</source>
         <translation>Die Lage aus dem Code herausrechnen</translation>
     </message>
+    <message>
+        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
+        <translation>Ohne diese Ecken würde sich der ruhende Käfig überkreuzen oder wäre flach.</translation>
+    </message>
+    <message>
+        <source>Delete %1 vertices</source>
+        <translation>%1 Ecken löschen</translation>
+    </message>
 </context>
 <context>
     <name>view::CagePanel</name>
@@ -3122,6 +3130,18 @@
     <message>
         <source>Move edge %1–%2</source>
         <translation>Kante %1–%2 bewegen</translation>
+    </message>
+    <message>
+        <source>Move %1 vertices</source>
+        <translation>%1 Ecken bewegen</translation>
+    </message>
+    <message>
+        <source>Select a vertex first.</source>
+        <translation>Erst eine Ecke wählen.</translation>
+    </message>
+    <message>
+        <source>Point at an edge, or select a vertex, to insert one.</source>
+        <translation>Zum Einfügen einer Ecke auf eine Kante zeigen oder eine Ecke wählen.</translation>
     </message>
 </context>
 <context>
@@ -3414,20 +3434,12 @@
         <translation>Eine Kopie dieser Abbildung daneben setzen</translation>
     </message>
     <message>
-        <source>Duplicate map %1</source>
-        <translation>Abbildung %1 duplizieren</translation>
-    </message>
-    <message>
         <source>&amp;Delete</source>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
         <source>Takes this map out of the system</source>
         <translation>Diese Abbildung aus dem System nehmen</translation>
-    </message>
-    <message>
-        <source>Delete map %1</source>
-        <translation>Abbildung %1 löschen</translation>
     </message>
 </context>
 <context>
@@ -5201,6 +5213,10 @@ Der Eintrag bleibt, wie er ist.</translation>
         <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
         <translation>Was auf dem Bildschirm flach ist, lässt sich nicht fassen. Öffnen Sie zuerst den Käfig oder die Abbildungen.</translation>
     </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Erst eine Abbildung wählen.</translation>
+    </message>
 </context>
 <context>
     <name>view::MutateDialog</name>
@@ -5646,10 +5662,6 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Was jede Taste und jede Bewegung der Maus tut.</translation>
     </message>
     <message>
-        <source>Select one more map, or one less</source>
-        <translation>Eine Abbildung mehr oder weniger wählen</translation>
-    </message>
-    <message>
         <source>Shift or Ctrl + click</source>
         <translation>Umschalt oder Strg + Klick</translation>
     </message>
@@ -5668,6 +5680,34 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>Shift + wheel, Page Down, Page Up</source>
         <translation>Umschalt + Rad, Bild ab, Bild auf</translation>
+    </message>
+    <message>
+        <source>Select the maps, or the vertices, in a rectangle</source>
+        <translation>Abbildungen oder Ecken in einem Rechteck wählen</translation>
+    </message>
+    <message>
+        <source>drag from the empty canvas; Shift adds</source>
+        <translation>von der leeren Fläche aus ziehen; Umschalt fügt hinzu</translation>
+    </message>
+    <message>
+        <source>Select one more map or vertex, or one less</source>
+        <translation>Eine Abbildung oder Ecke mehr oder weniger wählen</translation>
+    </message>
+    <message>
+        <source>Delete the selected vertices or maps</source>
+        <translation>Die gewählten Ecken oder Abbildungen löschen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Insert a vertex on an edge, duplicate the selected maps</source>
+        <translation>Eine Ecke auf einer Kante einfügen, die gewählten Abbildungen verdoppeln</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
     </message>
 </context>
 <context>

@@ -2834,6 +2834,14 @@
         <source>Unbake: take the placement out of the code</source>
         <translation>Extraer: sacar la colocación del código</translation>
     </message>
+    <message>
+        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
+        <translation>Sin estos vértices, la jaula en reposo se cruzaría a sí misma o quedaría aplastada.</translation>
+    </message>
+    <message>
+        <source>Delete %1 vertices</source>
+        <translation>Eliminar %1 vértices</translation>
+    </message>
 </context>
 <context>
     <name>view::CagePanel</name>
@@ -3122,6 +3130,18 @@
     <message>
         <source>Move edge %1–%2</source>
         <translation>Mover la arista %1–%2</translation>
+    </message>
+    <message>
+        <source>Move %1 vertices</source>
+        <translation>Mover %1 vértices</translation>
+    </message>
+    <message>
+        <source>Select a vertex first.</source>
+        <translation>Elija primero un vértice.</translation>
+    </message>
+    <message>
+        <source>Point at an edge, or select a vertex, to insert one.</source>
+        <translation>Para insertar un vértice, señale una arista o elija un vértice.</translation>
     </message>
 </context>
 <context>
@@ -3414,20 +3434,12 @@
         <translation>Pone una copia de esta aplicación al lado</translation>
     </message>
     <message>
-        <source>Duplicate map %1</source>
-        <translation>Duplicar la aplicación %1</translation>
-    </message>
-    <message>
         <source>&amp;Delete</source>
         <translation>&amp;Eliminar</translation>
     </message>
     <message>
         <source>Takes this map out of the system</source>
         <translation>Quita esta aplicación del sistema</translation>
-    </message>
-    <message>
-        <source>Delete map %1</source>
-        <translation>Eliminar la aplicación %1</translation>
     </message>
 </context>
 <context>
@@ -5201,6 +5213,10 @@ La entrada se conserva tal cual.</translation>
         <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
         <translation>Lo que es plano en la pantalla no se puede tomar. Abra primero la jaula o las aplicaciones.</translation>
     </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Elija primero una aplicación.</translation>
+    </message>
 </context>
 <context>
     <name>view::MutateDialog</name>
@@ -5646,10 +5662,6 @@ La entrada se conserva tal cual.</translation>
         <translation>Lo que hace cada tecla y cada movimiento del ratón.</translation>
     </message>
     <message>
-        <source>Select one more map, or one less</source>
-        <translation>Elegir una aplicación más o una menos</translation>
-    </message>
-    <message>
         <source>Shift or Ctrl + click</source>
         <translation>Mayús o Ctrl + clic</translation>
     </message>
@@ -5668,6 +5680,34 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>Shift + wheel, Page Down, Page Up</source>
         <translation>Mayús + rueda, Av Pág, Re Pág</translation>
+    </message>
+    <message>
+        <source>Select the maps, or the vertices, in a rectangle</source>
+        <translation>Elegir las aplicaciones, o los vértices, de un rectángulo</translation>
+    </message>
+    <message>
+        <source>drag from the empty canvas; Shift adds</source>
+        <translation>arrastrar desde el lienzo vacío; Mayús añade</translation>
+    </message>
+    <message>
+        <source>Select one more map or vertex, or one less</source>
+        <translation>Elegir una aplicación o un vértice más, o uno menos</translation>
+    </message>
+    <message>
+        <source>Delete the selected vertices or maps</source>
+        <translation>Eliminar los vértices o las aplicaciones elegidos</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>Insert a vertex on an edge, duplicate the selected maps</source>
+        <translation>Insertar un vértice en una arista, duplicar las aplicaciones elegidas</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Insert</translation>
     </message>
 </context>
 <context>

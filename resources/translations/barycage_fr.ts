@@ -2834,6 +2834,14 @@
         <source>Unbake: take the placement out of the code</source>
         <translation>Extraire le placement du code</translation>
     </message>
+    <message>
+        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
+        <translation>Sans ces sommets, la cage au repos serait croisée ou plate.</translation>
+    </message>
+    <message>
+        <source>Delete %1 vertices</source>
+        <translation>Supprimer %1 sommets</translation>
+    </message>
 </context>
 <context>
     <name>view::CagePanel</name>
@@ -3122,6 +3130,18 @@
     <message>
         <source>Move edge %1–%2</source>
         <translation>Déplacer l’arête %1–%2</translation>
+    </message>
+    <message>
+        <source>Move %1 vertices</source>
+        <translation>Déplacer %1 sommets</translation>
+    </message>
+    <message>
+        <source>Select a vertex first.</source>
+        <translation>Choisissez d’abord un sommet.</translation>
+    </message>
+    <message>
+        <source>Point at an edge, or select a vertex, to insert one.</source>
+        <translation>Pour insérer un sommet, pointez une arête ou choisissez un sommet.</translation>
     </message>
 </context>
 <context>
@@ -3414,20 +3434,12 @@
         <translation>Met une copie de cette application à côté</translation>
     </message>
     <message>
-        <source>Duplicate map %1</source>
-        <translation>Dupliquer l’application %1</translation>
-    </message>
-    <message>
         <source>&amp;Delete</source>
         <translation>&amp;Supprimer</translation>
     </message>
     <message>
         <source>Takes this map out of the system</source>
         <translation>Retire cette application du système</translation>
-    </message>
-    <message>
-        <source>Delete map %1</source>
-        <translation>Supprimer l’application %1</translation>
     </message>
 </context>
 <context>
@@ -5201,6 +5213,10 @@ L’entrée est conservée telle quelle.</translation>
         <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
         <translation>Ce qui est plat à l’écran ne peut pas être saisi. Ouvrez d’abord la cage ou les applications.</translation>
     </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Choisissez d’abord une application.</translation>
+    </message>
 </context>
 <context>
     <name>view::MutateDialog</name>
@@ -5646,10 +5662,6 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Ce que fait chaque touche et chaque mouvement de la souris.</translation>
     </message>
     <message>
-        <source>Select one more map, or one less</source>
-        <translation>Choisir une application de plus ou de moins</translation>
-    </message>
-    <message>
         <source>Shift or Ctrl + click</source>
         <translation>Maj ou Ctrl + clic</translation>
     </message>
@@ -5668,6 +5680,34 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>Shift + wheel, Page Down, Page Up</source>
         <translation>Maj + molette, Page suivante, Page précédente</translation>
+    </message>
+    <message>
+        <source>Select the maps, or the vertices, in a rectangle</source>
+        <translation>Choisir les applications, ou les sommets, dans un rectangle</translation>
+    </message>
+    <message>
+        <source>drag from the empty canvas; Shift adds</source>
+        <translation>faire glisser depuis le canevas vide&#x202f;; Maj ajoute</translation>
+    </message>
+    <message>
+        <source>Select one more map or vertex, or one less</source>
+        <translation>Choisir une application ou un sommet de plus ou de moins</translation>
+    </message>
+    <message>
+        <source>Delete the selected vertices or maps</source>
+        <translation>Supprimer les sommets ou les applications choisis</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Insert a vertex on an edge, duplicate the selected maps</source>
+        <translation>Insérer un sommet sur une arête, dupliquer les applications choisies</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Inser</translation>
     </message>
 </context>
 <context>

@@ -2837,6 +2837,14 @@
         <source>Unbake: take the placement out of the code</source>
         <translation>Вадење на поставеноста од кодот</translation>
     </message>
+    <message>
+        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
+        <translation>Без овие темиња кафезот во мирување би се вкрстувал сам со себе или би бил сплескан.</translation>
+    </message>
+    <message>
+        <source>Delete %1 vertices</source>
+        <translation>Бришење на %1 темиња</translation>
+    </message>
 </context>
 <context>
     <name>view::CagePanel</name>
@@ -3126,6 +3134,18 @@
     <message>
         <source>Move edge %1–%2</source>
         <translation>Поместување на страната %1–%2</translation>
+    </message>
+    <message>
+        <source>Move %1 vertices</source>
+        <translation>Поместување на %1 темиња</translation>
+    </message>
+    <message>
+        <source>Select a vertex first.</source>
+        <translation>Прво избери теме.</translation>
+    </message>
+    <message>
+        <source>Point at an edge, or select a vertex, to insert one.</source>
+        <translation>За да вметнеш теме, покажи на страна или избери теме.</translation>
     </message>
 </context>
 <context>
@@ -3418,20 +3438,12 @@
         <translation>Става копија на ова пресликување до него</translation>
     </message>
     <message>
-        <source>Duplicate map %1</source>
-        <translation>Удвои го пресликувањето %1</translation>
-    </message>
-    <message>
         <source>&amp;Delete</source>
         <translation>&amp;Избриши</translation>
     </message>
     <message>
         <source>Takes this map out of the system</source>
         <translation>Го вади ова пресликување од системот</translation>
-    </message>
-    <message>
-        <source>Delete map %1</source>
-        <translation>Избриши го пресликувањето %1</translation>
     </message>
 </context>
 <context>
@@ -5211,6 +5223,10 @@ The entry is kept as it is.</source>
         <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
         <translation>Она што е рамно на екранот не може да се фати. Прво отворете го кафезот или пресликувањата.</translation>
     </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Прво избери пресликување.</translation>
+    </message>
 </context>
 <context>
     <name>view::MutateDialog</name>
@@ -5657,10 +5673,6 @@ The entry is kept as it is.</source>
         <translation>Што прави секое копче и секое движење на глувчето.</translation>
     </message>
     <message>
-        <source>Select one more map, or one less</source>
-        <translation>Избери едно пресликување повеќе или помалку</translation>
-    </message>
-    <message>
         <source>Shift or Ctrl + click</source>
         <translation>Shift или Ctrl + клик</translation>
     </message>
@@ -5679,6 +5691,34 @@ The entry is kept as it is.</source>
     <message>
         <source>Shift + wheel, Page Down, Page Up</source>
         <translation>Shift + тркалце, Page Down, Page Up</translation>
+    </message>
+    <message>
+        <source>Select the maps, or the vertices, in a rectangle</source>
+        <translation>Избери ги пресликувањата, или темињата, во правоаголник</translation>
+    </message>
+    <message>
+        <source>drag from the empty canvas; Shift adds</source>
+        <translation>влечење од празното платно; Shift додава</translation>
+    </message>
+    <message>
+        <source>Select one more map or vertex, or one less</source>
+        <translation>Избери едно пресликување или теме повеќе или помалку</translation>
+    </message>
+    <message>
+        <source>Delete the selected vertices or maps</source>
+        <translation>Избриши ги избраните темиња или пресликувања</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Insert a vertex on an edge, duplicate the selected maps</source>
+        <translation>Вметни теме на страна, удвој ги избраните пресликувања</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Ins</translation>
     </message>
 </context>
 <context>

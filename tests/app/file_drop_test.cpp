@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
+#include "support/own_settings.h"
 #include "support/paths.h"
 
 #include <QAbstractScrollArea>
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QMimeData>
-#include <QStandardPaths>
 #include <QTest>
 #include <QUrl>
 
@@ -40,9 +40,7 @@ void drop(QWidget* target, const QString& path) {
 } // namespace
 
 void FileDropTest::initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-    QCoreApplication::setApplicationName(QStringLiteral("BarycageTest"));
+    support::useOwnSettings();
 }
 
 void FileDropTest::aDroppedFileIsOpened_data() {

@@ -9,12 +9,12 @@
 #include "panels/maps_model.h"
 #include "panels/number_field.h"
 #include "panels/number_text.h"
+#include "support/own_settings.h"
 #include "support/paths.h"
 
 #include <QFile>
 #include <QLocale>
 #include <QProcess>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
@@ -109,9 +109,7 @@ void LocaleTest::makeLocales() const {
 
 void LocaleTest::initTestCase() {
     makeLocales();
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-    QCoreApplication::setApplicationName(QStringLiteral("BarycageLocaleTest"));
+    support::useOwnSettings();
     for (const char* name : {"shapes.ifs", "dos.ifs", "utf8_bom.ifs"})
         m_files << support::testData(QString::fromLatin1(name));
     m_files << support::sourcePath(QStringLiteral("ifs_library/paper.ifs"));

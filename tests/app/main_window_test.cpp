@@ -5,6 +5,7 @@
 #include "preferences.h"
 #include "recovery.h"
 #include "session.h"
+#include "support/own_settings.h"
 #include "support/paths.h"
 
 #include <QAbstractButton>
@@ -20,7 +21,6 @@
 #include <QMessageBox>
 #include <QScreen>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
@@ -57,9 +57,7 @@ private:
 };
 
 void MainWindowTest::initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-    QCoreApplication::setApplicationName(QStringLiteral("BarycageTest"));
+    support::useOwnSettings();
     QApplication::setQuitOnLastWindowClosed(false);
 }
 

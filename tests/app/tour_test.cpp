@@ -1,42 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "tour.h"
 
-#include "main_window.h"
+#include "app/window_fixture.h"
 
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTest>
 #include <QToolBar>
 #include <QUndoStack>
 
-#include <memory>
-
 // The tour shows its six steps where things are, locks nothing, and leaves the window as it found it.
-class TourTest : public QObject {
+class TourTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-        QCoreApplication::setApplicationName(QStringLiteral("BarycageTourTest"));
-        QApplication::setQuitOnLastWindowClosed(false);
-    }
-    void init() {
-        QSettings().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
-        m_window->resize(1280, 800);
-        m_window->openFirstPicture();
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    }
-    void cleanup() { m_window.reset(); }
-
     void sixStepsPointAtWhatTheySpeakOf();
     void theBarIsPutAway();
     void theOfferIsMadeOnce();
@@ -53,8 +33,6 @@ private:
         QCoreApplication::processEvents();
         QCoreApplication::processEvents();
     }
-
-    std::unique_ptr<MainWindow> m_window;
 };
 
 void TourTest::sixStepsPointAtWhatTheySpeakOf() {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "welcome.h"
 
+#include "app/window_fixture.h"
+
 #include "canvas/canvas_view.h"
-#include "main_window.h"
 #include "recent_files.h"
 
 #include <QApplication>
@@ -11,35 +12,16 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
-#include <memory>
 
 // A window that opened nothing offers what was open before, and steps aside at the first thing done.
-class WelcomeTest : public QObject {
+class WelcomeTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-        QCoreApplication::setApplicationName(QStringLiteral("BarycageWelcomeTest"));
-        QApplication::setQuitOnLastWindowClosed(false);
-    }
-    void init() {
-        QSettings().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->setAttribute(Qt::WA_DeleteOnClose, false);
-        m_window->resize(1280, 800);
-        m_window->openFirstPicture();
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    }
-    void cleanup() { m_window.reset(); }
-
     void nothingIsOfferedBeforeTheFirstFile() {
         Welcome::offer(m_window.get());
         QVERIFY(!card());
@@ -110,7 +92,6 @@ private:
     }
 
     QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 QTEST_MAIN(WelcomeTest)

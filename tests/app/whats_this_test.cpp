@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/every_window.h"
+#include "support/own_settings.h"
 
 #include <QAccessible>
 #include <QAction>
@@ -8,8 +9,6 @@
 #include <QMenu>
 #include <QRegularExpression>
 #include <QSet>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTest>
 #include <QTranslator>
 
@@ -37,11 +36,8 @@ class WhatsThisTest : public QObject {
 
 private slots:
     void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-        QCoreApplication::setApplicationName(QStringLiteral("BarycageWhatsThisTest"));
+        support::useOwnSettings();
         QApplication::setQuitOnLastWindowClosed(false);
-        QSettings().clear();
     }
     void everyDialogIsLookedAt();
     void everythingExplainsItself();

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "canvas/canvas_geometry.h"
-#include "canvas/canvas_scene.h"
-#include "canvas/canvas_view.h"
-#include "document/fractal.h"
+#include "ifs/attractor_existence.h"
 #include "ifs/branch.h"
+#include "ifs/map_handles.h"
 #include "ifs/weaving.h"
 #include "panels/branch_bar.h"
-#include "render_bridge.h"
+#include "view/canvas_fixture.h"
 
 #include <QComboBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
-#include <QTest>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -28,18 +25,11 @@ using view::CanvasView;
 using Kind = view::CanvasPart::Kind;
 
 // Addresses under the pointer, branches taken by hand, and maps that swing.
-class BranchToolTest : public QObject {
+class BranchToolTest : public CanvasFixture {
     Q_OBJECT
 
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<view::RenderBridge> m_bridge;
-    std::unique_ptr<CanvasView> m_canvas;
     std::unique_ptr<view::BranchBar> m_bar;
 
-    const view::CanvasScene& scene() const { return m_canvas->canvas(); }
-    int steps() const { return m_document->undoStack()->count(); }
-    const document::System2& system() const { return *document::system2(m_document->fractal()); }
-    QPointF at(const CanvasPart& part) const { return scene().positionOf(part); }
     QPointF pixel(const Vector<2>& code) const {
         return view::pixelOf(m_canvas->camera(), document::placement(m_document->fractal())(code));
     }
@@ -48,46 +38,22 @@ class BranchToolTest : public QObject {
         return pixel(*ifs::addressPoint<2>(ifs::mapsOf(system()), word, {0}));
     }
 
-    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons) {
-        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, {});
-        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
-    }
-    void press(const QPointF& p) { mouse(QEvent::MouseButtonPress, p, Qt::LeftButton, Qt::LeftButton); }
-    void move(const QPointF& p) { mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::LeftButton); }
-    void release(const QPointF& p) { mouse(QEvent::MouseButtonRelease, p, Qt::LeftButton, Qt::NoButton); }
-    void click(const QPointF& p) {
-        press(p);
-        release(p);
-    }
-    void drag(const QPointF& from, const QPointF& by) {
-        press(from);
-        move(from + by / 2);
-        move(from + by);
-        release(from + by);
-    }
-    view::PointerPosition hover(const QPointF& p) {
+    view::PointerPosition read(const QPointF& p) {
         QSignalSpy spy(m_canvas.get(), &CanvasView::pointerMoved);
-        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::NoButton);
+        hover(p);
         return spy.last().first().value<view::PointerPosition>();
     }
 
 private slots:
     void init() {
-        m_document = std::make_unique<Document>();
+        open({800, 600});
         // Pieces that do not touch, so that every point has one address.
         document::Fractal fractal = m_document->fractal();
         for (ifs::WeightedMap<2>& map : document::system2(fractal)->maps)
             map.map.linear *= 0.8;
         m_document->edit(QStringLiteral("test"), fractal);
         m_document->undoStack()->clear();
-        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
-        m_bridge->setQuality(100'000);
-        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
-        m_canvas->resize(800, 600);
-        m_canvas->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
         m_canvas->fit();
-        m_canvas->setFocus();
         m_canvas->setTool(CanvasView::Tool::Branch);
         m_bar = std::make_unique<view::BranchBar>(m_document.get(), m_canvas.get());
         m_bar->show();
@@ -95,23 +61,21 @@ private slots:
 
     void cleanup() {
         m_bar.reset();
-        m_canvas.reset();
-        m_bridge.reset();
-        m_document.reset();
+        close();
     }
 
     void thePointerReadsAddresses() {
         const Word word{2, 1, 0, 1};
-        const view::PointerPosition there = hover(pointOf(word));
+        const view::PointerPosition there = read(pointOf(word));
         QVERIFY(there.address.size() >= word.size());
         QVERIFY(std::equal(word.begin(), word.end(), there.address.begin()));
         QVERIFY(there.fixedPoint);
         QCOMPARE(there.fixedLength, std::size_t{2});
         const auto fixed = ifs::addressPoint<2>(ifs::mapsOf(system()), {}, {2, 1});
         QVERIFY((*there.fixedPoint - *fixed).norm() < 1e-12);
-        QVERIFY(hover({3, 3}).address.empty());
+        QVERIFY(read({3, 3}).address.empty());
         m_canvas->setTool(CanvasView::Tool::Cage); // whatever the tool
-        QVERIFY(!hover(pointOf(word)).address.empty());
+        QVERIFY(!read(pointOf(word)).address.empty());
     }
 
     void aClickSelectsTheBranchToItsDepth() {
@@ -251,6 +215,50 @@ private slots:
         QVERIFY(system().maps[0] == code.maps[0]);
         m_document->undoStack()->undo();
         QVERIFY(m_document->fractal() == before);
+    }
+
+    // A shear that contracts only when it comes several times: turned, it does no more.
+    void weavingStopsWhereTheAttractorWouldBeLost() {
+        document::Fractal sheared = m_document->fractal();
+        document::System2 code;
+        ifs::append(code, ifs::affineMap(0.5, 2, 0, 0.5, 0, 0), 1);
+        ifs::append(code, ifs::affineMap(0.3, 0, 0, 0.3, 1, 0), 1);
+        sheared.system = code;
+        sheared.cage.reset();
+        m_document->edit(QStringLiteral("test"), sheared);
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        m_canvas->selectMaps({system().maps[0].id});
+        const auto verdict = [this] { return ifs::classify<2>(ifs::activeMaps(system()).maps).verdict; };
+        const Vector<2> root = *document::root(sheared);
+        const auto swung = [&](int degrees) {
+            return ifs::swung(code.maps[0].map, root, degrees * std::numbers::pi / 180);
+        };
+        QSlider* slider = m_bar->swing();
+        slider->setSliderDown(true);
+        slider->setValue(2);
+        QCOMPARE(slider->value(), 2);
+        QVERIFY(stopNote().isEmpty());
+        slider->setValue(60);
+        const int reached = slider->value();
+        QVERIFY(reached > 2 && reached < 8); // 7.5° is where the spectral radius comes to 1
+        QVERIFY((system().maps[0].map.linear - swung(reached).linear).norm() < 1e-12);
+        QVERIFY(ifs::hasAttractor(ifs::classify<2>(ifs::activeMaps(system()).maps)));
+        QVERIFY2(stopNote().contains(QStringLiteral("map 1")) &&
+                     stopNote().contains(QStringLiteral("largest singular value")),
+                 qPrintable(stopNote()));
+        slider->setValue(1); // and back
+        QVERIFY(stopNote().isEmpty());
+        slider->setValue(60);
+        slider->setSliderDown(false);
+        QVERIFY(stopNote().isEmpty());
+        QCOMPARE(steps(), 2);
+
+        m_canvas->setAllowsNoAttractor(true);
+        slider->setSliderDown(true);
+        slider->setValue(60);
+        QCOMPARE(slider->value(), 60);
+        QCOMPARE(verdict(), ifs::Verdict::None);
+        slider->setSliderDown(false);
     }
 };
 

@@ -1,39 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/cage_actions.h"
-#include "canvas/canvas_geometry.h"
-#include "canvas/canvas_scene.h"
-#include "canvas/canvas_view.h"
-#include "document/fractal.h"
-#include "render_bridge.h"
+#include "view/canvas_fixture.h"
 
 #include <QAccessible>
 #include <QMessageBox>
 #include <QPointingDevice>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
 
-using document::Document;
-using ifs::Vector;
-using view::CanvasPart;
-using view::CanvasView;
-using Kind = view::CanvasPart::Kind;
-
-class CanvasTest : public QObject {
+class CanvasTest : public CanvasFixture {
     Q_OBJECT
 
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<view::RenderBridge> m_bridge;
-    std::unique_ptr<CanvasView> m_canvas;
-
     const std::vector<Vector<2>>& vertices() const { return m_canvas->canvas().cage()->current; }
-    int steps() const { return m_document->undoStack()->count(); }
-    QPoint at(CanvasPart part) const { return m_canvas->canvas().positionOf(part).toPoint(); }
-    QPoint vertex(int index) const { return at({Kind::Vertex, index}); }
+    QPoint vertex(int index) const { return at({Kind::Vertex, index}).toPoint(); }
     QPoint empty() const { return {12, 12}; }
     QPoint inside() const {
         return ((m_canvas->canvas().positionOf({Kind::Vertex, 0}) * 2 +
@@ -41,52 +24,10 @@ class CanvasTest : public QObject {
                 5)
             .toPoint();
     }
-    Qt::CursorShape cursor() const { return m_canvas->viewport()->cursor().shape(); }
-
-    // Events with buttons and modifiers of our own: a drag is press, moves and release.
-    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons,
-               Qt::KeyboardModifiers modifiers = {}) {
-        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, modifiers);
-        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
-    }
-    void press(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
-               Qt::MouseButton button = Qt::LeftButton) {
-        mouse(QEvent::MouseButtonPress, p, button, button, modifiers);
-    }
-    void move(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
-              Qt::MouseButtons buttons = Qt::LeftButton) {
-        mouse(QEvent::MouseMove, p, Qt::NoButton, buttons, modifiers);
-    }
-    void release(const QPointF& p, Qt::KeyboardModifiers modifiers = {},
-                 Qt::MouseButton button = Qt::LeftButton) {
-        mouse(QEvent::MouseButtonRelease, p, button, Qt::NoButton, modifiers);
-    }
-    void hover(const QPointF& p) { move(p, {}, Qt::NoButton); }
-    void drag(const QPointF& from, const QPointF& by, Qt::KeyboardModifiers modifiers = {}) {
-        press(from, modifiers);
-        for (const double part : {0.3, 0.7, 1.0})
-            move(from + by * part, modifiers);
-        release(from + by, modifiers);
-    }
-    void click(const QPoint& p) { QTest::mouseClick(m_canvas->viewport(), Qt::LeftButton, {}, p); }
 
 private slots:
-    void init() {
-        m_document = std::make_unique<Document>();
-        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
-        m_bridge->setQuality(1'000'000);
-        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
-        m_canvas->resize(640, 480);
-        m_canvas->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
-        m_canvas->setFocus();
-    }
-
-    void cleanup() {
-        m_canvas.reset();
-        m_bridge.reset();
-        m_document.reset();
-    }
+    void init() { open(); }
+    void cleanup() { close(); }
 
     void handOverAVertexAndCrossElsewhere() {
         hover(vertex(1));
@@ -263,7 +204,7 @@ private slots:
     }
 
     void thePivotCanBePutElsewhere() {
-        const QPoint start = at({Kind::Pivot, 0});
+        const QPoint start = at({Kind::Pivot, 0}).toPoint();
         drag(start, vertex(0) - start + QPoint(3, 3)); // near vertex 1, so on it
         QCOMPARE(m_canvas->canvas().pivot(), vertices()[0]);
         QCOMPARE(steps(), 0);
@@ -498,8 +439,63 @@ private slots:
         QVERIFY((*position.barycentric - ifs::Barycentric<2>(0, 1, 0)).norm() < 0.02);
     }
 
+    // The two vertices at the top, from the empty canvas beside them.
+    void aRectangleSelectsVerticesThatMoveTogether() {
+        std::vector<std::size_t> top{0, 1, 2};
+        const auto height = [&](std::size_t index) { return vertex(int(index)).y(); };
+        top.erase(std::ranges::max_element(top, {}, height));
+        const QPoint one = vertex(int(top[0]));
+        const QPoint other = vertex(int(top[1]));
+        const QRect around = QRect(one, one).united(QRect(other, other)).adjusted(-16, -16, 16, 16);
+        QCOMPARE(m_canvas->canvas().partAt(around.topLeft(), view::Reach::Mouse).kind, Kind::None);
+        drag(around.topLeft(), around.bottomRight() - around.topLeft());
+        QCOMPARE(scene().selectedVertices(), top);
+        QCOMPARE(steps(), 0);
+
+        const std::vector<Vector<2>> before = vertices();
+        drag(one, {-20, 9});
+        QCOMPARE(undoText(), QStringLiteral("Move 2 vertices"));
+        QCOMPARE(steps(), 1);
+        const Vector<2> offset = view::worldOffset(m_canvas->camera(), {-20, 9});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool moved = std::ranges::find(top, i) != top.end();
+            QVERIFY((vertices()[i] - before[i] - (moved ? offset : Vector<2>::Zero())).norm() < 1e-12);
+        }
+        QSignalSpy said(m_canvas.get(), &CanvasView::message);
+        key(Qt::Key_Delete);
+        QCOMPARE(vertices().size(), std::size_t{3});
+        QVERIFY(said.last().first().toString().contains(QStringLiteral("at least three")));
+        key(Qt::Key_Escape);
+        QVERIFY(scene().selectedVertices().empty());
+    }
+
+    void keysInsertAndDeleteVertices() {
+        const std::vector<Vector<2>> before = vertices();
+        const QPointF edge = at({Kind::Edge, 1});
+        hover(edge);
+        key(Qt::Key_Insert);
+        QCOMPARE(vertices().size(), std::size_t{4});
+        QVERIFY(QLineF(at({Kind::Vertex, 2}), edge).length() < 1);
+        QCOMPARE(scene().focused(), (CanvasPart{Kind::Vertex, 2}));
+        hover(empty());
+        key(Qt::Key_Insert); // after the one in focus
+        QCOMPARE(vertices().size(), std::size_t{5});
+        QVERIFY((vertices()[3] - (vertices()[2] + vertices()[4]) / 2).norm() < 1e-12);
+        click(vertex(2));
+        click(vertex(3), Qt::ShiftModifier);
+        QCOMPARE(scene().selectedVertices(), (std::vector<std::size_t>{2, 3}));
+        key(Qt::Key_Delete);
+        QCOMPARE(undoText(), QStringLiteral("Delete 2 vertices"));
+        QCOMPARE(vertices(), before);
+        QVERIFY(scene().selectedVertices().empty());
+        m_document->undoStack()->undo();
+        click(vertex(4));
+        key(Qt::Key_Delete);
+        QCOMPARE(undoText(), QStringLiteral("Delete vertex 5"));
+    }
+
     void doubleClickOnAnEdgeInsertsAVertex() {
-        const QPoint edge = at({Kind::Edge, 1});
+        const QPoint edge = at({Kind::Edge, 1}).toPoint();
         const auto before = vertices();
         QTest::mouseDClick(m_canvas->viewport(), Qt::LeftButton, {}, edge);
         QCOMPARE(steps(), 1);
@@ -516,10 +512,10 @@ private slots:
         drag(vertex(2), across);
         QVERIFY2(m_canvas->canvas().note().contains(QStringLiteral("folded")),
                  qPrintable(m_canvas->canvas().note()));
-        QVERIFY(!view::removeVertex(*m_document, 2));
+        QVERIFY(!view::removeVertices(*m_document, {2}));
         QCOMPARE(vertices().size(), std::size_t{3});
         QVERIFY(m_canvas->canvas().note().isEmpty());
-        QVERIFY(view::removeVertex(*m_document, 2).has_value());
+        QVERIFY(view::removeVertices(*m_document, {2}).has_value());
     }
 
     void rewriteModeLeavesTheCageAtRest() {

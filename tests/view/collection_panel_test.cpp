@@ -4,6 +4,7 @@
 #include "panels/collection_filter.h"
 #include "panels/collection_model.h"
 #include "panels/collection_panel.h"
+#include "support/own_settings.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>
@@ -15,7 +16,6 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -58,10 +58,7 @@ private slots:
 };
 
 void CollectionPanelTest::initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName(u"barycage-test"_s);
-    QCoreApplication::setApplicationName(u"collection"_s);
-    QSettings().clear();
+    support::useOwnSettings();
     QDir(io::ThumbnailCache::usualFolder()).removeRecursively();
 }
 

@@ -1,98 +1,33 @@
 // SPDX-License-Identifier: MIT
-#include "canvas/canvas_geometry.h"
-#include "canvas/canvas_scene.h"
-#include "canvas/canvas_view.h"
-#include "canvas/note_item.h"
-#include "document/fractal.h"
 #include "ifs/attractor_existence.h"
 #include "panels/maps_panel.h"
-#include "render_bridge.h"
+#include "view/canvas_fixture.h"
 
+#include <QPixmap>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <cmath>
-#include <memory>
-
-using document::Document;
-using ifs::Vector;
-using view::CanvasPart;
-using view::CanvasView;
-using Kind = view::CanvasPart::Kind;
 
 // The maps taken on the canvas by the images of the cage.
-class MapsToolTest : public QObject {
+class MapsToolTest : public CanvasFixture {
     Q_OBJECT
 
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<view::RenderBridge> m_bridge;
-    std::unique_ptr<CanvasView> m_canvas;
-
-    const view::CanvasScene& scene() const { return m_canvas->canvas(); }
-    int steps() const { return m_document->undoStack()->count(); }
-    const document::System2& system() const { return *document::system2(m_document->fractal()); }
     const ifs::AffineMap<2>& map(std::size_t place) const { return system().maps[place].map; }
-    QPointF at(const CanvasPart& part) const { return scene().positionOf(part); }
     QPointF corner(int map, int index) const { return at({Kind::Vertex, index, map}); }
     QPointF middle(int map) const { return at({Kind::Inside, 0, map}); }
     Vector<2> inPlane(const QPointF& pixels) const { return view::worldOffset(m_canvas->camera(), pixels); }
     ifs::Verdict verdict() const { return ifs::classify<2>(ifs::activeMaps(system()).maps).verdict; }
-    QString undoText() const { return m_document->undoStack()->undoText(); }
-
-    void mouse(QEvent::Type type, const QPointF& p, Qt::MouseButton button, Qt::MouseButtons buttons,
-               Qt::KeyboardModifiers modifiers) {
-        QMouseEvent event(type, p, m_canvas->viewport()->mapToGlobal(p), button, buttons, modifiers);
-        QCoreApplication::sendEvent(m_canvas->viewport(), &event);
-    }
-    void press(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
-        mouse(QEvent::MouseButtonPress, p, Qt::LeftButton, Qt::LeftButton, modifiers);
-    }
-    void move(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
-        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::LeftButton, modifiers);
-    }
-    void release(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
-        mouse(QEvent::MouseButtonRelease, p, Qt::LeftButton, Qt::NoButton, modifiers);
-    }
-    void drag(const QPointF& from, const QPointF& by, Qt::KeyboardModifiers modifiers = {}) {
-        press(from, modifiers);
-        for (const double part : {0.3, 0.7, 1.0})
-            move(from + by * part, modifiers);
-        release(from + by, modifiers);
-    }
-    void click(const QPointF& p, Qt::KeyboardModifiers modifiers = {}) {
-        press(p, modifiers);
-        release(p, modifiers);
-    }
     Qt::CursorShape cursorAt(const QPointF& p) {
-        mouse(QEvent::MouseMove, p, Qt::NoButton, Qt::NoButton, {});
-        return m_canvas->viewport()->cursor().shape();
-    }
-    QString prompt() const {
-        for (const QGraphicsItem* item : scene().items())
-            if (const auto* note = dynamic_cast<const view::NoteItem*>(item);
-                note && note->text().startsWith(QStringLiteral("Stopped")))
-                return note->text();
-        return {};
+        hover(p);
+        return cursor();
     }
 
 private slots:
     void init() {
-        m_document = std::make_unique<Document>();
-        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
-        m_bridge->setQuality(1'000'000);
-        m_canvas = std::make_unique<CanvasView>(m_document.get(), m_bridge.get());
-        m_canvas->resize(640, 480);
-        m_canvas->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_canvas.get()));
-        m_canvas->setFocus();
+        open();
         m_canvas->setTool(CanvasView::Tool::Maps);
     }
-
-    void cleanup() {
-        m_canvas.reset();
-        m_bridge.reset();
-        m_document.reset();
-    }
+    void cleanup() { close(); }
 
     void handsOverTheCorners() {
         QCOMPARE(cursorAt(corner(1, 2)), Qt::OpenHandCursor);
@@ -100,6 +35,76 @@ private slots:
         press(corner(1, 2));
         move(corner(1, 2) + QPointF(9, 9));
         QCOMPARE(m_canvas->viewport()->cursor().shape(), Qt::ClosedHandCursor);
+    }
+
+    // From the empty canvas, over the whole of each frame in turn.
+    void aRectangleSelectsTheMapsItEncloses() {
+        const QPointF start(3, 3);
+        QCOMPARE(scene().partAt(start, view::Reach::Mouse).kind, Kind::None);
+        bool some = false;
+        for (int each = 0; each < 4; ++each) {
+            QPointF end;
+            for (int i = 0; i < 3; ++i)
+                end = {std::max(end.x(), corner(each, i).x() + 2),
+                       std::max(end.y(), corner(each, i).y() + 2)};
+            std::vector<ifs::MapId> enclosed;
+            for (int other = 0; other < 4; ++other) {
+                bool all = true;
+                for (int i = 0; i < 3; ++i)
+                    all = all && QRectF(start, end).contains(corner(other, i));
+                if (all) enclosed.push_back(system().maps[std::size_t(other)].id);
+            }
+            drag(start, end - start);
+            QCOMPARE(m_canvas->selectedMaps(), enclosed);
+            some = some || enclosed.size() < 4;
+        }
+        QVERIFY(some);
+        QCOMPARE(steps(), 0);
+    }
+
+    void aRectangleIsSeenAddsAndIsTakenBack() {
+        const QPointF start(3, 3);
+        const ifs::MapId first = system().maps[0].id;
+        click(middle(0));
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        const QImage before = m_canvas->grab().toImage();
+        press(start, Qt::ShiftModifier);
+        move({60, 50}, Qt::ShiftModifier);
+        QCOMPARE(m_canvas->selectedMaps(), (std::vector<ifs::MapId>{first}));
+        QCOMPARE(cursor(), Qt::CrossCursor);
+        const QImage with = m_canvas->grab().toImage();
+        for (const QPoint& onIt : {QPoint(60, 20), QPoint(30, 50), QPoint(30, 20)})
+            QVERIFY(with.pixel(onIt) != before.pixel(onIt));
+        move({639, 479}, Qt::ShiftModifier);
+        QCOMPARE(m_canvas->selectedMaps().size(), std::size_t{4});
+        key(Qt::Key_Escape);
+        QCOMPARE(m_canvas->selectedMaps(), (std::vector<ifs::MapId>{first}));
+        release({639, 479});
+        click(start); // alone it selects nothing
+        QVERIFY(m_canvas->selectedMaps().empty());
+        QCOMPARE(steps(), 0);
+    }
+
+    void keysDeleteAndDuplicate() {
+        QSignalSpy said(m_canvas.get(), &CanvasView::message);
+        key(Qt::Key_Delete); // nothing is selected
+        QCOMPARE(steps(), 0);
+        QCOMPARE(said.last().first().toString(), QStringLiteral("Select a map first."));
+        const document::System2 code = system();
+        click(middle(1));
+        key(Qt::Key_Insert);
+        QCOMPARE(undoText(), QStringLiteral("Duplicate a map"));
+        QCOMPARE(system().maps.size(), std::size_t{5});
+        QVERIFY(map(2) == code.maps[1].map);
+        QCOMPARE(m_canvas->selectedMaps(), (std::vector<ifs::MapId>{system().maps[2].id}));
+        key(Qt::Key_Delete); // the copy
+        QCOMPARE(steps(), 2);
+        QVERIFY(system().maps == code.maps);
+        press(middle(1));
+        move(middle(1) + QPointF(9, 9));
+        key(Qt::Key_Delete); // not while something is held
+        QCOMPARE(system().maps.size(), std::size_t{4});
+        release(middle(1));
     }
 
     // A change of rank one in one step; the other maps and the cage stay.
@@ -172,15 +177,15 @@ private slots:
         const QPointF start = corner(1, 1);
         press(start);
         move(start + QPointF(40, 0));
-        QVERIFY(prompt().isEmpty());
+        QVERIFY(stopNote().isEmpty());
         move(start + QPointF(2000, 0));
         QVERIFY(ifs::classify<2>(ifs::activeMaps(system()).maps).verdict == ifs::Verdict::Hyperbolic ||
                 verdict() == ifs::Verdict::EventuallyContractive);
         QVERIFY(ifs::spectralNorm<2>(map(1).linear) > 0.99); // whichever way the corner turns it
-        QVERIFY(prompt().contains(QStringLiteral("map 2")));
-        QVERIFY(prompt().contains(QStringLiteral("largest singular value 1")));
+        QVERIFY(stopNote().contains(QStringLiteral("map 2")));
+        QVERIFY(stopNote().contains(QStringLiteral("largest singular value 1")));
         move(start + QPointF(40, 0)); // and back
-        QVERIFY(prompt().isEmpty());
+        QVERIFY(stopNote().isEmpty());
         release(start + QPointF(40, 0));
         QCOMPARE(steps(), 1);
     }
@@ -189,7 +194,7 @@ private slots:
         m_canvas->setAllowsNoAttractor(true);
         drag(corner(1, 1), {2000, 0});
         QVERIFY(verdict() == ifs::Verdict::None);
-        QVERIFY(prompt().isEmpty());
+        QVERIFY(stopNote().isEmpty());
         QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("No attractor: map 2")), 20000);
         // From there on nothing stops the way back.
         m_canvas->setAllowsNoAttractor(false);

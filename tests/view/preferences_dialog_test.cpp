@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/preferences_dialog.h"
 #include "support/contrast.h"
+#include "support/own_settings.h"
 #include "theme.h"
 
 #include <QApplication>
@@ -14,7 +15,6 @@
 #include <QRadioButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QStyle>
 #include <QTest>
 
@@ -26,11 +26,7 @@ class PreferencesDialogTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
-        QCoreApplication::setApplicationName(QStringLiteral("BarycagePreferencesTest"));
-    }
+    void initTestCase() { support::useOwnSettings(); }
     void init() { QSettings().clear(); }
     void cleanup() { view::wear(Preferences::Theme::Desktop); }
     void choicesAreStoredAndTold();

@@ -56,9 +56,8 @@ void AnalysisItem::setView(const attractor::Camera& camera) {
 }
 
 void AnalysisItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
+    OverlayItem::setStyle(style);
     m_style.halo.setAlpha(std::max(230, m_style.halo.alpha())); // thin coloured lines, over any picture
-    update();
 }
 
 void AnalysisItem::place() {

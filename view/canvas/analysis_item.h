@@ -2,10 +2,9 @@
 #pragma once
 
 #include "attractor/camera.h"
-#include "canvas/overlay_style.h"
+#include "canvas/overlay_item.h"
 #include "document/analysis.h"
 
-#include <QGraphicsItem>
 #include <QPainterPath>
 
 #include <vector>
@@ -13,11 +12,11 @@
 namespace view {
 
 // What an analysis draws over the picture: box, hull, simplex, fixed points, ellipse, cylinders.
-class AnalysisItem : public QGraphicsItem {
+class AnalysisItem : public OverlayItem {
 public:
     void setShapes(std::vector<document::OutlineShape> shapes); // in the plane
     void setView(const attractor::Camera& camera);
-    void setStyle(const OverlayStyle& style);
+    void setStyle(const OverlayStyle& style) override;
 
     QRectF boundingRect() const override { return m_bounds; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -29,7 +28,6 @@ private:
     std::vector<QPolygonF> m_pixels; // of the shapes
     QRectF m_bounds;
     attractor::Camera m_camera;
-    OverlayStyle m_style;
 };
 
 // The colour of an outline, on the canvas and in legends; that of map shapes is the map's.

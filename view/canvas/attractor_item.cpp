@@ -44,11 +44,6 @@ void AttractorItem::setView(const attractor::Camera& camera, double devicePixelR
     update();
 }
 
-void AttractorItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 QRectF AttractorItem::boundingRect() const {
     return {0, 0, double(m_camera.width), double(m_camera.height)};
 }

@@ -2,20 +2,17 @@
 #pragma once
 
 #include "attractor/renderer.h"
-#include "canvas/overlay_style.h"
-
-#include <QGraphicsItem>
+#include "canvas/overlay_item.h"
 
 #include <memory>
 
 namespace view {
 
 // The newest picture, where the view sees it now: until the next one arrives it is shown moved and scaled.
-class AttractorItem : public QGraphicsItem {
+class AttractorItem : public OverlayItem {
 public:
     void setFrame(std::shared_ptr<const attractor::Frame> frame);
     void setView(const attractor::Camera& camera, double devicePixelRatio);
-    void setStyle(const OverlayStyle& style);
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -26,7 +23,6 @@ private:
     std::shared_ptr<const attractor::Frame> m_frame;
     attractor::Camera m_camera; // of the view, device independent
     double m_ratio = 1;
-    OverlayStyle m_style;
 };
 
 // The pixels of a frame, not copied: valid as long as the frame.

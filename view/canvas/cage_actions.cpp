@@ -105,15 +105,21 @@ Failure insertVertex(document::Document& document, int edge, double share) {
     return std::nullopt;
 }
 
-Failure removeVertex(document::Document& document, int index) {
+Failure removeVertices(document::Document& document, const std::vector<std::size_t>& vertices) {
     document::Fractal fractal = document.fractal();
     if (!document::system2(fractal)) return notPlanar();
     const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
-    if (cage.rest.size() <= 3) return Actions::tr("A cage has at least three vertices.");
-    fractal.cage = ifs::withVertexRemoved(cage, std::size_t(index));
+    const bool one = vertices.size() == 1;
+    if (cage.rest.size() < 3 + vertices.size()) return Actions::tr("A cage has at least three vertices.");
+    fractal.cage = cage;
+    for (std::size_t k = vertices.size(); k-- > 0 && fractal.cage;)
+        fractal.cage = ifs::withVertexRemoved(*fractal.cage, vertices[k]);
     if (!fractal.cage)
-        return Actions::tr("Without this vertex the cage at rest would cross itself or be flat.");
-    document.edit(Actions::tr("Delete vertex %1").arg(index + 1), std::move(fractal));
+        return one ? Actions::tr("Without this vertex the cage at rest would cross itself or be flat.")
+                   : Actions::tr("Without these vertices the cage at rest would cross itself or be flat.");
+    document.edit(one ? Actions::tr("Delete vertex %1").arg(vertices.front() + 1)
+                      : Actions::tr("Delete %1 vertices").arg(vertices.size()),
+                  std::move(fractal));
     return std::nullopt;
 }
 

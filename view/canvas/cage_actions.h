@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <optional>
+#include <vector>
 
 // Operations on the control cage of the current entry, one undo step each.
 // Each returns the sentence that says why nothing was done, or nullopt when it was.
@@ -25,10 +26,10 @@ std::optional<QString> bakeCage(document::Document& document);
 // These three vertices hold the picture from now on. The picture stays.
 std::optional<QString> defineTriangle(document::Document& document, const ifs::Simplex<2>& vertices);
 
-// One vertex more on the edge from vertex `edge` to the next, `share` of the way; one vertex less; the
-// vertices on the regular polygon nearest to them.
+// One vertex more on the edge from vertex `edge` to the next, `share` of the way; these vertices less, given
+// in increasing order; the vertices on the regular polygon nearest to them.
 std::optional<QString> insertVertex(document::Document& document, int edge, double share);
-std::optional<QString> removeVertex(document::Document& document, int index);
+std::optional<QString> removeVertices(document::Document& document, const std::vector<std::size_t>& vertices);
 std::optional<QString> makeCageRegular(document::Document& document);
 
 // Bake the other way round: the placement is taken out of the code. The picture stays.

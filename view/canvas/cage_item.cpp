@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
+
 namespace view {
 
 CageItem::CageItem() = default;
@@ -28,25 +30,27 @@ void CageItem::setPolygon(const QPolygonF& polygon) {
 
 void CageItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {
     const auto own = [](CanvasPart part) { return part.map < 0 ? part : CanvasPart(); };
-    m_hovered = own(hovered);
-    m_pressed = own(pressed);
-    m_focused = own(focused);
+    HandlesItem::setMarks(own(hovered), own(pressed), own(focused));
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const CanvasPart self{CanvasPart::Kind::Vertex, int(i)};
         HandleStates state;
         state.setFlag(HandleState::Hovered, hovered == self);
         state.setFlag(HandleState::Pressed, pressed == self);
         state.setFlag(HandleState::Focused, focused == self);
+        state.setFlag(HandleState::Selected, std::ranges::find(m_selected, i) != m_selected.end());
         m_handles[i]->setState(state);
     }
-    update();
+}
+
+void CageItem::setSelected(const std::vector<std::size_t>& vertices) {
+    m_selected = vertices;
+    setMarks(m_hovered, m_pressed, m_focused);
 }
 
 void CageItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
+    HandlesItem::setStyle(style);
     for (const auto& handle : m_handles)
         handle->setStyle(style);
-    update();
 }
 
 void CageItem::setQuiet(bool quiet) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "canvas/canvas_part.h"
-#include "canvas/overlay_style.h"
+#include "canvas/overlay_item.h"
 
-#include <QGraphicsItem>
 #include <QPolygonF>
 
 #include <memory>
@@ -15,14 +13,15 @@ namespace view {
 class VertexHandle;
 
 // The control cage over the picture: its edges and one numbered handle at every vertex.
-class CageItem : public QGraphicsItem {
+class CageItem : public HandlesItem {
 public:
     CageItem();
     ~CageItem() override;
 
     void setPolygon(const QPolygonF& polygon); // pixels of the view
-    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused);
-    void setStyle(const OverlayStyle& style);
+    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) override;
+    void setStyle(const OverlayStyle& style) override;
+    void setSelected(const std::vector<std::size_t>& vertices);
     void setQuiet(bool quiet); // pale and without handles: something else is taken
 
     QRectF boundingRect() const override;
@@ -31,11 +30,8 @@ public:
 private:
     QPolygonF m_polygon;
     std::vector<std::unique_ptr<VertexHandle>> m_handles;
+    std::vector<std::size_t> m_selected;
     bool m_quiet = false;
-    CanvasPart m_hovered;
-    CanvasPart m_pressed;
-    CanvasPart m_focused;
-    OverlayStyle m_style;
 };
 
 } // namespace view

@@ -18,11 +18,6 @@ void SnapMark::setSnap(const std::optional<Snapped>& snap, const QPointF& pixel)
     update();
 }
 
-void SnapMark::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 QRectF SnapMark::boundingRect() const {
     constexpr double extent = guide + 3;
     return {-extent, -extent, 2 * extent, 2 * extent};
@@ -56,11 +51,6 @@ void RubberItem::setPoints(const QPolygonF& clicked, const std::optional<QPointF
     update();
 }
 
-void RubberItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 QRectF RubberItem::boundingRect() const {
     QPolygonF all = m_clicked;
     if (m_pointer) all.append(*m_pointer);
@@ -89,6 +79,26 @@ void RubberItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
         painter->drawText(QRectF(m_clicked[i] - QPointF(12, 12), QSizeF(24, 24)), Qt::AlignCenter,
                           QString::number(i + 1));
     }
+}
+
+void BandItem::setBand(const QRectF& band) {
+    prepareGeometryChange();
+    m_band = band;
+    update();
+}
+
+QRectF BandItem::boundingRect() const {
+    return m_band.adjusted(-2, -2, 2, 2);
+}
+
+void BandItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    if (m_band.isEmpty()) return;
+    QColor fill = m_style.accent;
+    fill.setAlphaF(0.12F);
+    painter->fillRect(m_band, fill);
+    QPainterPath outline;
+    outline.addRect(m_band);
+    strokeWithHalo(*painter, outline, m_style, m_style.accent, m_style.lineWidth - 0.5);
 }
 
 } // namespace view

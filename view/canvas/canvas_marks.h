@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "canvas/overlay_style.h"
+#include "canvas/overlay_item.h"
 #include "canvas/snapping.h"
 
-#include <QGraphicsItem>
 #include <QPolygonF>
 
 #include <optional>
@@ -13,24 +12,21 @@ namespace view {
 
 // Where a dragged point has been caught: a ring on a vertex, short guides along the lines of the grid and the
 // axes.
-class SnapMark : public QGraphicsItem {
+class SnapMark : public OverlayItem {
 public:
     void setSnap(const std::optional<Snapped>& snap, const QPointF& pixel);
-    void setStyle(const OverlayStyle& style);
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
 private:
     std::optional<Snapped> m_snap;
-    OverlayStyle m_style;
 };
 
 // The triangle being defined: the points clicked, and rubber lines to the pointer.
-class RubberItem : public QGraphicsItem {
+class RubberItem : public OverlayItem {
 public:
     void setPoints(const QPolygonF& clicked, const std::optional<QPointF>& pointer); // pixels of the view
-    void setStyle(const OverlayStyle& style);
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -38,7 +34,18 @@ public:
 private:
     QPolygonF m_clicked;
     std::optional<QPointF> m_pointer;
-    OverlayStyle m_style;
+};
+
+// The rectangle that selects what it encloses.
+class BandItem : public OverlayItem {
+public:
+    void setBand(const QRectF& band); // pixels of the view; empty: none
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    QRectF m_band;
 };
 
 } // namespace view

@@ -10,6 +10,7 @@
 #include "panels/maps_edits.h"
 
 #include <QCoreApplication>
+#include <QKeySequence>
 #include <QMenu>
 
 #include <cmath>
@@ -38,6 +39,11 @@ std::function<void()> attempt(const MenuContext& context, std::function<std::opt
     return [context, operation = std::move(operation)] {
         if (const std::optional<QString> failure = operation()) emit context.view.message(*failure);
     };
+}
+
+// The key is the canvas's own, not a shortcut of the menu.
+QString withKey(const QString& text, Qt::Key key) {
+    return text + u'\t' + QKeySequence(key).toString(QKeySequence::NativeText);
 }
 
 void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
@@ -75,8 +81,9 @@ void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
                     return moveVertex(document, index, {0, position.y()});
                 }))
         ->setEnabled(position.x() != 0);
-    add(menu, Menu::tr("&Delete This Vertex"), Menu::tr("Takes this vertex out of the cage"),
-        attempt(context, [&document, index] { return removeVertex(document, index); }))
+    add(menu, withKey(Menu::tr("&Delete This Vertex"), Qt::Key_Delete),
+        Menu::tr("Takes this vertex out of the cage"),
+        attempt(context, [&document, index] { return removeVertices(document, {std::size_t(index)}); }))
         ->setEnabled(cage.rest.size() > 3);
     add(menu, Menu::tr("Put the &Pivot Here"), Menu::tr("Turns and scales the cage about this vertex"),
         [context, position] { context.scene.setPivot(position); });
@@ -84,28 +91,27 @@ void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
 
 void addMapActions(QMenu& menu, const MenuContext& context, int place) {
     document::Document& document = context.document;
-    const auto edit = [&document](const QString& text, const document::Fractal& after) {
-        return [&document, text, after] { document.edit(text, after); };
-    };
-    const document::Fractal& fractal = document.fractal();
     const QString number = QString::number(place + 1);
     menu.addSection(Menu::tr("Map %1").arg(number));
-    document::Fractal switched = fractal;
+    document::Fractal switched = document.fractal();
     bool& enabled = document::system2(switched)->maps[std::size_t(place)].enabled;
     enabled = !enabled;
     add(menu, enabled ? Menu::tr("&Switch On") : Menu::tr("&Switch Off"),
         Menu::tr("Lets this map take part, or not"),
-        edit((enabled ? Menu::tr("Switch on map %1") : Menu::tr("Switch off map %1")).arg(number), switched));
-    add(menu, Menu::tr("D&uplicate"), Menu::tr("Puts a copy of this map beside it"),
-        edit(Menu::tr("Duplicate map %1").arg(number), withDuplicates(fractal, {place}).fractal));
-    add(menu, Menu::tr("&Delete"), Menu::tr("Takes this map out of the system"),
-        edit(Menu::tr("Delete map %1").arg(number), withoutMaps(fractal, {place}).fractal));
+        [&document, switched,
+         text = (enabled ? Menu::tr("Switch on map %1") : Menu::tr("Switch off map %1")).arg(number)] {
+            document.edit(text, switched);
+        });
+    add(menu, withKey(Menu::tr("D&uplicate"), Qt::Key_Insert), Menu::tr("Puts a copy of this map beside it"),
+        [context, place] { context.scene.setSelectedMaps(duplicateMaps(context.document, {place})); });
+    add(menu, withKey(Menu::tr("&Delete"), Qt::Key_Delete), Menu::tr("Takes this map out of the system"),
+        [context, place] { context.scene.setSelectedMaps(deleteMaps(context.document, {place})); });
 }
 
 void addEdgeActions(QMenu& menu, const MenuContext& context, int edge, const QPoint& global) {
     menu.addSection(Menu::tr("Edge"));
     const QPointF position = context.view.viewport()->mapFromGlobal(global);
-    add(menu, Menu::tr("&Insert a Vertex Here"),
+    add(menu, withKey(Menu::tr("&Insert a Vertex Here"), Qt::Key_Insert),
         Menu::tr("Puts one more vertex on this edge; a double click does the same"),
         [context, edge, position] { context.view.insertVertexAt(edge, position); });
 }

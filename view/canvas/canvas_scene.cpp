@@ -54,12 +54,13 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_snapMark(std::make_unique<SnapMark>()),
       m_trailItem(std::make_unique<TrailItem>()),
       m_rubber(std::make_unique<RubberItem>()),
+      m_band(std::make_unique<BandItem>()),
       m_noteItem(std::make_unique<NoteItem>(NoteItem::Place::Top)),
       m_promptItem(std::make_unique<NoteItem>(NoteItem::Place::Bottom)) {
     setItemIndexMethod(QGraphicsScene::NoIndex);
     addItem(m_attractor.get());
     double level = 1;
-    for (QGraphicsItem* item : overlays()) {
+    for (OverlayItem* item : overlays()) {
         item->setZValue(level++);
         addItem(item);
     }
@@ -69,9 +70,10 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
 
 CanvasScene::~CanvasScene() = default;
 
-std::vector<QGraphicsItem*> CanvasScene::overlays() const {
-    return {m_grid.get(),  m_analysisItem.get(), m_trailItem.get(), m_cageItem.get(), m_mapFrames.get(),
-            m_gizmo.get(), m_rubber.get(),       m_snapMark.get(),  m_noteItem.get(), m_promptItem.get()};
+std::vector<OverlayItem*> CanvasScene::overlays() const {
+    return {m_grid.get(),      m_analysisItem.get(), m_trailItem.get(), m_cageItem.get(),
+            m_mapFrames.get(), m_gizmo.get(),        m_rubber.get(),    m_snapMark.get(),
+            m_band.get(),      m_noteItem.get(),     m_promptItem.get()};
 }
 
 void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRatio) {
@@ -108,6 +110,7 @@ void CanvasScene::follow(const document::Change& change) {
         m_pivot.reset();
         setFocused({});
         setSelectedMaps({});
+        setSelectedVertices({});
     }
     if (change.parts & (Change::System | Change::Appearance | Change::Current | Change::File)) {
         m_mapColours.clear();
@@ -118,10 +121,15 @@ void CanvasScene::follow(const document::Change& change) {
             }
     }
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
+        const std::size_t vertices = m_cage ? m_cage->current.size() : 0;
         m_cage = document::system2(fractal) ? std::optional(document::effectiveCage(fractal)) : std::nullopt;
         m_handles =
             m_cage ? std::optional<document::MapHandles>(std::in_place, fractal, *m_cage) : std::nullopt;
-        setSelectedMaps(m_selectedMaps); // those that are left
+        setSelectedMaps(m_selectedMaps);                         // those that are left
+        if (vertices != (m_cage ? m_cage->current.size() : 0)) { // others have the numbers now
+            setSelectedVertices({});
+            if (m_focused.map < 0) setFocused({});
+        }
         takeBranch();
         m_addresses.reset();
         if (m_focused.map >= childCount()) setFocused({});
@@ -355,6 +363,10 @@ void CanvasScene::showSnap(const std::optional<Snapped>& snap) {
     m_snapMark->setSnap(snap, snap ? pixelOf(m_camera, snap->point) : QPointF());
 }
 
+void CanvasScene::showBand(const QRectF& band) {
+    m_band->setBand(band);
+}
+
 void CanvasScene::showRubber(const std::vector<ifs::Vector<2>>& clicked,
                              const std::optional<ifs::Vector<2>>& pointer) {
     m_clicked = clicked;
@@ -474,6 +486,7 @@ void CanvasScene::setTaken(Taken taken) {
     m_pivot.reset();
     m_hovered = {};
     setFocused({});
+    setSelectedVertices({});
     m_cageItem->setQuiet(taken != Taken::Cage);
     place();
 }
@@ -509,6 +522,16 @@ bool CanvasScene::isSelected(int place) const {
                m_selectedMaps.end();
 }
 
+QRectF CanvasScene::frameBox(int place) const {
+    return m_mapFrames->frames().at(std::size_t(place)).outline.boundingRect();
+}
+
+void CanvasScene::setSelectedVertices(std::vector<std::size_t> vertices) {
+    std::ranges::sort(vertices);
+    m_selectedVertices = std::move(vertices);
+    m_cageItem->setSelected(m_selectedVertices);
+}
+
 void CanvasScene::mark() {
     m_cageItem->setMarks(m_hovered, m_pressed, m_focused);
     m_mapFrames->setMarks(m_hovered, m_pressed, m_focused);
@@ -527,16 +550,8 @@ void CanvasScene::showTrail(const std::vector<ifs::Vector<2>>& points) {
 void CanvasScene::restyle() {
     const OverlayStyle style = overlayStyle(m_document->fractal().appearance.background, m_palette);
     m_attractor->setStyle(style);
-    m_grid->setStyle(style);
-    m_analysisItem->setStyle(style);
-    m_cageItem->setStyle(style);
-    m_mapFrames->setStyle(style);
-    m_gizmo->setStyle(style);
-    m_snapMark->setStyle(style);
-    m_rubber->setStyle(style);
-    m_trailItem->setStyle(style);
-    m_noteItem->setStyle(style);
-    m_promptItem->setStyle(style);
+    for (OverlayItem* item : overlays())
+        item->setStyle(style);
 }
 
 QString CanvasScene::note() const {
@@ -588,7 +603,7 @@ void CanvasScene::setCageVisible(bool visible) {
 }
 
 void CanvasScene::updateVisibility() {
-    for (QGraphicsItem* item : overlays())
+    for (OverlayItem* item : overlays())
         item->setVisible(m_overlaysVisible);
     const bool cage = m_overlaysVisible && m_cageVisible && m_cage;
     m_cageItem->setVisible(cage);

@@ -25,6 +25,7 @@ namespace view {
 
 class AnalysisItem;
 class AttractorItem;
+class BandItem;
 class CageItem;
 class GridItem;
 class MapFramesItem;
@@ -63,6 +64,12 @@ public:
     std::vector<std::size_t> selectedPlaces() const;
     void setSelectedPlaces(const std::vector<std::size_t>& places);
     bool isSelected(int place) const;
+    QRectF frameBox(int place) const; // of the image of the cage under a map that is taken, in pixels
+
+    // Vertices of the cage that move together, in increasing order; those that are left when some have gone:
+    // none.
+    const std::vector<std::size_t>& selectedVertices() const { return m_selectedVertices; }
+    void setSelectedVertices(std::vector<std::size_t> vertices);
 
     // The branch that is taken, by places in the system; empty: none.
     const ifs::Word& branch() const { return m_branch; }
@@ -101,6 +108,7 @@ public:
     // Without those vertices of the part that move.
     SnapTargets snapTargets(const CanvasPart& part = {}, const std::vector<int>& moving = {}) const;
     void showSnap(const std::optional<Snapped>& snap);
+    void showBand(const QRectF& band); // that selects, in pixels; empty: none
     void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
 
     void showOutlines(std::vector<document::OutlineShape> shapes); // of an analysis
@@ -138,7 +146,7 @@ private:
     void restyle();
     void updateNote();
     void updateVisibility();
-    std::vector<QGraphicsItem*> overlays() const;
+    std::vector<OverlayItem*> overlays() const;
 
     document::Document* m_document;
     attractor::Camera m_camera;
@@ -148,6 +156,7 @@ private:
     Taken m_taken = Taken::Cage;
     std::vector<QColor> m_mapColours;
     std::vector<ifs::MapId> m_selectedMaps;
+    std::vector<std::size_t> m_selectedVertices;
     ifs::Word m_branch;
     document::BranchEdit m_branchEdit = document::BranchEdit::OwnMap;
     std::optional<document::BranchHandles> m_branchHandles;
@@ -180,6 +189,7 @@ private:
     std::unique_ptr<SnapMark> m_snapMark;
     std::unique_ptr<TrailItem> m_trailItem;
     std::unique_ptr<RubberItem> m_rubber;
+    std::unique_ptr<BandItem> m_band;
     std::unique_ptr<NoteItem> m_noteItem;
     std::unique_ptr<NoteItem> m_promptItem;
 };

@@ -174,6 +174,14 @@ void CanvasView::selectMaps(const std::vector<ifs::MapId>& maps) {
     m_scene->setSelectedMaps(maps);
 }
 
+double CanvasView::shareToShow(const std::function<document::Fractal(double)>& after) {
+    return m_mapsTool->shareToShow(after);
+}
+
+void CanvasView::dismissStop() {
+    m_scene->setPrompt({});
+}
+
 void CanvasView::setAllowsNoAttractor(bool allows) {
     m_mapsTool->setAllowsNoAttractor(allows);
     m_branchTool->setAllowsNoAttractor(allows);
@@ -565,13 +573,7 @@ void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void CanvasView::insertVertexAt(int edge, const QPointF& position) {
-    const QPolygonF polygon = m_scene->cagePolygon();
-    const QPointF from = polygon[edge];
-    const QPointF along = polygon[(edge + 1) % polygon.size()] - from;
-    const double length = QPointF::dotProduct(along, along);
-    const double share = length > 0 ? QPointF::dotProduct(position - from, along) / length : 0.5;
-    if (const auto failure = insertVertex(*m_document, edge, std::clamp(share, 0.02, 0.98)))
-        emit message(*failure);
+    m_cageTool->insertVertexAt(edge, position);
 }
 
 void CanvasView::mouseMoveEvent(QMouseEvent* event) {

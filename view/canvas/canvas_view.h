@@ -15,6 +15,7 @@
 #include <QPointer>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -67,6 +68,9 @@ public:
     void selectMaps(const std::vector<ifs::MapId>& maps);
     // Whether dragging a map may lead where there is no attractor; else the drag stops there.
     void setAllowsNoAttractor(bool allows);
+    // How much of a change of maps, after(0) to after(1), may be shown; when not all, the canvas says why.
+    double shareToShow(const std::function<document::Fractal(double)>& after);
+    void dismissStop(); // takes that sentence away
 
     // The branch that is selected with the tool Branch: the beginning, `branchDepth` maps long, of the
     // address of the point that was clicked. Words are of places in the system.

@@ -90,18 +90,6 @@ void GizmoItem::setLayout(const GizmoLayout& layout) {
     update();
 }
 
-void GizmoItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {
-    m_hovered = hovered;
-    m_pressed = pressed;
-    m_focused = focused;
-    update();
-}
-
-void GizmoItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 QRectF GizmoItem::boundingRect() const {
     return m_view;
 }
@@ -116,11 +104,7 @@ void GizmoItem::paintPivot(QPainter& painter) const {
         cross.lineTo(m_layout.pivot + direction * 9);
     }
     strokeWithHalo(painter, cross, m_style, lit ? m_style.accent : m_style.line, m_style.lineWidth);
-    if (m_focused == self) {
-        QPainterPath ring;
-        ring.addEllipse(m_layout.pivot, 14, 14);
-        strokeWithHalo(painter, ring, m_style, m_style.accent, m_style.lineWidth + 0.5);
-    }
+    if (m_focused == self) strokeFocusRing(painter, m_layout.pivot, 14, m_style);
 }
 
 void GizmoItem::paintKnob(QPainter& painter, CanvasPart::Kind kind, const QPointF& at) const {
@@ -128,11 +112,7 @@ void GizmoItem::paintKnob(QPainter& painter, CanvasPart::Kind kind, const QPoint
     const bool lit = m_hovered == self || m_pressed == self;
     painter.save();
     painter.translate(at);
-    if (m_focused == self) {
-        QPainterPath ring;
-        ring.addEllipse(QPointF(), 14, 14);
-        strokeWithHalo(painter, ring, m_style, m_style.accent, m_style.lineWidth + 0.5);
-    }
+    if (m_focused == self) strokeFocusRing(painter, QPointF(), 14, m_style);
     painter.setPen(QPen(m_style.line, 1));
     painter.setBrush(m_style.halo);
     painter.drawEllipse(QPointF(), radius + 2, radius + 2);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "canvas/canvas_part.h"
-#include "canvas/overlay_style.h"
+#include "canvas/overlay_item.h"
 
-#include <QGraphicsItem>
 #include <QPolygonF>
 
 namespace view {
@@ -20,14 +18,11 @@ struct GizmoLayout {
 GizmoLayout gizmoLayout(const QPolygonF& cage, const QPointF& pivot, const QRectF& view);
 
 // The pivot and the two handles beside the cage. Without modifier keys they do what Ctrl and Alt do with a
-// drag.
-class GizmoItem : public QGraphicsItem {
+// drag. While something else is being dragged only the pivot, or what is pressed, is shown.
+class GizmoItem : public HandlesItem {
 public:
     void setView(const QRectF& view);
     void setLayout(const GizmoLayout& layout);
-    // While something else is being dragged only the pivot, or what is pressed, is shown.
-    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused);
-    void setStyle(const OverlayStyle& style);
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -38,10 +33,6 @@ private:
 
     QRectF m_view;
     GizmoLayout m_layout;
-    CanvasPart m_hovered;
-    CanvasPart m_pressed;
-    CanvasPart m_focused;
-    OverlayStyle m_style;
 };
 
 } // namespace view

@@ -45,11 +45,6 @@ void GridItem::setView(const attractor::Camera& camera) {
     update();
 }
 
-void GridItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 void GridItem::setGridVisible(bool visible) {
     m_grid = visible;
     update();

@@ -2,17 +2,14 @@
 #pragma once
 
 #include "attractor/camera.h"
-#include "canvas/overlay_style.h"
-
-#include <QGraphicsItem>
+#include "canvas/overlay_item.h"
 
 namespace view {
 
 // A quiet grid whose spacing follows the zoom, the two axes, and numbers along the axes.
-class GridItem : public QGraphicsItem {
+class GridItem : public OverlayItem {
 public:
     void setView(const attractor::Camera& camera);
-    void setStyle(const OverlayStyle& style);
     void setGridVisible(bool visible);
     void setAxesVisible(bool visible);
     bool isGridVisible() const { return m_grid; }
@@ -27,7 +24,6 @@ private:
     void paintLabels(QPainter& painter) const;
 
     attractor::Camera m_camera;
-    OverlayStyle m_style;
     bool m_grid = true;
     bool m_axes = true;
 };

@@ -88,18 +88,6 @@ void MapFramesItem::setFrames(std::vector<MapFrame> frames, Mode mode) {
     update();
 }
 
-void MapFramesItem::setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {
-    m_hovered = hovered;
-    m_pressed = pressed;
-    m_focused = focused;
-    update();
-}
-
-void MapFramesItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 QRectF MapFramesItem::boundingRect() const {
     QRectF all;
     for (const MapFrame& frame : m_frames)
@@ -125,11 +113,7 @@ void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const
     for (int i = 0; i < frame.corners.size(); ++i) {
         const CanvasPart self{Kind::Vertex, i, frame.place};
         const QPointF& at = frame.corners[i];
-        if (m_focused == self) {
-            QPainterPath ring;
-            ring.addEllipse(at, focusRadius, focusRadius);
-            strokeWithHalo(painter, ring, m_style, m_style.accent, m_style.lineWidth + 0.5);
-        }
+        if (m_focused == self) strokeFocusRing(painter, at, focusRadius, m_style);
         const bool lit = m_hovered == self || m_pressed == self;
         const bool numbered = frame.selected || lit;
         const double r = numbered ? radius + (lit ? 1 : 0) : dot;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "canvas/canvas_part.h"
-#include "canvas/overlay_style.h"
+#include "canvas/overlay_item.h"
 
-#include <QGraphicsItem>
 #include <QPolygonF>
 
 #include <vector>
@@ -27,15 +25,13 @@ CanvasPart framePartAt(const std::vector<MapFrame>& frames, const QPointF& posit
                        double edge);
 
 // The maps as children of the cage, each in its colour, corners numbered as those of the cage.
-class MapFramesItem : public QGraphicsItem {
+class MapFramesItem : public HandlesItem {
 public:
     // Held: with corners. Else only a hint of the selected frames.
     enum class Mode { Hint, Held };
 
     void setFrames(std::vector<MapFrame> frames, Mode mode);
     const std::vector<MapFrame>& frames() const { return m_frames; }
-    void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused);
-    void setStyle(const OverlayStyle& style);
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -46,10 +42,6 @@ private:
 
     std::vector<MapFrame> m_frames;
     Mode m_mode = Mode::Hint;
-    CanvasPart m_hovered;
-    CanvasPart m_pressed;
-    CanvasPart m_focused;
-    OverlayStyle m_style;
 };
 
 } // namespace view

@@ -3,6 +3,7 @@
 
 #include "canvas/canvas_note.h"
 #include "ifs/map_handles.h"
+#include "panels/maps_edits.h"
 
 #include <QKeyEvent>
 
@@ -16,8 +17,6 @@ namespace {
 using Kind = CanvasPart::Kind;
 using Mode = PolygonDrag::Mode;
 
-constexpr Qt::KeyboardModifiers adding = Qt::ControlModifier | Qt::ShiftModifier;
-
 std::vector<ifs::AffineMap<2>> activeMaps(const document::Fractal& fractal) {
     return ifs::activeMaps(*document::system2(fractal)).maps;
 }
@@ -30,6 +29,7 @@ void MapsTool::start() {
 
 void MapsTool::stop() {
     PolygonTool::stop();
+    ended();
     scene().setTaken(CanvasScene::Taken::Cage);
 }
 
@@ -42,11 +42,23 @@ void MapsTool::taken(const CanvasPart& part, Qt::KeyboardModifiers modifiers) {
 }
 
 void MapsTool::clicked(const CanvasPart& part, const Pointer& pointer) {
-    if (part.map < 0) return;
-    if (!(pointer.modifiers & adding)) return selectOnly(part.map);
-    std::vector<std::size_t> places = scene().selectedPlaces();
-    if (std::erase(places, std::size_t(part.map)) == 0) places.push_back(std::size_t(part.map));
+    if (part.map >= 0) selectClicked(std::size_t(part.map), pointer.modifiers);
+}
+
+std::optional<std::vector<std::size_t>> MapsTool::selection() const {
+    if (scene().taken() != CanvasScene::Taken::Maps) return std::nullopt; // one branch, by its point
+    return scene().selectedPlaces();
+}
+
+void MapsTool::setSelection(const std::vector<std::size_t>& places) {
     scene().setSelectedPlaces(places);
+}
+
+std::vector<std::size_t> MapsTool::enclosedBy(const QRectF& band) const {
+    std::vector<std::size_t> places;
+    for (int place = 0; place < scene().mapCount(); ++place)
+        if (band.contains(scene().frameBox(place))) places.push_back(std::size_t(place));
+    return places;
 }
 
 MapsTool::Taken MapsTool::take(const CanvasPart& part) {
@@ -97,14 +109,17 @@ document::Fractal MapsTool::after(const DragResult& result) const {
     return m_handles->withMapsChanged(m_places, result.change);
 }
 
-double MapsTool::preview(const std::function<DragResult(double)>& resultAt) {
+double MapsTool::shareToShow(const std::function<document::Fractal(double)>& after) {
     ifs::SafeWay way;
-    if (!m_allowsNoAttractor)
-        way = ifs::safeWay([&](double share) { return activeMaps(after(resultAt(share))); });
-    gesture().preview(after(resultAt(way.share)));
-    scene().setPrompt(way.share < 1 ? stopNote(*document::system2(after(resultAt(way.share))), way)
-                                    : QString());
+    if (!m_allowsNoAttractor) way = ifs::safeWay([&](double share) { return activeMaps(after(share)); });
+    scene().setPrompt(way.share < 1 ? stopNote(*document::system2(after(way.share)), way) : QString());
     return way.share;
+}
+
+double MapsTool::preview(const std::function<DragResult(double)>& resultAt) {
+    const double share = shareToShow([&](double part) { return after(resultAt(part)); });
+    gesture().preview(after(resultAt(share)));
+    return share;
 }
 
 void MapsTool::ended() {
@@ -119,6 +134,17 @@ void MapsTool::walk(int step) {
 }
 
 bool MapsTool::keyPress(const QKeyEvent& event) {
+    if (isBareKey(event, Qt::Key_Delete) || isBareKey(event, Qt::Key_Insert)) {
+        const std::vector<std::size_t> places = scene().selectedPlaces();
+        const Rows rows(places.begin(), places.end());
+        document::Document& document = scene().document();
+        if (rows.empty())
+            emit message(tr("Select a map first."));
+        else
+            scene().setSelectedMaps(event.key() == Qt::Key_Delete ? deleteMaps(document, rows)
+                                                                  : duplicateMaps(document, rows));
+        return true;
+    }
     const int digit = event.key() - Qt::Key_1;
     if (event.modifiers() == Qt::AltModifier && digit >= 0 && digit < 9) {
         if (digit < scene().mapCount()) {

@@ -17,6 +17,9 @@ public:
     // A drag stops where the attractor would be lost, unless this is allowed.
     void setAllowsNoAttractor(bool allows) { m_allowsNoAttractor = allows; }
     bool allowsNoAttractor() const { return m_allowsNoAttractor; }
+    // How much of a change, after(0) to after(1), may be shown: all of it, or as much as leaves an attractor.
+    // Then the canvas says why.
+    double shareToShow(const std::function<document::Fractal(double)>& after);
 
     void walk(int step) override;
     bool keyPress(const QKeyEvent& event) override;
@@ -29,6 +32,9 @@ protected:
     void taken(const CanvasPart& part, Qt::KeyboardModifiers modifiers) override;
     void clicked(const CanvasPart& part, const Pointer& pointer) override;
     void ended() override;
+    std::optional<std::vector<std::size_t>> selection() const override;
+    void setSelection(const std::vector<std::size_t>& places) override;
+    std::vector<std::size_t> enclosedBy(const QRectF& band) const override;
 
     // What a press on the part takes: the handles of the moment, and the places among them. Empty: nothing.
     struct Taken {

@@ -34,11 +34,6 @@ void NoteItem::setFont(const QFont& font) {
     m_font = font;
 }
 
-void NoteItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 QRectF NoteItem::box() const {
     if (m_text.isEmpty()) return {};
     const double width = std::max(80.0, std::min(widest, m_view.width() - 2 * (margin + padding)));

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "canvas/overlay_style.h"
+#include "canvas/overlay_item.h"
 
 #include <QFont>
-#include <QGraphicsItem>
 #include <QString>
 
 namespace view {
 
 // A sentence on the canvas, in a quiet box; nothing while the text is empty.
-class NoteItem : public QGraphicsItem {
+class NoteItem : public OverlayItem {
 public:
     enum class Place { Top, Bottom };
     explicit NoteItem(Place place) : m_place(place) {}
@@ -19,7 +18,6 @@ public:
     const QString& text() const { return m_text; }
     void setView(const QRectF& view);
     void setFont(const QFont& font);
-    void setStyle(const OverlayStyle& style);
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -31,7 +29,6 @@ private:
     QString m_text;
     QRectF m_view;
     QFont m_font;
-    OverlayStyle m_style;
 };
 
 } // namespace view

@@ -105,4 +105,10 @@ void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlaySt
     stroke(colour, width, pattern);
 }
 
+void strokeFocusRing(QPainter& painter, const QPointF& centre, double radius, const OverlayStyle& style) {
+    QPainterPath ring;
+    ring.addEllipse(centre, radius, radius);
+    strokeWithHalo(painter, ring, style, style.accent, style.lineWidth + 0.5);
+}
+
 } // namespace view

@@ -5,6 +5,7 @@
 
 #include <QColor>
 #include <QPalette>
+#include <QPointF>
 
 class QPainter;
 class QPainterPath;
@@ -38,5 +39,8 @@ OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& pal
 // on a line.
 void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
                     const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
+
+// Around what the keyboard moves.
+void strokeFocusRing(QPainter& painter, const QPointF& centre, double radius, const OverlayStyle& style);
 
 } // namespace view

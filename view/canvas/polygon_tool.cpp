@@ -70,13 +70,21 @@ void PolygonTool::press(const Pointer& pointer) {
     end();
     m_part = m_scene->partAt(pointer.position, pointer.reach);
     m_scene->setFocused(m_part);
-    const bool transforms = pointer.modifiers & (Qt::ControlModifier | Qt::AltModifier);
-    if (!m_scene->cage() || !m_scene->overlaysVisible() || (m_part.kind == Kind::None && !transforms)) return;
-    m_state = State::Pressed;
+    if (!m_scene->cage() || !m_scene->overlaysVisible()) return;
     m_press = pointer.position;
     m_camera = m_scene->camera();
     m_pivotAtPress = m_scene->pivot();
     m_ownPivotAtPress = m_scene->hasOwnPivot();
+    const bool transforms = pointer.modifiers & (Qt::ControlModifier | Qt::AltModifier);
+    if (m_part.kind == Kind::None && !transforms) {
+        const std::optional<std::vector<std::size_t>> selection = this->selection();
+        if (!selection) return;
+        m_selectionAtPress = *selection;
+        m_state = State::Selecting;
+        selectWithin(pointer);
+        return;
+    }
+    m_state = State::Pressed;
     m_drag = {};
     m_drag.mode = modeOf(m_part, pointer.modifiers);
     m_scene->setPressed(m_part);
@@ -91,6 +99,9 @@ void PolygonTool::move(const Pointer& pointer) {
         hover(m_scene->partAt(pointer.position, pointer.reach));
         return;
     case State::Cancelled:
+        return;
+    case State::Selecting:
+        selectWithin(pointer);
         return;
     case State::Pressed:
         if ((pointer.position - m_press).manhattanLength() <= slack) return;
@@ -179,6 +190,24 @@ void PolygonTool::movePivot(const Pointer& pointer) {
     m_scene->showSnap(snap);
 }
 
+// At once, so that one sees it; a press on the empty canvas selects nothing.
+void PolygonTool::selectWithin(const Pointer& pointer) {
+    const QRectF band = QRectF(m_press, pointer.position).normalized();
+    std::vector<std::size_t> items = enclosedBy(band);
+    if (pointer.modifiers & adding)
+        for (const std::size_t item : m_selectionAtPress)
+            if (std::ranges::find(items, item) == items.end()) items.push_back(item);
+    setSelection(items);
+    m_scene->showBand(band);
+}
+
+void PolygonTool::selectClicked(std::size_t item, Qt::KeyboardModifiers modifiers) {
+    if (!(modifiers & adding)) return setSelection({item});
+    std::vector<std::size_t> items = selection().value_or(std::vector<std::size_t>());
+    if (std::erase(items, item) == 0) items.push_back(item);
+    setSelection(items);
+}
+
 void PolygonTool::release(const Pointer& pointer) {
     if (m_state == State::Nudging) return;
     const bool click = m_state == State::Pressed;
@@ -198,6 +227,7 @@ void PolygonTool::end() {
     m_scene->setPressed({});
     m_scene->holdKnobAt(std::nullopt);
     m_scene->showSnap(std::nullopt);
+    m_scene->showBand({});
     ended();
 }
 
@@ -209,6 +239,7 @@ bool PolygonTool::cancel() {
     if (m_state == State::Idle || m_state == State::Cancelled) return false;
     const State state = m_state;
     if (m_gesture) m_gesture->cancel();
+    if (state == State::Selecting) setSelection(m_selectionAtPress);
     if (state != State::Nudging) restorePivot();
     end();
     if (state != State::Nudging) m_state = State::Cancelled;
@@ -240,6 +271,7 @@ QCursor PolygonTool::cursor(const Pointer& pointer) const {
     const bool held =
         m_state == State::Pressed || m_state == State::Dragging || m_state == State::MovingPivot;
     if (held) return cursorFor(m_part, Holding::Yes);
+    if (m_state == State::Selecting) return cursorFor({}, Holding::No);
     return cursorFor(m_scene->partAt(pointer.position, pointer.reach), Holding::No);
 }
 
@@ -252,6 +284,10 @@ void PolygonTool::walk(int step) {
     std::ptrdiff_t place = step > 0 ? -1 : count;
     if (found != parts.end()) place = found - parts.begin();
     m_scene->setFocused(parts[std::size_t((place + step + count) % count)]);
+}
+
+bool PolygonTool::isBareKey(const QKeyEvent& event, Qt::Key key) const {
+    return event.key() == key && !(event.modifiers() & ~Qt::KeypadModifier) && !isBusy();
 }
 
 bool PolygonTool::keyPress(const QKeyEvent& event) {

@@ -55,6 +55,18 @@ protected:
     virtual void clicked(const CanvasPart&, const Pointer&) {}      // pressed and let go where it was
     virtual void ended() {}                                         // nothing is held any more
 
+    // What of the polygons can be selected, by numbers of the tool's own: by a rectangle drawn from the empty
+    // canvas, and by clicks. nullopt: nothing can.
+    virtual std::optional<std::vector<std::size_t>> selection() const { return std::nullopt; }
+    virtual void setSelection(const std::vector<std::size_t>&) {}
+    virtual std::vector<std::size_t> enclosedBy(const QRectF&) const { return {}; } // pixels
+    // Delete, Insert and the like, while nothing is held.
+    bool isBareKey(const QKeyEvent& event, Qt::Key key) const;
+    void selectClicked(std::size_t item, Qt::KeyboardModifiers modifiers); // alone, or one more or less
+
+    static constexpr Qt::KeyboardModifiers adding =
+        Qt::ControlModifier | Qt::ShiftModifier; // to the selection
+
     CanvasScene& scene() const { return *m_scene; }
     document::EditGesture& gesture() const { return *m_gesture; }
     const PolygonDrag& drag() const { return m_drag; }
@@ -65,12 +77,14 @@ private:
         Pressed, // not yet moved far enough to mean a drag
         Dragging,
         MovingPivot,
-        Nudging,  // an arrow key is held
-        Cancelled // waits for the button to go up
+        Selecting, // by a rectangle
+        Nudging,   // an arrow key is held
+        Cancelled  // waits for the button to go up
     };
 
     void dragTo(const Pointer& pointer);
     void movePivot(const Pointer& pointer);
+    void selectWithin(const Pointer& pointer);
     bool open(const CanvasPart& part, PolygonDrag::Mode mode, const QPointF& press);
     void turnInto(PolygonDrag::Mode mode);
     void restorePivot();
@@ -89,6 +103,7 @@ private:
     attractor::Camera m_camera; // at the press
     ifs::Vector<2> m_pivotAtPress = ifs::Vector<2>::Zero();
     bool m_ownPivotAtPress = false;
+    std::vector<std::size_t> m_selectionAtPress;
     QPointF m_nudge;          // pixels, degrees or percent so far
     QTimer m_letGo;           // an arrow key has gone up, unless it only repeats
     quint64 m_letGoStamp = 0; // of that event

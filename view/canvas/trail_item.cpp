@@ -13,11 +13,6 @@ void TrailItem::setPoints(const QPolygonF& points) {
     update();
 }
 
-void TrailItem::setStyle(const OverlayStyle& style) {
-    m_style = style;
-    update();
-}
-
 QRectF TrailItem::boundingRect() const {
     return m_points.boundingRect().adjusted(-9, -9, 9, 9);
 }

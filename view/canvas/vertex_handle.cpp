@@ -12,16 +12,11 @@ constexpr double focusRadius = 14;
 
 } // namespace
 
-VertexHandle::VertexHandle(int number, QGraphicsItem* parent) : QGraphicsItem(parent), m_number(number) {}
+VertexHandle::VertexHandle(int number, QGraphicsItem* parent) : OverlayItem(parent), m_number(number) {}
 
 void VertexHandle::setState(HandleStates state) {
     if (m_state == state) return;
     m_state = state;
-    update();
-}
-
-void VertexHandle::setStyle(const OverlayStyle& style) {
-    m_style = style;
     update();
 }
 
@@ -32,12 +27,9 @@ QRectF VertexHandle::boundingRect() const {
 
 void VertexHandle::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->setRenderHint(QPainter::Antialiasing);
-    if (m_state.testFlag(HandleState::Focused)) {
-        QPainterPath ring;
-        ring.addEllipse(QPointF(), focusRadius, focusRadius);
-        strokeWithHalo(*painter, ring, m_style, m_style.accent, m_style.lineWidth + 0.5);
-    }
-    const bool lit = m_state & (HandleStates(HandleState::Hovered) | HandleState::Pressed);
+    if (m_state.testFlag(HandleState::Focused)) strokeFocusRing(*painter, QPointF(), focusRadius, m_style);
+    const bool lit =
+        m_state & (HandleStates(HandleState::Hovered) | HandleState::Pressed | HandleState::Selected);
     const double grown = m_state.testFlag(HandleState::Hovered) ? radius + 1 : radius;
     painter->setPen(Qt::NoPen);
     painter->setBrush(m_style.core);

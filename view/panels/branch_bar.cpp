@@ -173,13 +173,24 @@ void BranchBar::swingTo(int degrees) {
         if (std::ranges::find(m_canvas->selectedMaps(), handles.maps()[place].id) !=
             m_canvas->selectedMaps().end())
             places.push_back(place);
-    const document::Fractal after = handles.withMapsSwung(places, *root, degrees * std::numbers::pi / 180);
-    m_swinging.preview(tr("Let maps swing"), [&](document::Fractal& fractal) { fractal = after; });
+    const auto swung = [&](double angle) {
+        return handles.withMapsSwung(places, *root, angle * std::numbers::pi / 180);
+    };
+    // Whole degrees, up to where the attractor would be lost.
+    degrees = int(degrees * m_canvas->shareToShow([&](double share) { return swung(degrees * share); }));
+    m_swinging.preview(tr("Let maps swing"), [&](document::Fractal& fractal) { fractal = swung(degrees); });
+    const QSignalBlocker quiet(m_swing);
+    m_swing->setValue(degrees);
     follow();
-    if (!m_swing->isSliderDown() && !m_swing->hasFocus()) endSwing(); // a wheel over it
+    if (!m_swing->isSliderDown() &&
+        !m_swing->hasFocus()) { // a wheel over it: the canvas goes on saying why it stopped
+        m_swinging.commit();
+        centre();
+    }
 }
 
 void BranchBar::endSwing() {
+    if (m_swinging.isOpen()) m_canvas->dismissStop();
     m_swinging.commit();
     centre();
 }

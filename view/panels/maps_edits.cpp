@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps_edits.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <iterator>
 
@@ -144,6 +146,32 @@ MapsEdit withMapsPasted(document::Fractal fractal, const Rows& rows, const MapRo
         return {withoutMaps(std::move(fractal), surplus).fractal, std::move(ids)};
     }
     return {std::move(fractal), std::move(ids)};
+}
+
+namespace {
+
+struct Steps {
+    Q_DECLARE_TR_FUNCTIONS(view::MapsPanel)
+};
+
+std::vector<ifs::MapId> applied(document::Document& document, const QString& text, MapsEdit edit) {
+    document.edit(text, std::move(edit.fractal));
+    return std::move(edit.touched);
+}
+
+} // namespace
+
+std::vector<ifs::MapId> duplicateMaps(document::Document& document, const Rows& rows) {
+    return applied(document,
+                   rows.size() == 1 ? Steps::tr("Duplicate a map")
+                                    : Steps::tr("Duplicate %1 maps").arg(rows.size()),
+                   withDuplicates(document.fractal(), rows));
+}
+
+std::vector<ifs::MapId> deleteMaps(document::Document& document, const Rows& rows) {
+    return applied(
+        document, rows.size() == 1 ? Steps::tr("Delete a map") : Steps::tr("Delete %1 maps").arg(rows.size()),
+        withoutMaps(document.fractal(), rows));
 }
 
 document::Fractal withWeight(document::Fractal fractal, int row, double weight) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
+#include "document/document.h"
 
 #include <vector>
 
@@ -27,6 +27,10 @@ MapsEdit withMapsMoved(document::Fractal fractal, const Rows& rows, int before);
 // The pasted maps in place of the rows, which keep their ids as far as they go; appended when there are no
 // rows.
 MapsEdit withMapsPasted(document::Fractal fractal, const Rows& rows, const MapRows& pasted);
+
+// As one step of the document; returns the maps to select afterwards.
+std::vector<ifs::MapId> duplicateMaps(document::Document& document, const Rows& rows);
+std::vector<ifs::MapId> deleteMaps(document::Document& document, const Rows& rows);
 
 // The weight of one map. Where none were given, the others get the probability they have now: a single weight
 // would mean nothing.

@@ -441,16 +441,12 @@ void MapsPanel::addMap() {
 
 void MapsPanel::duplicateMaps() {
     const Rows rows = selectedRows();
-    if (!rows.empty())
-        applyEdit(rows.size() == 1 ? tr("Duplicate a map") : tr("Duplicate %1 maps").arg(rows.size()),
-                  withDuplicates(m_document->fractal(), rows));
+    if (!rows.empty()) selectMaps(view::duplicateMaps(*m_document, rows));
 }
 
 void MapsPanel::deleteMaps() {
     const Rows rows = selectedRows();
-    if (!rows.empty())
-        applyEdit(rows.size() == 1 ? tr("Delete a map") : tr("Delete %1 maps").arg(rows.size()),
-                  withoutMaps(m_document->fractal(), rows));
+    if (!rows.empty()) selectMaps(view::deleteMaps(*m_document, rows));
 }
 
 void MapsPanel::moveSelection(int before) {
