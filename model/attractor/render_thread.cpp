@@ -2,6 +2,7 @@
 #include "attractor/render_thread.h"
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -12,6 +13,7 @@ namespace attractor {
 namespace {
 // A pass is at most this long, so that a refining picture is seen to refine.
 constexpr std::uint64_t longestPass = 100'000'000;
+constexpr auto pauseBeforeRefining = std::chrono::milliseconds(50);
 
 // Frames that nobody shows any more, kept because fresh memory costs as much time as drawing into it.
 class FramePool : public std::enable_shared_from_this<FramePool> {
@@ -55,6 +57,7 @@ struct RenderThread::State {
     void replace(std::optional<Job> job);
     void serve();
     void work(Job job, const std::stop_token& stop);
+    bool staysIdle(const std::stop_token& stop);
     void publish(Frame frame, const std::stop_token& stop);
 
     std::function<void()> frameReady;
@@ -113,8 +116,16 @@ void RenderThread::State::work(Job job, const std::stop_token& stop) {
         publish(rendering->frame(frames->take(), stop), stop);
         done += pass;
         if (done >= job.quality || rendering->finished()) return;
+        if (done == pass && !staysIdle(stop)) return;
         pass = std::min({std::max(done, first), longestPass, job.quality - done});
     }
+}
+
+// Refining at once would take the processors from the thread that shows the frame, and show it again before
+// the hand's next one.
+bool RenderThread::State::staysIdle(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    return !wake.wait_for(lock, pauseBeforeRefining, [&] { return quit || stop.stop_requested(); });
 }
 
 void RenderThread::State::publish(Frame frame, const std::stop_token& stop) {

@@ -57,7 +57,7 @@ private slots:
         thread.submit(numbered(1), 2'000'000);
         QVERIFY(eventually([&] { return announced == 1; }));
         std::shared_ptr<const Frame> frame;
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        std::this_thread::sleep_for(std::chrono::milliseconds(150));
         QCOMPARE(announced.load(), 1); // passes went on without a second call
         QVERIFY(eventually([&] {
             frame = thread.newestFrame();
