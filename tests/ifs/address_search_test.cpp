@@ -65,6 +65,13 @@ private slots:
         QVERIFY(!addressNear(*holes, {0.4, 0.4}, 0.01, 0.01)); // in the great hole
         QVERIFY(addressNear(*holes, {0.4, 0.4}, 0.2, 0.01));
     }
+
+    // The search ends at its bound, and what it has then is no address when it is wider than was asked for.
+    void withTooFewNodesThereIsNone() {
+        const auto attractor = SupportFunction<2>::of(Maps2{sierpinskiRight()});
+        QVERIFY(addressNear(*attractor, {0, 0}, 0.01, 1e-6));
+        QVERIFY(!addressNear(*attractor, {0, 0}, 0.01, 1e-6, 20));
+    }
 };
 
 QTEST_APPLESS_MAIN(AddressSearchTest)
