@@ -70,7 +70,7 @@ private slots:
     void withTooFewNodesThereIsNone() {
         const auto attractor = SupportFunction<2>::of(Maps2{sierpinskiRight()});
         QVERIFY(addressNear(*attractor, {0, 0}, 0.01, 1e-6));
-        QVERIFY(!addressNear(*attractor, {0, 0}, 0.01, 1e-6, 20));
+        QVERIFY(!addressNear(*attractor, {0, 0}, 0.01, 1e-6, {}, 20));
     }
 };
 
