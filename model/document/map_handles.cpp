@@ -207,18 +207,18 @@ std::optional<BranchHandles> branchHandles(const Fractal& fractal, const ifs::Co
 }
 
 bool isMoved(const Fractal& fractal, const ifs::Word& branch) {
-    return !(withBranchPutBack(fractal, branch) == fractal);
+    const System2* system = system2(fractal);
+    return !fractal.moved.empty() && system && std::ranges::all_of(branch, [&](int place) {
+        return std::size_t(place) < system->maps.size();
+    }) && std::ranges::find(fractal.moved, idsOf(*system, branch), &MovedBranch::word) != fractal.moved.end();
 }
 
-Fractal withBranchPutBack(const Fractal& fractal, const ifs::Word& branch) {
-    Fractal result = fractal;
-    const System2* system = system2(fractal);
-    if (system &&
-        std::ranges::all_of(branch, [&](int place) { return std::size_t(place) < system->maps.size(); }))
-        std::erase_if(result.moved, [word = idsOf(*system, branch)](const MovedBranch& moved) {
+Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch) {
+    if (isMoved(fractal, branch))
+        std::erase_if(fractal.moved, [word = idsOf(*system2(fractal), branch)](const MovedBranch& moved) {
             return moved.word == word;
         });
-    return result;
+    return fractal;
 }
 
 std::optional<Vector<2>> root(const Fractal& fractal) {

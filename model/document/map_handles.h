@@ -74,7 +74,7 @@ std::optional<BranchHandles> branchHandles(const Fractal& fractal, const ifs::Co
                                            const ifs::Word& branch, BranchEdit edit);
 
 // The same with the branch, a word of places, where its maps put it; as it is when there is no such branch.
-Fractal withBranchPutBack(const Fractal& fractal, const ifs::Word& branch);
+Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch);
 bool isMoved(const Fractal& fractal, const ifs::Word& branch);
 
 // The lowest point of what is displayed, in coordinates of the code: where a plant stands.
