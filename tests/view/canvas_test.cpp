@@ -439,17 +439,17 @@ private slots:
         QVERIFY((*position.barycentric - ifs::Barycentric<2>(0, 1, 0)).norm() < 0.02);
     }
 
-    // The two vertices at the top, from the empty canvas beside them.
+    // The two vertices at the bottom, from the empty canvas beside them.
     void aRectangleSelectsVerticesThatMoveTogether() {
-        std::vector<std::size_t> top{0, 1, 2};
+        std::vector<std::size_t> low{0, 1, 2};
         const auto height = [&](std::size_t index) { return vertex(int(index)).y(); };
-        top.erase(std::ranges::max_element(top, {}, height));
-        const QPoint one = vertex(int(top[0]));
-        const QPoint other = vertex(int(top[1]));
+        low.erase(std::ranges::min_element(low, {}, height));
+        const QPoint one = vertex(int(low[0]));
+        const QPoint other = vertex(int(low[1]));
         const QRect around = QRect(one, one).united(QRect(other, other)).adjusted(-16, -16, 16, 16);
         QCOMPARE(m_canvas->canvas().partAt(around.topLeft(), view::Reach::Mouse).kind, Kind::None);
         drag(around.topLeft(), around.bottomRight() - around.topLeft());
-        QCOMPARE(scene().selectedVertices(), top);
+        QCOMPARE(scene().selectedVertices(), low);
         QCOMPARE(steps(), 0);
 
         const std::vector<Vector<2>> before = vertices();
@@ -458,7 +458,7 @@ private slots:
         QCOMPARE(steps(), 1);
         const Vector<2> offset = view::worldOffset(m_canvas->camera(), {-20, 9});
         for (std::size_t i = 0; i < 3; ++i) {
-            const bool moved = std::ranges::find(top, i) != top.end();
+            const bool moved = std::ranges::find(low, i) != low.end();
             QVERIFY((vertices()[i] - before[i] - (moved ? offset : Vector<2>::Zero())).norm() < 1e-12);
         }
         QSignalSpy said(m_canvas.get(), &CanvasView::message);
