@@ -177,9 +177,11 @@ private slots:
         QVERIFY(QLineF(corner + QPointF(90, -40), at({Kind::Vertex, 0, 0})).length() < 1e-6);
         drag(at({Kind::Vertex, 0, 0}), {-20, 10});
         QVERIFY(QLineF(corner + QPointF(70, -30), at({Kind::Vertex, 0, 0})).length() < 1e-6);
-        QVERIFY(hover(at({Kind::Inside, 0, 0})).address.empty() ||
-                hover(at({Kind::Inside, 0, 0})).address[0] == 2);
         QCOMPARE(m_document->fractal().moved.size(), 1U);
+        const Vector<2> point = *ifs::addressPoint<2>(ifs::mapsOf(system()), {2, 1}, {0});
+        const Word address = read(pixel(m_document->fractal().moved.front().change(point))).address;
+        QVERIFY(address.size() > 2 && address[0] == 2 && address[1] == 1);
+        QVERIFY(read(pixel(point)).address.empty());
         QVERIFY(m_bar->putBackButton()->isVisibleTo(m_bar.get()));
         m_bar->putBackButton()->click();
         QVERIFY(m_document->fractal() == before);
