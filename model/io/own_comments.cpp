@@ -106,7 +106,9 @@ QByteArrayList appearanceLines(const attractor::Appearance& appearance) {
 
 // A text that is written after a key: one line, no blanks at its ends, short enough.
 std::string storablePaletteName(const std::string& name) {
-    QString text = QString::fromStdString(name).simplified();
+    QString text = QString::fromStdString(name);
+    text.removeIf([](QChar c) { return !c.isPrint() && !c.isSurrogate() && !c.isSpace(); });
+    text = text.simplified();
     const auto room = longestLine - line("palette", {}).size();
     while (text.toUtf8().size() > room)
         text.chop(1);

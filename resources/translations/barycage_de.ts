@@ -5698,16 +5698,8 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Die gewählten Ecken oder Abbildungen löschen</translation>
     </message>
     <message>
-        <source>Del</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
         <translation>Eine Ecke auf einer Kante einfügen, die gewählten Abbildungen verdoppeln</translation>
-    </message>
-    <message>
-        <source>Ins</source>
-        <translation>Einfg</translation>
     </message>
 </context>
 <context>

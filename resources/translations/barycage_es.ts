@@ -5698,16 +5698,8 @@ La entrada se conserva tal cual.</translation>
         <translation>Eliminar los vértices o las aplicaciones elegidos</translation>
     </message>
     <message>
-        <source>Del</source>
-        <translation>Supr</translation>
-    </message>
-    <message>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
         <translation>Insertar un vértice en una arista, duplicar las aplicaciones elegidas</translation>
-    </message>
-    <message>
-        <source>Ins</source>
-        <translation>Insert</translation>
     </message>
 </context>
 <context>

@@ -5698,16 +5698,8 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Supprimer les sommets ou les applications choisis</translation>
     </message>
     <message>
-        <source>Del</source>
-        <translation>Suppr</translation>
-    </message>
-    <message>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
         <translation>Insérer un sommet sur une arête, dupliquer les applications choisies</translation>
-    </message>
-    <message>
-        <source>Ins</source>
-        <translation>Inser</translation>
     </message>
 </context>
 <context>

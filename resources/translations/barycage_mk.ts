@@ -5709,16 +5709,8 @@ The entry is kept as it is.</source>
         <translation>Избриши ги избраните темиња или пресликувања</translation>
     </message>
     <message>
-        <source>Del</source>
-        <translation>Del</translation>
-    </message>
-    <message>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
         <translation>Вметни теме на страна, удвој ги избраните пресликувања</translation>
-    </message>
-    <message>
-        <source>Ins</source>
-        <translation>Ins</translation>
     </message>
 </context>
 <context>

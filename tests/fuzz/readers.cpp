@@ -77,8 +77,8 @@ void checkRewritten(const document::Fractal& fractal) {
     for (std::size_t i = 0; i < maps->maps.size(); ++i)
         promise(rows->maps[i].map == maps->maps[i].map && rows->maps[i].enabled == maps->maps[i].enabled,
                 "an entry that is written keeps its numbers");
-    promise(before.cage == after.cage && before.appearance == after.appearance,
-            "an entry that is written keeps its cage and appearance");
+    promise(before.cage == after.cage && before.appearance == after.appearance && before.moved == after.moved,
+            "an entry that is written keeps its cage, its branches and its appearance");
 }
 
 // The same file with its first system changed holds the change and all else.

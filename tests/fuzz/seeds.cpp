@@ -77,7 +77,9 @@ QByteArrayList written(const QByteArray& suffix) {
         QByteArrayList lines;
         for (const QByteArray& line : own.split('\n'))
             if (line.contains("barycage:")) lines << line.trimmed();
-        return {lines.join('\n'), "rest 0 0\nrest 1 0\nrest 0 1\ncurrent 1 1\ncurrent 2 1\ncurrent 1 2"};
+        return {lines.join('\n'),
+                "branch 2 1\nby 1 0\nby 0 1\nby 2 3\nbranch 3\nbranch 3\nby 0 0\nby 0 0\nby 1e300 0",
+                "rest 0 0\nrest 1 0\nrest 0 1\ncurrent 1 1\ncurrent 2 1\ncurrent 1 2"};
     }
     return {};
 }
@@ -106,8 +108,8 @@ const QByteArrayList& tokens() {
         // Fractint's
         "{", "}", ";", "(3D)", "\x1a", "\r", "\n", "\r\n", "\xef\xbb\xbf", "\xff\xfe", " ", "\t", "'", ",",
         "comment", "frm:", "par:", "ifs:", "a=b", "x { .5 0 0 .5 0 0 1 }\n", "barycage: ", "rest ",
-        "current ", "stop ", "palette ", "map-colour ", "off ", "unweighted ", "all", "#00112233", "gamma ",
-        "supersample ", "deformation bend", QByteArray("\0", 1),
+        "current ", "branch ", "by ", "stop ", "palette ", "map-colour ", "off ", "unweighted ", "all",
+        "#00112233", "gamma ", "supersample ", "deformation bend", QByteArray("\0", 1),
         // tables
         "a b c d e f p\n", "theta", "cumulative", "1;1;1;1;1;1;1\n", "1\t2\t3\t4\t5\t6\n", "0 0 1\n",
         // markup
