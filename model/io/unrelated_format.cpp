@@ -71,6 +71,13 @@ std::optional<QString> byMagic(QByteArrayView bytes) {
     return std::nullopt;
 }
 
+// A tag, and no entry whose name begins with this sign. Markup may hold entries: our pictures do.
+bool isMarkup(QByteArrayView text) {
+    const qsizetype tagEnd = text.indexOf('>');
+    const qsizetype brace = text.indexOf('{');
+    return text.startsWith('<') && tagEnd > 0 && (brace < 0 || tagEnd < brace);
+}
+
 std::optional<QString> byBeginning(QByteArrayView text) {
     if (text.startsWith("(("))
         return Text::tr(
@@ -160,6 +167,7 @@ std::optional<QString> unrelatedFormat(QByteArrayView bytes) {
             "This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with "
             "iterated function systems.");
     const QByteArrayView text = bytes.first(std::min(bytes.size(), sampleSize)).trimmed();
+    if (isCollection && !isMarkup(text)) return std::nullopt;
     if (const auto beginning = byBeginning(text)) return beginning;
     if (isCollection) return std::nullopt;
     if (const auto words = byWords(text)) return words;

@@ -73,6 +73,7 @@ private slots:
     void randomEditsKeepTheRest();
     void aShorterTextIsStillACollection_data();
     void aShorterTextIsStillACollection();
+    void namesAreNoFormats();
 
 private:
     void editAtRandom(Fractal& fractal, QRandomGenerator& random);
@@ -474,6 +475,18 @@ void FractintWriterTest::aShorterTextIsStillACollection_data() {
     QTest::newRow("a word of IFStile") << QByteArray("; $dim\n");
     QTest::newRow("a word of XaoS") << QByteArray("; (formula 'mandel)\n");
     QTest::newRow("words of a script") << QByteArray("scale\n").repeated(30);
+}
+
+// Names that begin as other formats do are read back from a text that begins with them.
+void FractintWriterTest::namesAreNoFormats() {
+    for (const char* name : {"<barnsley_fern", "@maple", "((tree", "(initstate)"}) {
+        Fractal fractal = document::sierpinskiTriangle();
+        fractal.name = QString::fromLatin1(name);
+        const FractalFile file = io::readFractint(io::writeEntry(fractal));
+        QCOMPARE(file.entries.size(), 1);
+        QCOMPARE(file.entries[0].fractal->name, fractal.name);
+    }
+    QVERIFY(io::readFractint("<svg>\na {\n.5 0 0 .5 0 0 1\n}\n</svg>").entries.isEmpty());
 }
 
 // What stood too far down, or was too little, to make the text something else comes to the fore.
