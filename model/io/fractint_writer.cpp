@@ -45,7 +45,12 @@ public:
             append(entry);
             previous = &entry;
         }
-        if (previous != nullptr && isLineOpen(m_bytes) && !m_file.tail.isEmpty() && endsInComment(m_bytes))
+        // Bare rows go up to ^Z, be it in a comment.
+        const bool isBareAlone =
+            m_file.entries.size() == 1 && previous->source && fractint::isBare(*previous->source);
+        const bool isCut = isBareAlone && m_file.tail.startsWith('\x1a');
+        if (previous != nullptr && !isCut && isLineOpen(m_bytes) && !m_file.tail.isEmpty() &&
+            endsInComment(m_bytes))
             m_bytes += m_file.lineEnd;
         return m_bytes + m_file.tail;
     }

