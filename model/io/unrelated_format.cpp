@@ -73,9 +73,9 @@ std::optional<QString> byMagic(QByteArrayView bytes) {
 
 // A tag, and no entry whose name begins with this sign. Markup may hold entries: our pictures do.
 bool isMarkup(QByteArrayView text) {
-    const qsizetype tagEnd = text.indexOf('>');
-    const qsizetype brace = text.indexOf('{');
-    return text.startsWith('<') && tagEnd > 0 && (brace < 0 || tagEnd < brace);
+    const auto lineEnd =
+        std::find_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; });
+    return text.startsWith('<') && std::find(text.begin(), lineEnd, '{') == lineEnd;
 }
 
 std::optional<QString> byBeginning(QByteArrayView text) {

@@ -480,7 +480,7 @@ void FractintWriterTest::aShorterTextIsStillACollection_data() {
 
 // Names that begin as other formats do are read back from a text that begins with them.
 void FractintWriterTest::namesAreNoFormats() {
-    for (const char* name : {"<barnsley_fern", "@maple"}) {
+    for (const char* name : {"<barnsley_fern", "<flames>", "@maple"}) {
         Fractal fractal = document::sierpinskiTriangle();
         fractal.name = QString::fromLatin1(name);
         const FractalFile file = io::readFractint(io::writeEntry(fractal));
