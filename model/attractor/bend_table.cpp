@@ -149,7 +149,7 @@ void BendTable::measure(Square& square) {
 }
 
 // What the expansion misses at most in a piece, as found in its corners.
-double BendTable::missIn(const Square& square, const Vector<2>& x, const ifs::Matrix<2>& spread) const {
+double BendTable::missOf(const Square& square, const Vector<2>& x, const ifs::Matrix<2>& spread) const {
     double result = 0;
     for (std::size_t corner = 0; corner < corners; ++corner) {
         const Vector<2> at = x + spread * onEdge(corner);
@@ -212,7 +212,7 @@ BendTable::Piece BendTable::piece(const Vector<2>& x, const ifs::Matrix<2>& spre
     // it.
     const bool doubtful = found.miss > m_tolerance && found.miss < infinity;
     const bool matters = result.miss.maxCoeff() < 2 * m_tolerance;
-    result.miss.array() += doubtful && matters ? std::min(found.miss, missIn(s, x, spread)) : found.miss;
+    result.miss.array() += doubtful && matters ? std::min(found.miss, missOf(s, x, spread)) : found.miss;
     return result;
 }
 

@@ -52,7 +52,7 @@ private:
     void expand(Square& square);
     void measure(Square& square);
     double featureSize(const ifs::Vector<2>& x) const;
-    double missIn(const Square& square, const ifs::Vector<2>& x, const ifs::Matrix<2>& spread) const;
+    double missOf(const Square& square, const ifs::Vector<2>& x, const ifs::Matrix<2>& spread) const;
     static double error(const Square& square, double distance, double radius);
     struct Found {
         std::size_t square = 0;
