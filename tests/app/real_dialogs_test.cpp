@@ -41,7 +41,8 @@ private slots:
 private:
     QDialog* openDialog(const char* shortcut, const char* className);
     void click(const QWidget* widget) { hand().clickAt(middleOf(widget)); }
-    void exportAs(QDialog& dialog, const QString& path);
+    void exportAs(QDialog& dialog, const QString& path); // begins it
+    static bool isWritten(const QDialog& dialog, const QString& path);
     void type(QWidget* field, const QString& text);
 };
 
@@ -76,6 +77,12 @@ void RealDialogsTest::exportAs(QDialog& dialog, const QString& path) {
     QVERIFY(answered);
 }
 
+// Whether the dialog says so. The file itself is there a little earlier, while the dialog still offers to
+// stop.
+bool RealDialogsTest::isWritten(const QDialog& dialog, const QString& path) {
+    return named<QLabel>(dialog, QStringLiteral("Result"))->text().contains(path) && QFileInfo::exists(path);
+}
+
 void RealDialogsTest::exportsPng() {
     window().openPath(copyOfCollection(QStringLiteral("paper")));
     QDialog* dialog = openDialog("Control+e", "view::ExportDialog");
@@ -84,7 +91,7 @@ void RealDialogsTest::exportsPng() {
     const QString name = fractal().name;
     exportAs(*dialog, folder() + u'/' + name + QStringLiteral(".png"));
     const QString path = folder() + u'/' + name + QStringLiteral(".png");
-    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isWritten(*dialog, path), 30'000);
     const QImage image(path);
     QCOMPARE(image.size(), canvas().viewport()->size());
     const io::Collection read = io::readCollection(io::loadFile(path).bytes);
@@ -108,7 +115,7 @@ void RealDialogsTest::exportsSvg() {
     photograph(QStringLiteral("export-svg.png"));
     const QString path = folder() + u'/' + fractal().name + QStringLiteral(".svg");
     exportAs(*dialog, path);
-    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isWritten(*dialog, path), 30'000);
     const io::Collection read = io::readCollection(io::loadFile(path).bytes);
     QCOMPARE(read.format, QStringLiteral("svg"));
     QCOMPARE(read.file.entries.first().fractal->system, fractal().system);

@@ -82,13 +82,19 @@ protected:
             if (auto* found = qobject_cast<Widget*>(widget); found && found->isVisible()) return found;
         return nullptr;
     }
-    // The part of a dialog that has this accessible name or, of buttons, this text without "&".
+    // The part of a dialog that has this accessible name or, of buttons, this text without "&"; waits until
+    // it is to be seen, and ends the test program when it never is.
     template <typename Widget> static Widget* named(const QWidget& parent, const QString& name) {
-        for (auto* child : parent.findChildren<Widget*>()) {
-            const QString text = child->property("text").toString().remove(u'&');
-            if (child->isVisible() && (child->accessibleName() == name || text == name)) return child;
-        }
-        return nullptr;
+        Widget* found = nullptr;
+        waitFor([&] {
+            for (auto* child : parent.findChildren<Widget*>()) {
+                const QString text = child->property("text").toString().remove(u'&');
+                if (child->isVisible() && (child->accessibleName() == name || text == name)) found = child;
+            }
+            return found != nullptr;
+        });
+        if (!found) qFatal("nothing is called %s", qPrintable(name));
+        return found;
     }
 
     static WatchedApplication& watchdog() { return *static_cast<WatchedApplication*>(qApp); }
