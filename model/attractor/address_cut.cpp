@@ -115,19 +115,14 @@ public:
     Node<double> root(const ifs::AffineMap<2>& change) const {
         const ifs::Matrix<2>& linear = change.linear;
         const ifs::Vector<2> middle = change(m_system.centre);
-        return {linear(0, 0),
-                linear(0, 1),
-                linear(1, 0),
-                linear(1, 1),
-                middle.x(),
-                middle.y(),
-                1,
-                0,
-                1,
-                0,
-                0,
-                0,
-                {}};
+        Node<double> node;
+        node.xx = linear(0, 0);
+        node.xy = linear(0, 1);
+        node.yx = linear(1, 0);
+        node.yy = linear(1, 1);
+        node.x = middle.x();
+        node.y = middle.y();
+        return node;
     }
 
     Shown shown(const Node<double>& node) {

@@ -176,10 +176,7 @@ Orbit::Point Orbit::next() {
 }
 
 const ifs::AffineMap<2>& Orbit::change() const {
-    const auto piece = std::ranges::find_if(m_pieces, [this](const ifs::MovedBranch<2>& candidate) {
-        return std::equal(candidate.word.begin(), candidate.word.end(), m_address.begin());
-    });
-    return piece->change;
+    return ifs::pieceOf<2>(m_pieces, m_address).change;
 }
 
 void Orbit::step() {

@@ -211,10 +211,7 @@ DrawableSystem drawable(const ifs::IteratedFunctionSystem<2>& system,
 }
 
 std::vector<ifs::AffineMap<2>> shownPieces(const DrawableSystem& system) {
-    std::vector<ifs::AffineMap<2>> result;
-    for (const auto& [word, change] : ifs::pieces<2>(system.moved, system.maps.size()))
-        result.push_back(change * ifs::composed<2>(system.maps, word));
-    return result;
+    return ifs::pieceMaps<2>(ifs::pieces<2>(system.moved, system.maps.size()), system.maps);
 }
 
 } // namespace attractor

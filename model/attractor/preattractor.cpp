@@ -87,8 +87,7 @@ private:
         const ifs::Vector<2> middle = (m_low + m_high) / 2;
         const ifs::Vector<2> half = (m_high - m_low) / 2;
         double farthest = 0;
-        for (const auto& [word, change] : pieces()) {
-            const ifs::AffineMap<2> map = change * ifs::composed<2>(m_job.system.maps, word);
+        for (const ifs::AffineMap<2>& map : ifs::pieceMaps<2>(pieces(), m_job.system.maps)) {
             const ifs::Vector<2> away = (map(middle) - middle).cwiseAbs() + map.linear.cwiseAbs() * half;
             farthest = std::max(farthest, away.maxCoeff());
         }

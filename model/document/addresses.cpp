@@ -49,12 +49,13 @@ std::optional<ifs::Vector<2>> Addresses::fixedPoint(const ifs::Word& word) const
     if (word.empty() || !letters) return std::nullopt;
     const auto point = ifs::addressPoint<2>(m_active.maps, {}, *letters);
     if (!point) return std::nullopt;
-    const auto piece = std::ranges::find_if(m_pieces, [&](const ifs::MovedBranch<2>& candidate) {
-        for (std::size_t k = 0; k < candidate.word.size(); ++k)
-            if (candidate.word[k] != (*letters)[k % letters->size()]) return false;
-        return true;
-    });
-    return m_placement(piece->change(*point));
+    std::size_t longest = 0;
+    for (const ifs::MovedBranch<2>& piece : m_pieces)
+        longest = std::max(longest, piece.word.size());
+    ifs::Word address;
+    while (address.size() < longest)
+        address.insert(address.end(), letters->begin(), letters->end());
+    return m_placement(ifs::pieceOf<2>(m_pieces, address).change(*point));
 }
 
 QString addressText(const ifs::Word& word, std::size_t longest) {

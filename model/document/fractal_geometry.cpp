@@ -24,11 +24,8 @@ std::optional<ifs::SupportFunction<2>> supportFunction(const Fractal& fractal) {
 // change∘w_word for every piece of what is shown, in coordinates of the code.
 std::vector<ifs::AffineMap<2>> shownPieces(const Fractal& fractal) {
     const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(fractal));
-    std::vector<ifs::AffineMap<2>> result;
-    for (const auto& [word, change] :
-         ifs::pieces<2>(ifs::overMaps<2>(movedBranches(fractal), active.index), active.maps.size()))
-        result.push_back(change * ifs::composed<2>(active.maps, word));
-    return result;
+    const auto moved = ifs::overMaps<2>(movedBranches(fractal), active.index);
+    return ifs::pieceMaps<2>(ifs::pieces<2>(moved, active.maps.size()), active.maps);
 }
 
 // Of the words of a fine cut, in the smallest picture that holds the current vertices with room to spare.

@@ -17,9 +17,9 @@ struct Addressed {
 
 // The address of the point of the attractor nearest to x, as far as pieces wider than `width` go, at least
 // one symbol. Where pieces overlap, that of the piece whose enclosing ball is nearest. nullopt when no point
-// lies within `reach` of x, or when the search is given up after `maxNodes` words. Best first, over the balls
-// w_σ(Ball) ⊃ w_σ(A). docs/mathematics.md, "Branches".
-// Only addresses that start with `beginning` are looked at.
+// lies within `reach` of x, or when the search is given up after `maxNodes` words. Only addresses that start
+// with `beginning` are looked at. Best first, over the balls w_σ(Ball) ⊃ w_σ(A). docs/mathematics.md,
+// "Branches".
 std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const Vector<2>& x, double reach,
                                      double width, const Word& beginning = {}, int maxNodes = 20'000);
 

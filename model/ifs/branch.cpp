@@ -104,6 +104,21 @@ std::vector<MovedBranch<Dim>> pieces(std::span<const MovedBranch<Dim>> moved, st
 }
 
 template <int Dim>
+std::vector<AffineMap<Dim>> pieceMaps(std::span<const MovedBranch<Dim>> pieces,
+                                      std::span<const AffineMap<Dim>> maps) {
+    std::vector<AffineMap<Dim>> result;
+    for (const auto& [word, change] : pieces)
+        result.push_back(change * composed<Dim>(maps, word));
+    return result;
+}
+
+template <int Dim>
+const MovedBranch<Dim>& pieceOf(std::span<const MovedBranch<Dim>> pieces, const Word& address) {
+    // No word begins another, so that the one with which the address begins is the last one not after it.
+    return *std::prev(std::ranges::upper_bound(pieces, address, {}, &MovedBranch<Dim>::word));
+}
+
+template <int Dim>
 std::vector<MovedBranch<Dim>> overMaps(std::span<const MovedBranch<Dim>> moved,
                                        std::span<const std::size_t> index) {
     std::vector<MovedBranch<Dim>> result;
@@ -141,6 +156,9 @@ std::vector<Word> overCutSet(const Word& word, const Word& branch, std::size_t m
                                                                 const Word&, const AffineMap<Dim>&);         \
     template std::vector<MovedBranch<Dim>> pieces<Dim>(std::span<const MovedBranch<Dim>>, std::size_t,       \
                                                        std::size_t);                                         \
+    template std::vector<AffineMap<Dim>> pieceMaps<Dim>(std::span<const MovedBranch<Dim>>,                   \
+                                                        std::span<const AffineMap<Dim>>);                    \
+    template const MovedBranch<Dim>& pieceOf<Dim>(std::span<const MovedBranch<Dim>>, const Word&);           \
     template std::vector<MovedBranch<Dim>> overMaps<Dim>(std::span<const MovedBranch<Dim>>,                  \
                                                          std::span<const std::size_t>);
 BARYCAGE_INSTANTIATE(2)

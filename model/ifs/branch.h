@@ -46,13 +46,24 @@ template <int Dim> struct MovedBranch {
 
 // What is shown of an attractor A whose branches are moved: the union of change(w_word(A)) over words with
 // exactly one of which every address begins. Of branches inside each other the inner one moves first. At most
-// 1 + (maps − 1)·Σ lengths of the words pieces. Branches with longer words than `longest` stay.
+// 1 + (maps − 1)·Σ lengths of the words pieces, in lexicographic order. Branches with longer words than
+// `longest` stay.
 template <int Dim>
 std::vector<MovedBranch<Dim>> pieces(std::span<const MovedBranch<Dim>> moved, std::size_t mapCount,
                                      std::size_t longest = std::size_t(-1));
 
-// The same with words over active maps, whose places are `index`; what names a map that takes no part is left
-// out.
+// change∘w_word of each piece.
+template <int Dim>
+std::vector<AffineMap<Dim>> pieceMaps(std::span<const MovedBranch<Dim>> pieces,
+                                      std::span<const AffineMap<Dim>> maps);
+
+// The piece with which an address begins. At least as much of the address must be given as the longest word
+// has.
+template <int Dim>
+const MovedBranch<Dim>& pieceOf(std::span<const MovedBranch<Dim>> pieces, const Word& address);
+
+// Moved branches with words over places in a system as ones over its active maps, whose places are `index`;
+// what names a map that takes no part is left out.
 template <int Dim>
 std::vector<MovedBranch<Dim>> overMaps(std::span<const MovedBranch<Dim>> moved,
                                        std::span<const std::size_t> index);

@@ -169,7 +169,6 @@ std::optional<QString> unrelatedFormat(QByteArrayView bytes) {
     const QByteArrayView text = bytes.first(std::min(bytes.size(), sampleSize)).trimmed();
     if (isCollection && !isMarkup(text)) return std::nullopt;
     if (const auto beginning = byBeginning(text)) return beginning;
-    if (isCollection) return std::nullopt;
     if (const auto words = byWords(text)) return words;
     return byLines(linesOf(text));
 }

@@ -35,8 +35,7 @@ struct OverlayStyle {
 
 OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& palette);
 
-// A line that is seen on any picture: the halo, then the line. One in the accent colour lies
-// on a line.
+// A line that is seen on any picture: the halo, then the line. One in the accent colour lies on a line.
 void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
                     const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
 

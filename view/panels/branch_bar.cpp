@@ -182,8 +182,8 @@ void BranchBar::swingTo(int degrees) {
     const QSignalBlocker quiet(m_swing);
     m_swing->setValue(degrees);
     follow();
-    if (!m_swing->isSliderDown() &&
-        !m_swing->hasFocus()) { // a wheel over it: the canvas goes on saying why it stopped
+    // A wheel over it ends here; the canvas goes on saying why it stopped.
+    if (!m_swing->isSliderDown() && !m_swing->hasFocus()) {
         m_swinging.commit();
         centre();
     }
