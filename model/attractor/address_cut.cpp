@@ -227,12 +227,11 @@ private:
     using Nodes = std::pmr::vector<Node<Real>>;
     enum class Threshold { Absolute, Relative };
 
-    static constexpr std::size_t mostWaiting = 1U << 20;  // words of the next level before refining it
-    static constexpr std::size_t mostChildren = 1U << 25; // looked at in all
-    static constexpr std::size_t childrenPerLook = 8192;  // between two looks at the stop token
-    static constexpr double smallest = 0.25;              // cells; below, splitting shows nothing new
-    static constexpr double atBorder = 512; // samples a word may have of which some fall outside
-    static constexpr double fewest = 32;    // samples for which a first-order map is worth its while
+    static constexpr std::size_t mostWaiting = 1U << 20; // words of the next level before refining it
+    static constexpr std::size_t childrenPerLook = 8192; // between two looks at the stop token
+    static constexpr double smallest = 0.25;             // cells; below, splitting shows nothing new
+    static constexpr double atBorder = 512;              // samples a word may have of which some fall outside
+    static constexpr double fewest = 32; // samples for which a first-order map is worth its while
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
                                double probability) {
@@ -299,7 +298,7 @@ private:
         std::size_t nextLook = 0;
         double settled = 0;
         Nodes next(m_nodeMemory);
-        while (!open.empty() && children < mostChildren) {
+        while (!open.empty() && children < m_settings.mostLooks) {
             double threshold = limit;
             if (kind == Threshold::Relative) {
                 double total = settled;

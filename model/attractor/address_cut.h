@@ -54,11 +54,12 @@ struct Curve {
 };
 
 struct CutSettings {
-    int words = 1024;       // no word has more than 1/words of the measure in view
-    int minDepth = 0;       // no word is shorter, so that its first maps are known
-    int maxDepth = 1 << 30; // no word is longer
-    std::uint64_t seed = 1; // decides which words stand for others where there are too many
-    double samples = 0;     // in view; a bend is not followed into words that would get fewer than 32
+    int words = 1024;                 // no word has more than 1/words of the measure in view
+    int minDepth = 0;                 // no word is shorter, so that its first maps are known
+    int maxDepth = 1 << 30;           // no word is longer
+    std::uint64_t seed = 1;           // decides which words stand for others where there are too many
+    std::size_t mostLooks = 1U << 25; // words looked at; then those that are open stay as they are
+    double samples = 0; // in view; a bend is not followed into words that would get fewer than 32
 };
 
 // Words of the address tree that meet the grid: A ∩ view = ∪ w_σ(A) ∩ view.

@@ -63,6 +63,15 @@ Vector<2> onEdge(std::size_t place) {
     return {places[place][0], places[place][1]};
 }
 
+BendTable::Piece nowhere() {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    BendTable::Piece piece;
+    for (Vector<2>* part : {&piece.value, &piece.aa, &piece.ab, &piece.bb, &piece.miss})
+        part->setConstant(none);
+    piece.linear.setConstant(none);
+    return piece;
+}
+
 } // namespace
 
 void BendTable::follow(const ifs::PolygonDeformation& bend, const Vector<2>& centre, double halfSize,
@@ -77,6 +86,7 @@ void BendTable::follow(const ifs::PolygonDeformation& bend, const Vector<2>& cen
     const Vector<2> middle = (low + high) / 2;
     const double reach = (centre - middle).cwiseAbs().maxCoeff() + halfSize;
     double half = (high - low).maxCoeff() / 2;
+    m_farthest = farthest * 2 * half;
     while (half < reach)
         half *= 2;
     if (m_squares.empty() || m_squares[0].centre != middle || m_squares[0].half != half ||
@@ -190,7 +200,9 @@ BendTable::Found BendTable::find(const Vector<2>& x, double radius) {
 }
 
 BendTable::Piece BendTable::piece(const Vector<2>& x, const ifs::Matrix<2>& spread) {
-    const Found found = find(x, spread.cwiseAbs().rowwise().sum().maxCoeff());
+    const double radius = spread.cwiseAbs().rowwise().sum().maxCoeff();
+    if ((x - m_squares[0].centre).cwiseAbs().maxCoeff() - radius > m_farthest) return nowhere();
+    const Found found = find(x, radius);
     const Square& s = m_squares[found.square];
     const Expansion e = movedBy(s.expansion, x - s.centre);
     const Vector<2> a = spread.col(0);

@@ -15,6 +15,8 @@ namespace attractor {
 // is kept from one bend to the next, and never changes a bit; the same bits on every machine.
 class BendTable {
 public:
+    static constexpr double farthest = 0x1p16;
+
     // From now on the pieces are those of this bend, which must outlive them, in the square
     // centre ± halfSize. Expansions are refined until they miss at most `tolerance` in displayed coordinates,
     // or are small beside the piece.
@@ -23,6 +25,7 @@ public:
 
     // The image of the parallelogram {x + a·spread₁ + b·spread₂ : |a|, |b| ≤ 1}:
     // value + linear·(a, b) + aa·a² + ab·ab + bb·b², but for `miss` at most; infinite where nothing is known.
+    // Not a number beyond `farthest` cages from the cage, where coordinates have lost their digits.
     struct Piece {
         ifs::Vector<2> value;
         ifs::Matrix<2> linear;
@@ -63,6 +66,7 @@ private:
     const ifs::PolygonDeformation* m_bend = nullptr;
     std::uint32_t m_number = 0; // of the bend
     double m_tolerance = 0;
+    double m_farthest = 0; // from the middle of the first square
     ifs::Coordinates m_kind = ifs::Coordinates::MeanValue;
     std::vector<ifs::Vector<2>> m_rest;
     std::vector<double> m_cornerSize; // half of the shorter edge at each corner

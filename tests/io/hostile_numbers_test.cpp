@@ -23,6 +23,8 @@ private slots:
     void systems();
     void cages_data();
     void cages();
+    void movedBranches_data();
+    void movedBranches();
     void views_data();
     void views();
 };
@@ -158,6 +160,34 @@ void HostileNumbersTest::cages() {
         fractal.cage = cage;
         survive(fractal);
     }
+}
+
+void HostileNumbersTest::movedBranches_data() {
+    QTest::addColumn<ifs::AffineMap<2>>("change");
+    const auto row = [](const char* name, const ifs::AffineMap<2>& change) { QTest::newRow(name) << change; };
+    row("to a point", affineMap(0, 0, 0, 0, .5, .5));
+    row("to a line", affineMap(1, 1, 1, 1, 0, 0));
+    row("mirrored", affineMap(-1, 0, 0, 1, 0, 0));
+    row("the smallest", affineMap(smallest, 0, 0, smallest, 0, smallest));
+    row("tiny", affineMap(1e-300, 0, 0, 1e-300, 0, 0));
+    for (const double size : {1e20, largest, 1e300}) {
+        QTest::addRow("wide %g", size) << affineMap(size, 0, 0, size, 0, 0);
+        QTest::addRow("far %g", size) << affineMap(1, 0, 0, 1, size, -size);
+        QTest::addRow("sheared %g", size) << affineMap(1, size, 0, 1, 0, 0);
+    }
+}
+
+void HostileNumbersTest::movedBranches() {
+    QFETCH(ifs::AffineMap<2>, change);
+    document::Fractal fractal = document::sierpinskiTriangle();
+    const auto& maps = document::system2(fractal)->maps;
+    fractal.moved = {{{maps[0].id}, change}, {{maps[1].id, maps[2].id}, change}};
+    survive(fractal);
+    ifs::ControlCage<2> bent;
+    bent.rest = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    bent.current = {{0, 0}, {1, 0}, {1.5, 1.5}, {0, 1}};
+    fractal.cage = bent;
+    survive(fractal);
 }
 
 void HostileNumbersTest::views_data() {
