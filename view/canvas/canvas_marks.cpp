@@ -96,9 +96,14 @@ void BandItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     QColor fill = m_style.accent;
     fill.setAlphaF(0.12F);
     painter->fillRect(m_band, fill);
-    QPainterPath outline;
-    outline.addRect(m_band);
-    strokeWithHalo(*painter, outline, m_style, m_style.accent, m_style.lineWidth - 0.5);
+    // A thin line of black and white pieces, seen on any picture.
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(QPen(m_style.halo, 1));
+    painter->drawRect(m_band);
+    QPen dashes(m_style.line, 1, Qt::CustomDashLine, Qt::FlatCap);
+    dashes.setDashPattern({4, 4});
+    painter->setPen(dashes);
+    painter->drawRect(m_band);
 }
 
 } // namespace view
