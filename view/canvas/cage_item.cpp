@@ -74,12 +74,12 @@ void CageItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     strokeWithHalo(*painter, outline, m_style, m_style.line, m_style.lineWidth);
 
     if (m_focused.kind == CanvasPart::Kind::Inside)
-        strokeWithHalo(*painter, outline, m_style, m_style.accent, m_style.lineWidth, Qt::DashLine);
+        strokeLit(*painter, outline, m_style, m_style.lineWidth, Qt::DashLine);
     const auto light = [&](const CanvasPart& part, double width) {
         if (part.kind != CanvasPart::Kind::Edge || part.index >= m_polygon.size()) return;
         QPainterPath edge(m_polygon[part.index]);
         edge.lineTo(m_polygon[(part.index + 1) % m_polygon.size()]);
-        strokeWithHalo(*painter, edge, m_style, m_style.accent, width);
+        strokeLit(*painter, edge, m_style, width);
     };
     light(m_focused, m_style.lineWidth);
     light(m_pressed.kind == CanvasPart::Kind::None ? m_hovered : m_pressed, m_style.lineWidth + 1);

@@ -41,7 +41,7 @@ void SnapMark::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
             }
         }
     }
-    strokeWithHalo(*painter, mark, m_style, m_style.accent, m_style.lineWidth);
+    strokeLit(*painter, mark, m_style, m_style.lineWidth);
 }
 
 void RubberItem::setPoints(const QPolygonF& clicked, const std::optional<QPointF>& pointer) {
@@ -66,7 +66,7 @@ void RubberItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
         lines.lineTo(*m_pointer);
         lines.closeSubpath();
     }
-    strokeWithHalo(*painter, lines, m_style, m_style.accent, m_style.lineWidth, Qt::DashLine);
+    strokeLit(*painter, lines, m_style, m_style.lineWidth, Qt::DashLine);
     QFont font = painter->font();
     font.setPixelSize(11);
     font.setBold(true);

@@ -103,7 +103,10 @@ void GizmoItem::paintPivot(QPainter& painter) const {
         cross.moveTo(m_layout.pivot + direction * 5);
         cross.lineTo(m_layout.pivot + direction * 9);
     }
-    strokeWithHalo(painter, cross, m_style, lit ? m_style.accent : m_style.line, m_style.lineWidth);
+    if (lit)
+        strokeLit(painter, cross, m_style, m_style.lineWidth);
+    else
+        strokeWithHalo(painter, cross, m_style, m_style.line, m_style.lineWidth);
     if (m_focused == self) strokeFocusRing(painter, m_layout.pivot, 14, m_style);
 }
 

@@ -104,7 +104,7 @@ void MapFramesItem::paintFrame(QPainter& painter, const MapFrame& frame) const {
                    hovered && !frame.selected ? frame.colour.lighter(115) : frame.colour, width,
                    frame.takesPart ? Qt::SolidLine : Qt::DashLine);
     if (m_focused == CanvasPart{Kind::Inside, 0, frame.place})
-        strokeWithHalo(painter, path, m_style, m_style.accent, width, Qt::DashLine);
+        strokeLit(painter, path, m_style, width, Qt::DashLine);
 }
 
 void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const {

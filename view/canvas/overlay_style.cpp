@@ -78,31 +78,39 @@ QList<QLineF> straightLines(const QPainterPath& path) {
     return lines;
 }
 
+// Lines with square ends are filled many times faster than the outline of a path, and they are drawn for
+// every move of the pointer. The ends lie under handles.
+void stroke(QPainter& painter, const QPainterPath& path, const QColor& colour, double width,
+            Qt::PenStyle pattern = Qt::SolidLine) {
+    const QList<QLineF> lines = pattern == Qt::SolidLine ? straightLines(path) : QList<QLineF>();
+    // Round ends would close the gaps, in which the line below is seen.
+    const Qt::PenCapStyle cap = !lines.isEmpty()          ? Qt::SquareCap
+                                : pattern == Qt::DashLine ? Qt::FlatCap
+                                                          : Qt::RoundCap;
+    painter.setPen(QPen(colour, width, pattern, cap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    if (lines.isEmpty())
+        painter.drawPath(path);
+    else
+        painter.drawLines(lines);
+}
+
+constexpr double haloWidth = 1.5; // on either side
+
 } // namespace
 
 void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
                     const QColor& colour, double width, Qt::PenStyle pattern) {
-    // Lines with square ends are filled many times faster than the outline of a path, and this is drawn for
-    // every move of the pointer. The ends lie under handles.
-    const QList<QLineF> lines = straightLines(path);
-    const auto stroke = [&](const QColor& ink, double thickness, Qt::PenStyle dashes) {
-        const bool fast = !lines.isEmpty() && dashes == Qt::SolidLine;
-        // Round ends would close the gaps, in which the line below is seen.
-        const Qt::PenCapStyle cap = fast                     ? Qt::SquareCap
-                                    : dashes == Qt::DashLine ? Qt::FlatCap
-                                                             : Qt::RoundCap;
-        painter.setPen(QPen(ink, thickness, dashes, cap, Qt::RoundJoin));
-        if (fast)
-            painter.drawLines(lines);
-        else
-            painter.drawPath(path);
-    };
-    painter.setBrush(Qt::NoBrush);
-    const bool lit = colour == style.accent;
-    const double ground = lit && pattern == Qt::SolidLine ? width + 3 : width;
-    stroke(style.halo, ground + 3, Qt::SolidLine);
-    if (lit) stroke(style.line, ground, Qt::SolidLine);
-    stroke(colour, width, pattern);
+    stroke(painter, path, style.halo, width + 2 * haloWidth);
+    stroke(painter, path, colour, width, pattern);
+}
+
+void strokeLit(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, double width,
+               Qt::PenStyle pattern) {
+    // Between dashes the line is seen; beside a solid one it takes room of its own.
+    strokeWithHalo(painter, path, style, style.line,
+                   pattern == Qt::SolidLine ? width + 2 * haloWidth : width);
+    stroke(painter, path, style.accent, width, pattern);
 }
 
 void strokeFocusRing(QPainter& painter, const QPointF& centre, double radius, const OverlayStyle& style) {

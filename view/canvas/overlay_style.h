@@ -35,9 +35,13 @@ struct OverlayStyle {
 
 OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& palette);
 
-// A line that is seen on any picture: the halo, then the line. One in the accent colour lies on a line.
+// A line in the halo.
 void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
                     const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
+
+// A line that is seen on any picture though it has the accent colour: it lies on a line in the halo.
+void strokeLit(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, double width,
+               Qt::PenStyle pattern = Qt::SolidLine);
 
 // Around what the keyboard moves.
 void strokeFocusRing(QPainter& painter, const QPointF& centre, double radius, const OverlayStyle& style);

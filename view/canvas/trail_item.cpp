@@ -25,7 +25,7 @@ void TrailItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
         QPainterPath jump(m_points[i - 1]);
         jump.lineTo(m_points[i]);
         painter->setOpacity(double(i) / double(count - 1));
-        strokeWithHalo(*painter, jump, m_style, m_style.accent, m_style.lineWidth);
+        strokeLit(*painter, jump, m_style, m_style.lineWidth);
     }
     for (qsizetype i = 0; i < count; ++i) {
         const bool newest = i == count - 1;
