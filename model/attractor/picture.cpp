@@ -153,6 +153,8 @@ bool Picture::completeDensity(const std::stop_token& stop) {
             for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
                 ++settings.minDepth;
         if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;
+        // Without an attractor there are words of every length that grow, and none is ever small enough.
+        if (system.note != RenderNote::None) settings.mostLooks = 1U << 20;
         AddressCut fresh = addressCut(system, projection, settings, stop, &cutMemory);
         if (stop.stop_requested()) return false;
         // A map that does not contract may lead to words so deep that their measure is 0 to the arithmetic.
