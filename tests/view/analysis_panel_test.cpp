@@ -6,12 +6,15 @@
 #include "panels/box_counting_plot.h"
 #include "view/maps_support.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QImage>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
+#include <QTimer>
 
 #include <algorithm>
 #include <memory>
@@ -79,6 +82,29 @@ private slots:
         panel.copyAll();
         QVERIFY(QGuiApplication::clipboard()->text().contains(
             QStringLiteral("Similarity dimension\t1.58496250072115")));
+    }
+
+    void aNumberIsExplainedAndCopied() {
+        document::Document document;
+        document.setFile(document::fileOf(document::sierpinskiTriangle()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        QTRY_VERIFY(bridge.isCurrent());
+        QLabel* value = nullptr;
+        for (auto* label : panel.findChildren<QLabel*>())
+            if (label->accessibleName() == QStringLiteral("Similarity dimension")) value = label;
+        QVERIFY(value);
+        QCOMPARE(value->text(), QStringLiteral("1.585"));
+        QVERIFY(value->toolTip().size() > 40);
+        QTimer::singleShot(0, &panel, [] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Return);
+        });
+        emit value->customContextMenuRequested({});
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("1.58496250072115")));
     }
 
     // In the middle of the gesture, before the button is let go.
