@@ -25,7 +25,7 @@ public:
 
     std::size_t count() const { return maps().size(); }
     const std::vector<ifs::WeightedMap<2>>& maps() const {
-        return m_branch.empty() ? system2(m_fractal)->maps : m_branchMap;
+        return m_branch.empty() ? std::get<System2>(m_fractal.system).maps : m_branchMap;
     }
     std::vector<ifs::Vector<2>> corners(std::size_t place) const; // images of the cage's vertices
     std::vector<ifs::Vector<2>> outline(std::size_t place) const; // the same polygon, bent with the cage
