@@ -34,6 +34,10 @@ bool endsInBlankLine(const QByteArray& bytes, const QByteArray& lineEnd) {
     return bytes.isEmpty() || bytes.endsWith(lineEnd + lineEnd) || bytes == lineEnd;
 }
 
+bool isBare(const Entry& entry) {
+    return entry.source && fractint::isBare(*entry.source);
+}
+
 class FileWriter {
 public:
     explicit FileWriter(const FractalFile& file) : m_file(file), m_bytes(file.head) {}
@@ -46,9 +50,8 @@ public:
             previous = &entry;
         }
         // Bare rows go up to ^Z, be it in a comment.
-        const bool isBareAlone =
-            m_file.entries.size() == 1 && previous->source && fractint::isBare(*previous->source);
-        const bool isCut = isBareAlone && m_file.tail.startsWith('\x1a');
+        const bool isCut =
+            m_file.entries.size() == 1 && isBare(m_file.entries.first()) && m_file.tail.startsWith('\x1a');
         if (previous != nullptr && !isCut && isLineOpen(m_bytes) && !m_file.tail.isEmpty() &&
             endsInComment(m_bytes))
             m_bytes += m_file.lineEnd;
