@@ -89,9 +89,11 @@ protected:
         waitFor([&] {
             for (auto* child : parent.findChildren<Widget*>()) {
                 const QString text = child->property("text").toString().remove(u'&');
-                if (child->isVisible() && (child->accessibleName() == name || text == name)) found = child;
+                if (!child->isVisible() || (child->accessibleName() != name && text != name)) continue;
+                found = child;
+                return true;
             }
-            return found != nullptr;
+            return false;
         });
         if (!found) qFatal("nothing is called %s", qPrintable(name));
         return found;
