@@ -129,6 +129,17 @@ void PaletteReaderTest::smoothGradientsStayBetweenTheirKnots() {
     }
     QVERIFY(near(attractor::colourAt(palette, 20 / 399.0), {130, 0, 0, 255}, 2)); // the middle, by symmetry
     QVERIFY(attractor::colourAt(palette, 5 / 399.0).red < 25); // flat at its ends, unlike a straight line
+
+    // Rises of 0.6, 1.8, −1.2 and −1.2 a place: their harmonic means 0, 0.9, 0 and −1.2 are the slopes of the
+    // knots.
+    const Palette uneven = readPalettes("g { gradient: smooth=yes index=0 color=0 index=100 color=60 "
+                                        "index=200 color=240 index=300 color=120 }",
+                                        {})
+                               .palettes[0];
+    QVERIFY(near(attractor::colourAt(uneven, 50 / 399.0), {19, 0, 0, 255}, 1));
+    QVERIFY(near(attractor::colourAt(uneven, 150 / 399.0), {161, 0, 0, 255}, 1));
+    QVERIFY(near(attractor::colourAt(uneven, 250 / 399.0), {195, 0, 0, 255}, 1));
+    QVERIFY(near(attractor::colourAt(uneven, 350 / 399.0), {45, 0, 0, 255}, 1));
 }
 
 void PaletteReaderTest::badLinesAreNamedAndLeftOut() {
