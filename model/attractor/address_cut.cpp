@@ -192,7 +192,7 @@ public:
           m_height(projection.grid.height),
           m_largest(2.0 * std::max(m_width, m_height)),
           m_mostMiss(mostBendError * projection.cellsPerPixel),
-          m_kept(std::clamp<std::size_t>((std::size_t{1} << 20) / system.maps.size(), 64, View::most)),
+          m_divided(std::clamp<std::size_t>(mostWaiting / system.maps.size(), 64, View::most)),
           m_nodeMemory(&memory.nodes),
           m_view(system, projection, memory.bends) {
         for (std::size_t i = 0; i < system.maps.size(); ++i)
@@ -228,6 +228,7 @@ private:
     enum class Threshold { Absolute, Relative };
 
     static constexpr std::size_t mostWaiting = 1U << 20; // words of the next level before refining it
+    static constexpr std::size_t mostShown = 1U << 16;   // words wholly in view, unless there are more maps
     static constexpr std::size_t childrenPerLook = 8192; // between two looks at the stop token
     static constexpr double smallest = 0.25;             // cells; below, splitting shows nothing new
     static constexpr double atBorder = 512;              // samples a word may have of which some fall outside
@@ -278,13 +279,37 @@ private:
         return m_followsBend && !(node.shown.curvedMiss <= m_mostMiss);
     }
 
-    bool isLeaf(const Node<Real>& node, double threshold) const {
+    // `slack` times the usual measure is allowed.
+    bool isLeaf(const Node<Real>& node, double threshold, double slack) const {
         if (node.depth >= m_settings.maxDepth) return true;
         const double size = node.shown.size;
         if (node.depth < m_settings.minDepth || !(size <= m_largest)) return false;
-        return ((node.probability <= threshold && (node.probability <= m_atBorder || isInside(node))) ||
-                size <= smallest) &&
-               (!isTooBent(node) || node.probability <= m_exact);
+        const double measure = node.probability / slack;
+        return ((measure <= threshold && (measure <= m_atBorder || isInside(node))) || size <= smallest) &&
+               (!isTooBent(node) || measure <= m_exact);
+    }
+
+    // Where a node has hundreds of children, dividing all that are a little too large would make far more
+    // words than are wanted. Then larger ones are, by a power of two, so that words of one measure are
+    // treated alike.
+    double slackFor(const Nodes& open, std::size_t done, double threshold) const {
+        const std::size_t most = std::max(mostShown, 2 * m_branches.size());
+        const auto isWithin = [&](double slack) {
+            std::size_t divided = 0;
+            std::size_t shown = 0; // of them, those whose children are all in view
+            for (const Node<Real>& node : open) {
+                if (isLeaf(node, threshold, slack)) continue;
+                ++divided;
+                shown += isInside(node) ? 1 : 0;
+            }
+            return divided * m_branches.size() <= mostWaiting &&
+                   (shown == 0 || done + shown * m_branches.size() <= most);
+        };
+        double slack = 1;
+        if (done + open.size() * m_branches.size() > most)
+            while (slack < 0x1p40 && !isWithin(slack))
+                slack *= 2;
+        return slack;
     }
 
     // Level by level. With Threshold::Relative the limit is a number of words, each at most its share of what
@@ -306,16 +331,19 @@ private:
                     total += node.probability;
                 threshold = total / limit;
             }
+            const double slack = slackFor(open, done.size(), threshold);
+            std::erase_if(open, [&](const Node<Real>& node) {
+                if (!isLeaf(node, threshold, slack)) return false;
+                done.push_back(node);
+                settled += node.probability;
+                return true;
+            });
+            if (open.size() > m_divided) thinOut(open, m_divided);
             next.clear();
             for (const Node<Real>& node : open) {
                 if (children >= nextLook) {
                     if (stop.stop_requested()) return {};
                     nextLook = children + childrenPerLook;
-                }
-                if (isLeaf(node, threshold)) {
-                    done.push_back(node);
-                    settled += node.probability;
-                    continue;
                 }
                 children += m_branches.size();
                 for (std::size_t i = 0; i < m_branches.size(); ++i) {
@@ -325,8 +353,8 @@ private:
                 if (next.size() > mostWaiting) thinOut(next, View::most);
             }
             open.swap(next);
-            if (m_followsBend && open.size() > m_kept) settleBent(open, done, threshold);
-            if (open.size() > m_kept) thinOut(open, m_kept);
+            if (m_followsBend && open.size() > View::most) settleBent(open, done, threshold);
+            thinOverlaps(open);
         }
         done.insert(done.end(), open.begin(), open.end());
         return done;
@@ -340,6 +368,27 @@ private:
         };
         std::copy_if(open.begin(), open.end(), std::back_inserter(done), bentOnly);
         std::erase_if(open, bentOnly);
+    }
+
+    // How many words cover a place of the view in the mean.
+    double coverage(const Nodes& nodes) const {
+        double covered = 0;
+        for (const Node<Real>& node : nodes) {
+            const double share = std::min(1.0, node.shown.size / std::max(m_width, m_height));
+            covered += share * share;
+        }
+        return covered;
+    }
+
+    // Words that lie side by side are all needed, however many they are; of words that lie on each other so
+    // many as leave no holes.
+    void thinOverlaps(Nodes& nodes) const {
+        constexpr double enough = 16;
+        if (nodes.size() <= View::most) return;
+        const double covered = coverage(nodes);
+        if (covered > enough)
+            thinOut(nodes, std::max(View::most, static_cast<std::size_t>(static_cast<double>(nodes.size()) *
+                                                                         enough / covered)));
     }
 
     // Overlapping systems have exponentially many words in a small view. A systematic sample of them, each
@@ -420,7 +469,7 @@ private:
     double m_atBorder = 1; // probability above which a word that is partly in view is divided
     double m_exact = 0;    // probability below which samples are mapped one by one
     bool m_followsBend = false;
-    std::size_t m_kept; // fewer where every word has thousands of children
+    std::size_t m_divided; // words at once; fewer where every word has thousands of children
     std::pmr::memory_resource* m_nodeMemory;
     View m_view;
     std::vector<Branch<Real>> m_branches;

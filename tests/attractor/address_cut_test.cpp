@@ -181,6 +181,52 @@ private slots:
         QVERIFY(std::sqrt(std::abs(squares / seeds - mean * mean)) < 0.2 * mean);
     }
 
+    // Words that lie side by side are all needed: none may stand for another, however many maps there are.
+    void tilesAreAllThere_data() {
+        QTest::addColumn<int>("columns");
+        QTest::addColumn<int>("rows");
+        QTest::addColumn<int>("words");
+        QTest::addColumn<double>("zoom");
+        QTest::newRow("20 maps, many words") << 5 << 4 << 4096 << 1.0;
+        QTest::newRow("150 maps") << 15 << 10 << 610 << 1.0;
+        QTest::newRow("256 maps") << 16 << 16 << 610 << 1.0;
+        QTest::newRow("256 maps from near") << 16 << 16 << 610 << 23.0;
+        QTest::newRow("1000 maps") << 40 << 25 << 610 << 1.0;
+        QTest::newRow("1000 maps from near") << 40 << 25 << 610 << 7.0;
+        QTest::newRow("1000 maps from very near") << 40 << 25 << 610 << 4000.0;
+        QTest::newRow("100,000 maps") << 400 << 250 << 610 << 1.0;
+        QTest::newRow("100,000 maps from near") << 400 << 250 << 610 << 50.0;
+    }
+    void tilesAreAllThere() {
+        QFETCH(int, columns);
+        QFETCH(int, rows);
+        QFETCH(int, words);
+        QFETCH(double, zoom);
+        const auto system = systems::tiling(columns, rows);
+        Camera camera;
+        camera.width = camera.height = 500;
+        camera.pixelsPerUnit = 490 * zoom;
+        camera.centre = zoom == 1 ? ifs::Vector<2>(.5, .5) : ifs::Vector<2>(.4321, .5678);
+        CutSettings settings;
+        settings.words = words;
+        settings.samples = 1e7;
+        const AddressCut cut = addressCut(drawable(system), projection(camera, {}, 1), settings);
+        QVERIFY2(cut.words.size() <= 2U * columns * rows + 70'000,
+                 qPrintable(QString::number(cut.words.size())));
+        double area = 0; // in view
+        for (const Word& word : cut.words) {
+            const double depth = std::log(1 / word.probability) / std::log(columns * rows);
+            QVERIFY2(std::abs(depth - std::round(depth)) < 1e-9, "a word stands for others");
+            const auto inView = [](double middle, double half) {
+                return std::max(0.0, std::min(middle + half, 500.0) - std::max(middle - half, 0.0));
+            };
+            area += inView(word.x, std::abs(word.xx)) * inView(word.y, std::abs(word.yy));
+        }
+        const double square = zoom == 1 ? 490.0 * 490 : 500.0 * 500;
+        // Boxes are a hundredth larger than what is in them.
+        QVERIFY2(area >= square && area < 1.03 * square, qPrintable(QString::number(area / square)));
+    }
+
     void patchesAndSingleCellsCountLikeTheRest() {
         std::mt19937 random(7);
         std::uniform_real_distribution<float> size(-6, 6);

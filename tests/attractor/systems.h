@@ -48,6 +48,18 @@ inline ifs::IteratedFunctionSystem<2> dragon() { // of even density
     return system({{{0.5, -0.5, 0.5, 0.5, 0, 0}}, {{-0.5, -0.5, 0.5, -0.5, 1, 0}}});
 }
 
+// The unit square out of equal rectangles.
+inline ifs::IteratedFunctionSystem<2> tiling(int columns, int rows) {
+    ifs::IteratedFunctionSystem<2> result;
+    result.maps.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (std::size_t i = 0; i < result.maps.size(); ++i) {
+        const auto column = static_cast<double>(i % static_cast<std::size_t>(columns));
+        const auto row = static_cast<double>(i / static_cast<std::size_t>(columns));
+        result.maps[i].map = ifs::affineMap(1.0 / columns, 0, 0, 1.0 / rows, column / columns, row / rows);
+    }
+    return result;
+}
+
 inline ifs::IteratedFunctionSystem<2> koch() {
     const double h = 0.28867513459481287; // √3/6
     return system({{{1.0 / 3, 0, 0, 1.0 / 3, 0, 0}},

@@ -102,6 +102,8 @@ void FractintReaderTest::rules_data() {
     row("unnamed", body + "b " + body, "b 2D 2", "1:1 W");
     row("comment block", "Comment {\n1 2 3 anything\n}\nb " + body, "b 2D 2");
     row("formula", "z {\nz = pixel\n}\nb " + body, "b 2D 2", "1:1 W");
+    row("an equals sign in the third word", "a {\n.5 0 =0 .5 0 0 1\n}\nb " + body, "a none; b 2D 2", "2:6 E");
+    row("the same on the header line", "a {.5 0 =0 .5 0 0 1\n}\nb " + body, "a none; b 2D 2", "1:3 E");
     row("other type", "frm:z {\n1\n}\nb " + body, "b 2D 2", "1:1 W");
     row("parameter file", "p {\nreset=1950 type=ifs ifs=a\n}\nIFS:a " + body, "a 2D 2");
     row("numbers on the header line, not needed", "a { .5 0 0 .5 0 0 .25\n" + twoRows + "}\n", "a 2D 2",

@@ -307,6 +307,8 @@ void SvgWriterTest::shadowsKeepTheirGaps() {
     QVERIFY(levels->shadowOf(2));
     const auto& bars = levels->shadowOf(2)->bars;
     QVERIFY2(bars.size() > 2, qPrintable(QString::number(bars.size())));
+    for (const auto& bar : bars)
+        QVERIFY((bar[3] - bar[0] - (bar[2] - bar[1])).norm() < 1e-12 && (bar[3] - bar[0]).norm() > .1);
     ifs::Vector<2> x = *ifs::fixedPoint(maps[0]);
     std::mt19937 random(3);
     std::vector<bool> used(bars.size());
