@@ -255,10 +255,15 @@ void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
 }
 
 void MainWindow::openRecovered(const document::Abandoned& abandoned) {
-    m_file.recover(abandoned.snapshot);
+    const io::Failure failure = m_file.recover(abandoned.snapshot);
     m_canvas->fit();
-    if (m_recovery.keepNow()) document::forget(abandoned);
+    m_recovery.keepNow([abandoned](bool kept) {
+        if (kept) document::forget(abandoned);
+    });
     say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
+    if (failure)
+        fail(tr("%1 could not be opened").arg(QFileInfo(abandoned.snapshot.path).fileName()),
+             *failure + u' ' + tr("The unsaved work is here all the same."));
 }
 
 void MainWindow::reportOpened() {

@@ -11,7 +11,7 @@
 
 namespace {
 
-QByteArray digest(const QByteArray& bytes) {
+QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
 }
 
@@ -49,14 +49,22 @@ io::Failure OpenFile::open(const QString& path) {
     return std::nullopt;
 }
 
-void OpenFile::recover(const document::Snapshot& snapshot) {
-    if (snapshot.path.isEmpty() || open(snapshot.path)) startNew();
+io::Failure OpenFile::recover(const document::Snapshot& snapshot) {
+    io::Failure failure;
+    if (!snapshot.path.isEmpty()) failure = open(snapshot.path);
+    if (snapshot.path.isEmpty() || failure) startNew();
     document::FractalFile recovered =
         io::readFractint(snapshot.bytes, QFileInfo(snapshot.path).completeBaseName());
     const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
     const document::EntryId current =
         known ? recovered.entries[snapshot.current].id : document::EntryId::None;
     m_document->editFile(tr("Recover unsaved work"), std::move(recovered), current);
+    if (!snapshot.path.isEmpty()) {
+        m_path = snapshot.path;
+        m_digest = snapshot.base; // not what somebody else may have written since
+        emit pathChanged();
+    }
+    return failure;
 }
 
 io::Failure OpenFile::save() {
@@ -74,7 +82,7 @@ io::Failure OpenFile::revert() {
 bool OpenFile::changedOnDisk() const {
     if (m_path.isEmpty() || !QFileInfo::exists(m_path)) return false;
     const io::Loaded now = io::loadFile(m_path);
-    return !now.failure && digest(now.bytes) != m_digest;
+    return now.failure || digestOf(now.bytes) != m_digest;
 }
 
 io::Failure OpenFile::write(const QString& path) {
@@ -88,6 +96,6 @@ io::Failure OpenFile::write(const QString& path) {
 
 void OpenFile::remember(const QString& path, const QByteArray& bytes) {
     m_path = path;
-    m_digest = digest(bytes);
+    m_digest = digestOf(bytes);
     emit pathChanged();
 }

@@ -25,13 +25,14 @@ public:
     // fails.
     io::Failure open(const QString& path);
     // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
-    // is saved.
-    void recover(const document::Snapshot& snapshot);
+    // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
+    io::Failure recover(const document::Snapshot& snapshot);
     io::Failure save(); // to path()
     io::Failure saveAs(const QString& path);
     io::Failure revert();
 
-    // Whether the bytes at path() are no longer those that were read or written here.
+    QByteArray digest() const { return m_digest; } // of the bytes that were read or written here
+    // Whether the bytes at path() are others now, or cannot be read.
     bool changedOnDisk() const;
 
 signals:
@@ -45,5 +46,5 @@ private:
 
     document::Document* m_document;
     QString m_path;
-    QByteArray m_digest; // of the bytes at m_path as last seen
+    QByteArray m_digest;
 };

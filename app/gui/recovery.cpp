@@ -18,35 +18,55 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
     : QObject(parent), m_document(document), m_file(file), m_journal(folder()) {
     m_timer.setSingleShot(true);
     m_timer.setInterval(1500ms);
-    connect(&m_timer, &QTimer::timeout, this, &Recovery::keepNow);
+    connect(&m_timer, &QTimer::timeout, this, [this] { keepNow(); });
     // Not restarted by further changes: a long drag is kept along the way.
     connect(document, &document::Document::changed, this, [this] {
         if (!m_timer.isActive()) m_timer.start();
     });
     connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
-        if (clean) m_journal.discard();
+        if (clean) discard();
+    });
+    m_writer.setMaxThreadCount(1);
+}
+
+Recovery::~Recovery() {
+    m_writer.waitForDone();
+}
+
+void Recovery::keepNow(std::function<void(bool)> then) {
+    if (!m_document->isModified()) {
+        discard();
+        if (then) then(true);
+        return;
+    }
+    document::Snapshot snapshot{m_file->path(),
+                                m_file->name(),
+                                int(document::indexOf(m_document->file(), m_document->currentId())),
+                                QDateTime::currentDateTimeUtc(),
+                                {},
+                                m_file->digest()};
+    m_writer.start([this, snapshot, file = m_document->file(), then = std::move(then)]() mutable {
+        snapshot.bytes = io::writeFractint(file);
+        const bool kept = m_journal.write(snapshot);
+        QMetaObject::invokeMethod(this, [this, kept, then = std::move(then)] {
+            report(kept);
+            if (then) then(kept);
+        });
     });
 }
 
-bool Recovery::keepNow() {
-    if (!m_document->isModified()) {
-        m_journal.discard();
-        return true;
-    }
-    const bool kept = m_journal.write(
-        {m_file->path(), m_file->name(), int(document::indexOf(m_document->file(), m_document->currentId())),
-         QDateTime::currentDateTimeUtc(), io::writeFractint(m_document->file())});
+void Recovery::report(bool kept) {
+    if (!kept && m_document->isModified() && !m_timer.isActive()) m_timer.start(); // until it works
     if (std::exchange(m_kept, kept) && !kept)
         emit cannotKeep(
             tr("Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the "
                "disk is full. Save often.")
                 .arg(QDir::toNativeSeparators(folder())));
-    return kept;
 }
 
 void Recovery::discard() {
     m_timer.stop();
-    m_journal.discard();
+    m_writer.start([this] { m_journal.discard(); });
 }
 
 QString Recovery::folder() {

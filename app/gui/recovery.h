@@ -5,7 +5,10 @@
 #include "open_file.h"
 
 #include <QObject>
+#include <QThreadPool>
 #include <QTimer>
+
+#include <functional>
 
 // Keeps a window's unsaved work in a journal, at most a second and a half behind, until it is saved or given
 // up.
@@ -15,7 +18,11 @@ class Recovery : public QObject {
 public:
     Recovery(document::Document* document, const OpenFile* file, QObject* parent);
 
-    bool keepNow(); // without waiting for the next change; false: nothing new could be written
+    ~Recovery() override; // when all is written
+
+    // Without waiting for the next change; then(false) when nothing new could be written. Disks may be slow:
+    // another thread writes.
+    void keepNow(std::function<void(bool)> then = {});
     void discard(); // the window closes and its work is saved or not wanted
 
     static QString folder();
@@ -27,9 +34,12 @@ signals:
     void cannotKeep(const QString& sentence); // once, until it is possible again
 
 private:
+    void report(bool kept);
+
     document::Document* m_document;
     const OpenFile* m_file;
-    document::Journal m_journal;
+    document::Journal m_journal; // used by the thread alone
+    QThreadPool m_writer;        // of one thread, so that all happens in its order
     QTimer m_timer;
     bool m_kept = true; // the last time
 };

@@ -7,6 +7,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLockFile>
+#include <QMap>
+#include <QRegularExpression>
 #include <QSaveFile>
 #include <QUuid>
 
@@ -44,6 +46,7 @@ QByteArray recoveryFile(const Snapshot& snapshot) {
         {QStringLiteral("title"), snapshot.title},
         {QStringLiteral("current"), snapshot.current},
         {QStringLiteral("when"), snapshot.when.toUTC().toString(Qt::ISODateWithMs)},
+        {QStringLiteral("base"), QString::fromLatin1(snapshot.base.toHex())},
         {QStringLiteral("sha256"),
          QString::fromLatin1(QCryptographicHash::hash(snapshot.bytes, QCryptographicHash::Sha256).toHex())},
     };
@@ -61,6 +64,7 @@ std::optional<Snapshot> snapshotIn(const QByteArray& data) {
     snapshot.title = header[QLatin1String("title")].toString();
     snapshot.current = header[QLatin1String("current")].toInt();
     snapshot.when = QDateTime::fromString(header[QLatin1String("when")].toString(), Qt::ISODateWithMs);
+    snapshot.base = QByteArray::fromHex(header[QLatin1String("base")].toString().toLatin1());
     snapshot.bytes = data.mid(end + 1);
     const QByteArray digest = QCryptographicHash::hash(snapshot.bytes, QCryptographicHash::Sha256).toHex();
     if (header[QLatin1String("sha256")].toString() != QLatin1String(digest)) return std::nullopt;
@@ -93,11 +97,20 @@ void Journal::discard() {
 QList<Abandoned> abandonedSnapshots(const QString& folder) {
     QList<Abandoned> found;
     const QDir dir(folder);
-    for (const QString& name : dir.entryList({QStringLiteral("*.journal")}, QDir::Files)) {
-        const QString path = dir.filePath(name);
-        const auto owner = lock(path);
-        if (!owner) continue; // its window is alive
-        if (auto snapshot = readJournal(path)) found << Abandoned{path, *std::move(snapshot)};
+    // The name of a journal, its lock, or what QSaveFile was writing when its process was killed.
+    static const QRegularExpression name(QStringLiteral("^(.*\\.journal)(\\..*)?$"));
+    QMap<QString, QStringList> leftovers; // of journals
+    for (const QString& file : dir.entryList(QDir::Files))
+        if (const auto match = name.match(file); match.hasMatch())
+            leftovers[match.captured(1)] << match.captured(2);
+    for (const auto& [journal, endings] : leftovers.asKeyValueRange()) {
+        const QString path = dir.filePath(journal);
+        std::shared_ptr<QLockFile> owned = lock(path);
+        if (!owned) continue; // its window is alive, or somebody else offers it
+        for (const QString& ending : endings)
+            if (!ending.isEmpty() && path + ending != lockOf(path)) QFile::remove(path + ending);
+        if (auto snapshot = readJournal(path))
+            found << Abandoned{path, *std::move(snapshot), std::move(owned)};
     }
     std::sort(found.begin(), found.end(),
               [](const Abandoned& a, const Abandoned& b) { return a.snapshot.when > b.snapshot.when; });
@@ -105,7 +118,7 @@ QList<Abandoned> abandonedSnapshots(const QString& folder) {
 }
 
 void forget(const Abandoned& abandoned) {
-    if (lock(abandoned.journal)) QFile::remove(abandoned.journal);
+    QFile::remove(abandoned.journal);
 }
 
 } // namespace document

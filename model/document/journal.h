@@ -20,6 +20,7 @@ struct Snapshot {
     int current = 0;  // index of the entry that was shown
     QDateTime when;   // UTC
     QByteArray bytes; // the whole file as it would have been saved
+    QByteArray base;  // digest of what the file at `path` held when it was opened or saved
 
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
@@ -47,11 +48,14 @@ private:
     std::unique_ptr<QLockFile> m_lock;
 };
 
-// Snapshots whose process is gone, newest first. They stay until taken away with forget().
+// Snapshots whose process is gone, newest first. They stay until taken away with forget(), and are nobody
+// else's while one of these lives: two starts at the same moment do not offer the same work.
 struct Abandoned {
     QString journal; // its file
     Snapshot snapshot;
+    std::shared_ptr<QLockFile> lock;
 };
+// Also takes away locks, and files half written, that killed processes have left behind.
 QList<Abandoned> abandonedSnapshots(const QString& folder);
 void forget(const Abandoned& abandoned);
 

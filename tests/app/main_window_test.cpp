@@ -91,9 +91,9 @@ void MainWindowTest::saysWhenWorkCannotBeKept() {
     QFile inTheWay(Recovery::folder());
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
     auto* window = new MainWindow;
-    window->openRecovered({journal, {{}, QStringLiteral("old"), 0, {}, "a { .5 0 0 .5 0 0 1 }\n"}});
+    window->openRecovered({journal, {{}, QStringLiteral("old"), 0, {}, "a { .5 0 0 .5 0 0 1 }\n", {}}, {}});
+    QTRY_COMPARE(window->findChildren<QMessageBox*>().size(), 1);
     const auto boxes = window->findChildren<QMessageBox*>();
-    QCOMPARE(boxes.size(), 1);
     QVERIFY(boxes.first()->informativeText().contains(QStringLiteral("cannot be kept")));
     QVERIFY(QFile::exists(journal));
     inTheWay.remove();

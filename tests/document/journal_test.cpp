@@ -21,6 +21,7 @@ private slots:
     void aLivingWindowIsNotAbandoned();
     void whatWasWrittenIsOfferedAfterTheProcessIsGone();
     void aKilledProcessLeavesItsLastSnapshot();
+    void leftoversAreTakenAway();
     void discardedWorkIsNotOffered();
     void damagedJournalsAreIgnored();
     void onlyTheOwnerMayRead();
@@ -31,8 +32,12 @@ private slots:
 namespace {
 
 Snapshot snapshot(const QByteArray& bytes) {
-    return {QStringLiteral("/somewhere/ferns.ifs"), QStringLiteral("ferns.ifs"), 3,
-            QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC), bytes};
+    return {QStringLiteral("/somewhere/ferns.ifs"),
+            QStringLiteral("ferns.ifs"),
+            3,
+            QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC),
+            bytes,
+            QByteArray(32, '\x9c')};
 }
 
 QStringList journalsIn(const QString& folder) {
@@ -76,6 +81,31 @@ void JournalTest::aKilledProcessLeavesItsLastSnapshot() {
     const auto offered = document::abandonedSnapshots(folder.path());
     QCOMPARE(offered.size(), 1);
     QVERIFY(offered.first().snapshot.bytes.toInt() >= announced);
+}
+
+// Locks, and files that were being written, of killed processes; not what belongs to a living window.
+void JournalTest::leftoversAreTakenAway() {
+    const QTemporaryDir folder;
+    QProcess writer;
+    writer.start(QCoreApplication::applicationFilePath(),
+                 {QStringLiteral("--write-until-killed"), folder.path()});
+    QVERIFY(writer.waitForReadyRead());
+    writer.kill();
+    QVERIFY(writer.waitForFinished());
+    const QString dead = folder.filePath(journalsIn(folder.path()).value(0));
+    QFile half(dead + QStringLiteral(".Xy12Ab"));
+    QVERIFY(half.open(QIODevice::WriteOnly) && QFile::exists(dead + QStringLiteral(".lock")));
+    Journal living(folder.path());
+    QVERIFY(living.write(snapshot("a")));
+    {
+        const auto offered = document::abandonedSnapshots(folder.path());
+        QCOMPARE(offered.size(), 1);
+        QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty()); // it is being offered
+        document::forget(offered.first());
+    }
+    QCOMPARE(journalsIn(folder.path()).size(), 1);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 2); // the living window's and its lock
+    QVERIFY(living.write(snapshot("b")));
 }
 
 void JournalTest::discardedWorkIsNotOffered() {

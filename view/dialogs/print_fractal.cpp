@@ -7,12 +7,14 @@
 #include <QEventLoop>
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QPointer>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
 #include <QProgressDialog>
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace view {
 
@@ -101,10 +103,11 @@ io::PngExport pictureFor(const document::Fractal& fractal, attractor::Camera cam
     return picture;
 }
 
-// Null when the user has changed their mind.
+// Null when the user has changed their mind, or closed the window.
 QImage drawn(const io::PngExport& picture, QWidget* parent) {
-    QProgressDialog progress(Text::tr("Drawing the picture…"), Text::tr("Cancel"), 0, 0, parent);
-    progress.setWindowModality(Qt::WindowModal);
+    const QPointer progress =
+        new QProgressDialog(Text::tr("Drawing the picture…"), Text::tr("Cancel"), 0, 0, parent);
+    progress->setWindowModality(Qt::WindowModal);
     QImage image;
     QEventLoop loop;
     io::DrawingJob job(picture, [&](const io::Picture& done) {
@@ -116,9 +119,12 @@ QImage drawn(const io::PngExport& picture, QWidget* parent) {
             },
             Qt::QueuedConnection);
     });
-    QObject::connect(&progress, &QProgressDialog::canceled, &loop, [&job] { job.stop(); });
-    progress.show();
+    QObject::connect(progress, &QProgressDialog::canceled, &loop, [&job] { job.stop(); });
+    QObject::connect(progress, &QObject::destroyed, &loop, [&job] { job.stop(); });
+    progress->show();
     loop.exec();
+    if (!progress) return {};
+    delete progress.data();
     return image;
 }
 
@@ -149,16 +155,18 @@ void printFractal(document::Document* document, const attractor::Camera& camera,
     const document::Fractal fractal = document->fractal();
     const QImage picture = drawn(pictureFor(fractal, camera), parent);
     if (picture.isNull()) return;
-    QPrinter printer(QPrinter::HighResolution);
-    printer.setDocName(fractal.name);
-    QPrintPreviewDialog preview(&printer, parent);
-    preview.setWindowTitle(Text::tr("Print “%1”").arg(fractal.name));
-    QObject::connect(&preview, &QPrintPreviewDialog::paintRequested, &preview, [&](QPrinter* device) {
-        QPainter painter(device);
-        paintPage(painter, QRectF(QPointF(0, 0), device->pageRect(QPrinter::DevicePixel).size()), fractal,
-                  picture);
-    });
-    preview.exec();
+    const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+    printer->setDocName(fractal.name);
+    auto* preview = new QPrintPreviewDialog(printer.get(), parent);
+    preview->setAttribute(Qt::WA_DeleteOnClose);
+    preview->setWindowTitle(Text::tr("Print “%1”").arg(fractal.name));
+    QObject::connect(preview, &QPrintPreviewDialog::paintRequested, preview,
+                     [fractal, picture, printer](QPrinter* device) {
+                         QPainter painter(device);
+                         const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
+                         paintPage(painter, QRectF(QPointF(0, 0), size), fractal, picture);
+                     });
+    preview->open();
 }
 
 } // namespace view

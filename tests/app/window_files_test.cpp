@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "application.h"
+#include "main_window.h"
+#include "recovery.h"
+#include "session.h"
+#include "support/own_settings.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPrintPreviewDialog>
+#include <QProcess>
+#include <QProgressDialog>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QUndoStack>
+
+namespace {
+
+const QByteArray twoEntries = "one { .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5 }\n\nother { .5 0 0 .5 0 0 1 }\n";
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void put(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no test file");
+}
+
+void rename(MainWindow* window, const QString& name) {
+    document::Fractal changed = window->document().fractal();
+    changed.name = name;
+    window->document().edit(QStringLiteral("rename"), changed);
+}
+
+void trigger(MainWindow* window, QKeySequence::StandardKey key) {
+    for (QAction* action : window->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(key)) return action->trigger();
+    qFatal("no such action");
+}
+
+// Saves, and answers the question that comes; its title, or nothing when none came.
+QString saveAnswering(MainWindow* window, const QString& answer) {
+    QString asked;
+    QTimer answering;
+    QObject::connect(&answering, &QTimer::timeout, &answering, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box) return;
+        asked = box->windowTitle();
+        for (QAbstractButton* button : box->buttons())
+            if (button->text().remove(u'&') == answer) return button->click();
+    });
+    answering.start(10);
+    trigger(window, QKeySequence::Save);
+    return asked;
+}
+
+} // namespace
+
+// What becomes of files: saved by others too, gone, killed in between.
+class WindowFilesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        support::useOwnSettings();
+        QApplication::setQuitOnLastWindowClosed(false);
+    }
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath(QStringLiteral("two.ifs"));
+        put(m_path, twoEntries);
+    }
+    void cleanup() {
+        for (MainWindow* window : session::windows())
+            delete window;
+        QDir(Recovery::folder()).removeRecursively();
+    }
+
+    void aFileChangedElsewhereIsAskedAbout();
+    void twoWindowsDoNotOverwriteEachOther();
+    void recoveredWorkDoesNotOverwriteOthers();
+    void recoveredWorkKeepsThePathOfAFileThatIsGone();
+    void unsavedWorkIsKeptWithinTwoSeconds();
+    void aKilledEditorLeavesItsWork();
+    void aWindowMayCloseWhileItDrawsForPaper();
+
+private:
+    MainWindow* opened() {
+        auto* window = new MainWindow;
+        if (!window->openPath(m_path)) qFatal("not opened");
+        window->show();
+        return window;
+    }
+    document::Abandoned abandoned() const { // with the second entry renamed
+        document::Snapshot snapshot;
+        snapshot.path = m_path;
+        snapshot.title = QStringLiteral("two.ifs");
+        snapshot.bytes = QByteArray(twoEntries).replace("other", "mine");
+        snapshot.base = QCryptographicHash::hash(twoEntries, QCryptographicHash::Sha256);
+        return {m_folder->filePath(QStringLiteral("old.journal")), snapshot, {}};
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_path;
+};
+
+void WindowFilesTest::aFileChangedElsewhereIsAskedAbout() {
+    MainWindow* window = opened();
+    rename(window, QStringLiteral("mine"));
+    const QByteArray theirs = twoEntries + "third { .5 0 0 .5 0 0 1 }\n";
+    put(m_path, theirs);
+    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QStringLiteral("Changed on disk"));
+    QCOMPARE(contents(m_path), theirs);
+    QVERIFY(window->document().isModified());
+    QCOMPARE(saveAnswering(window, QStringLiteral("Replace")), QStringLiteral("Changed on disk"));
+    QVERIFY(contents(m_path).startsWith("mine"));
+    QVERIFY(!contents(m_path).contains("third"));
+    rename(window, QStringLiteral("again"));
+    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QString()); // it is ours now
+    QVERIFY(contents(m_path).startsWith("again"));
+}
+
+void WindowFilesTest::twoWindowsDoNotOverwriteEachOther() {
+    MainWindow* first = opened();
+    MainWindow* second = opened();
+    rename(first, QStringLiteral("a"));
+    rename(second, QStringLiteral("b"));
+    QCOMPARE(saveAnswering(first, QStringLiteral("Cancel")), QString());
+    QCOMPARE(saveAnswering(second, QStringLiteral("Cancel")), QStringLiteral("Changed on disk"));
+    QVERIFY(contents(m_path).startsWith("a"));
+}
+
+void WindowFilesTest::recoveredWorkDoesNotOverwriteOthers() {
+    const QByteArray theirs = twoEntries + "third { .5 0 0 .5 0 0 1 }\n";
+    put(m_path, theirs);
+    auto* window = new MainWindow;
+    window->openRecovered(abandoned());
+    window->show();
+    QCOMPARE(window->path(), m_path);
+    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QStringLiteral("Changed on disk"));
+    QCOMPARE(contents(m_path), theirs);
+
+    put(m_path, twoEntries); // nobody else was there
+    auto* other = new MainWindow;
+    other->openRecovered(abandoned());
+    QCOMPARE(saveAnswering(other, QStringLiteral("Cancel")), QString());
+    QCOMPARE(contents(m_path), abandoned().snapshot.bytes);
+}
+
+void WindowFilesTest::recoveredWorkKeepsThePathOfAFileThatIsGone() {
+    QFile::remove(m_path);
+    auto* window = new MainWindow;
+    window->openRecovered(abandoned());
+    QCOMPARE(window->path(), m_path);
+    QCOMPARE(window->document().file().entries.size(), 2);
+    const auto boxes = window->findChildren<QMessageBox*>();
+    QCOMPARE(boxes.size(), 1); // and it is said
+    QVERIFY(boxes.first()->text().contains(QStringLiteral("two.ifs")));
+    boxes.first()->close();
+    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QString());
+    QCOMPARE(contents(m_path), abandoned().snapshot.bytes);
+}
+
+void WindowFilesTest::unsavedWorkIsKeptWithinTwoSeconds() {
+    MainWindow* window = opened();
+    const QDir folder(Recovery::folder());
+    const auto kept = [&] {
+        for (const QString& name : folder.entryList({QStringLiteral("*.journal")}, QDir::Files))
+            if (const auto snapshot = document::snapshotIn(contents(folder.filePath(name)))) return *snapshot;
+        return document::Snapshot{};
+    };
+    rename(window, QStringLiteral("mine"));
+    QTRY_VERIFY(kept().bytes.startsWith("mine"));
+    QCOMPARE(kept().path, m_path);
+    QCOMPARE(kept().base, QCryptographicHash::hash(twoEntries, QCryptographicHash::Sha256));
+    window->document().undoStack()->undo();
+    QTRY_VERIFY(kept().bytes.isEmpty()); // nothing is unsaved any more
+}
+
+// This program again, as the editor, killed after it has said that its work is changed.
+void WindowFilesTest::aKilledEditorLeavesItsWork() {
+    QProcess editor;
+    editor.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--edit"), m_path});
+    QVERIFY(editor.waitForReadyRead(30'000));
+    QTest::qWait(2000); // the age that lost work may have
+    editor.kill();
+    QVERIFY(editor.waitForFinished());
+    const auto found = document::abandonedSnapshots(Recovery::folder());
+    QCOMPARE(found.size(), 1);
+    QCOMPARE(found.first().snapshot.path, m_path);
+    QVERIFY(found.first().snapshot.bytes.startsWith("killed"));
+    QVERIFY(document::abandonedSnapshots(Recovery::folder()).isEmpty()); // it is offered once
+    document::forget(found.first());
+    QCOMPARE(contents(m_path), twoEntries);
+}
+
+void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
+    const QPointer<MainWindow> window = opened();
+    QTimer closing;
+    connect(&closing, &QTimer::timeout, &closing, [&] {
+        if (!window->findChild<QProgressDialog*>()) return;
+        closing.stop();
+        delete window.data();
+    });
+    closing.start(0);
+    trigger(window, QKeySequence::Print);
+    QVERIFY(!window);
+    for (const QWidget* widget : QApplication::topLevelWidgets())
+        QVERIFY(!qobject_cast<const QPrintPreviewDialog*>(widget));
+}
+
+int main(int argc, char** argv) {
+    Application application(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.value(1) == QLatin1String("--edit")) {
+        support::useOwnSettings();
+        MainWindow window;
+        window.openPath(arguments.value(2));
+        rename(&window, QStringLiteral("killed"));
+        fputs("changed\n", stdout);
+        fflush(stdout);
+        return QApplication::exec();
+    }
+    WindowFilesTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_files_test.moc"
