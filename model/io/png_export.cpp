@@ -3,9 +3,6 @@
 
 #include "io/fractint_writer.h"
 
-#include <QCoreApplication>
-#include <QSaveFile>
-
 #include <algorithm>
 #include <span>
 #include <thread>
@@ -70,12 +67,8 @@ PngFormat formatOf(const PngExport& picture) {
     return format;
 }
 
-QString cannotWrite(const QString& path, const QString& reason) {
-    return QCoreApplication::translate("PngExport", "%1 cannot be written: %2").arg(path, reason);
-}
-
 template <class Pixel>
-ExportOutcome drawInto(QSaveFile& file, const PngExport& picture, const Progress& progress,
+ExportOutcome drawInto(QIODevice& file, const PngExport& picture, const Progress& progress,
                        const std::stop_token& stop) {
     ExportOutcome outcome;
     PngWriter writer(file, formatOf(picture));
@@ -120,17 +113,17 @@ Picture drawPicture(const PngExport& picture, const Progress& progress, std::sto
 ExportOutcome exportPng(const PngExport& picture, const QString& path, const Progress& progress,
                         std::stop_token stop) {
     ExportOutcome outcome;
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) {
-        outcome.failure = cannotWrite(path, file.errorString());
-        return outcome;
-    }
+    NewFile file(path);
+    outcome.failure = file.failure();
+    if (outcome.failure) return outcome;
     outcome = picture.depth == PngFormat::Depth::Bits16
                   ? drawInto<Rgba16>(file, picture, progress, stop)
                   : drawInto<std::uint32_t>(file, picture, progress, stop);
-    if (!outcome.failure && !outcome.stopped && !file.commit())
-        outcome.failure = cannotWrite(path, file.errorString());
-    return outcome; // the file destroys itself unless it was committed
+    if (file.failure())
+        outcome.failure = file.failure();
+    else if (!outcome.failure && !outcome.stopped)
+        outcome.failure = file.commit();
+    return outcome;
 }
 
 std::uint64_t memoryFor(const PngExport& picture) {

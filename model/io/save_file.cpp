@@ -44,6 +44,7 @@ QString target(QString path) {
 }
 
 Failure obstacle(const QString& path) {
+    if (path.isEmpty()) return Text::tr("The file has no name. Choose one.");
     const QFileInfo info(path);
     const QFileInfo folder(info.absolutePath());
     if (info.isDir()) return Text::tr("“%1” is a folder. Choose a file name.").arg(shown(path));
@@ -100,16 +101,6 @@ private:
     int m_number;
 };
 
-bool writeAll(int file, const QByteArray& bytes) {
-    for (qsizetype done = 0; done < bytes.size();) {
-        const ssize_t count =
-            ::write(file, bytes.constData() + done, static_cast<std::size_t>(bytes.size() - done));
-        if (count < 0 && errno != EINTR) return false;
-        done += std::max<ssize_t>(count, 0);
-    }
-    return true;
-}
-
 // Permissions, and owner and group as far as we may, of the file that is about to be replaced.
 void keepAttributes(int file, const QByteArray& path) {
     struct stat old {};
@@ -132,45 +123,126 @@ int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* n
     return -1;
 }
 
-Failure replace(const QString& path, const QByteArray& bytes) {
-    const QByteArray name = QFile::encodeName(path);
-    const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
-    QByteArray temporary;
-    const Descriptor file(createBeside(folder, name, &temporary));
-    if (!file.isOpen()) return reason(errno, path);
-    keepAttributes(file.number(), name);
-    if (!writeAll(file.number(), bytes) || ::fsync(file.number()) != 0 ||
-        ::rename(temporary.constData(), name.constData()) != 0) {
-        const int error = errno;
-        ::unlink(temporary.constData());
-        return reason(error, path);
+} // namespace
+
+struct NewFile::Temporary {
+    explicit Temporary(const QString& path)
+        : target(QFile::encodeName(path)),
+          folder(QFile::encodeName(QFileInfo(path).absolutePath())),
+          file(createBeside(folder, target, &name)) {
+        error = file.isOpen() ? 0 : errno;
     }
-    // The name must survive a power cut as well; some file systems refuse to sync a folder, which is no
-    // failure.
-    const Descriptor directory(::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (directory.isOpen()) ::fsync(directory.number());
-    return std::nullopt;
+    ~Temporary() {
+        if (file.isOpen() && !isRenamed) ::unlink(name.constData());
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    bool rename() {
+        isRenamed = ::fsync(file.number()) == 0 && ::rename(name.constData(), target.constData()) == 0;
+        error = isRenamed ? 0 : errno;
+        // The name must survive a power cut as well; some file systems refuse to sync a folder, which is no
+        // failure.
+        const Descriptor directory(::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        if (directory.isOpen()) ::fsync(directory.number());
+        return isRenamed;
+    }
+
+    qint64 write(const char* data, qint64 size) {
+        for (qint64 done = 0; done < size;) {
+            const ssize_t count = ::write(file.number(), data + done, static_cast<std::size_t>(size - done));
+            error = count < 0 ? errno : 0;
+            if (count < 0 && error != EINTR) return -1;
+            done += std::max<ssize_t>(count, 0);
+        }
+        return size;
+    }
+
+    QByteArray target, folder, name;
+    Descriptor file;
+    int error = 0; // of the last call
+    bool isRenamed = false;
+};
+
+NewFile::NewFile(const QString& path) : m_path(target(path)), m_failure(obstacle(m_path)) {
+    if (m_failure) return;
+    m_temporary = std::make_unique<Temporary>(m_path);
+    if (!m_temporary->file.isOpen()) {
+        fail(m_temporary->error);
+        return;
+    }
+    keepAttributes(m_temporary->file.number(), m_temporary->target);
+    setOpenMode(WriteOnly | Unbuffered);
+}
+
+void NewFile::fail(int error) {
+    if (!m_failure) m_failure = reason(error, m_path);
+}
+
+qint64 NewFile::writeData(const char* data, qint64 size) {
+    const qint64 written = m_temporary->write(data, size);
+    if (written < 0) {
+        fail(m_temporary->error);
+        setErrorString(*m_failure);
+    }
+    return written;
+}
+
+Failure NewFile::commit() {
+    if (!m_failure && !m_temporary->rename()) fail(m_temporary->error);
+    return m_failure;
 }
 
 #else
 
-Failure replace(const QString& path, const QByteArray& bytes) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return Text::tr("“%1” was not saved: %2. The file on the disk is as it was.")
-            .arg(shown(path), file.errorString());
-    return std::nullopt;
+} // namespace
+
+struct NewFile::Temporary {
+    explicit Temporary(const QString& path) : file(path) {}
+    QSaveFile file;
+};
+
+NewFile::NewFile(const QString& path) : m_path(target(path)), m_failure(obstacle(m_path)) {
+    if (m_failure) return;
+    m_temporary = std::make_unique<Temporary>(m_path);
+    if (m_temporary->file.open(QIODevice::WriteOnly))
+        setOpenMode(WriteOnly | Unbuffered);
+    else
+        fail(0);
+}
+
+void NewFile::fail(int) {
+    if (!m_failure)
+        m_failure = Text::tr("“%1” was not saved: %2. The file on the disk is as it was.")
+                        .arg(shown(m_path), m_temporary->file.errorString());
+}
+
+qint64 NewFile::writeData(const char* data, qint64 size) {
+    const qint64 written = m_temporary->file.write(data, size);
+    if (written != size) {
+        fail(0);
+        setErrorString(*m_failure);
+    }
+    return written;
+}
+
+Failure NewFile::commit() {
+    if (!m_failure && !m_temporary->file.commit()) fail(0);
+    return m_failure;
 }
 
 #endif
 
-} // namespace
+NewFile::~NewFile() = default;
+
+qint64 NewFile::readData(char*, qint64) {
+    return -1;
+}
 
 Failure saveFile(const QString& path, const QByteArray& bytes) {
-    if (path.isEmpty()) return Text::tr("The file has no name. Choose one.");
-    const QString file = target(path);
-    if (Failure failure = obstacle(file)) return failure;
-    return replace(file, bytes);
+    NewFile file(path);
+    if (!file.failure()) file.write(bytes);
+    return file.commit();
 }
 
 Loaded loadFile(const QString& path) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QByteArray>
+#include <QIODevice>
 #include <QString>
 
+#include <memory>
 #include <optional>
 
 namespace io {
@@ -11,8 +13,32 @@ namespace io {
 // The user's sentence when something went wrong; nullopt on success.
 using Failure = std::optional<QString>;
 
-// Writes through a temporary file in the same folder, flushed to the disk and renamed: `path` holds the old
-// bytes or the new ones, never a part. Permissions and a symbolic link at `path` are kept.
+// The one way in which files of the user are written: into a temporary file in the same folder, which
+// commit() flushes to the disk and renames: `path` holds the old bytes or the new ones, never a part.
+// Permissions and a symbolic link at `path` are kept; what is no ordinary file is not replaced. It is open
+// from the start, unless failure() says why not; what is not committed leaves nothing behind.
+class NewFile : public QIODevice {
+public:
+    explicit NewFile(const QString& path);
+    ~NewFile() override;
+
+    const Failure& failure() const { return m_failure; } // the first, also of writing
+    [[nodiscard]] Failure commit();
+
+protected:
+    qint64 readData(char* data, qint64 maxSize) override;
+    qint64 writeData(const char* data, qint64 size) override;
+
+private:
+    struct Temporary;
+    void fail(int error);
+
+    QString m_path; // behind symbolic links
+    std::unique_ptr<Temporary> m_temporary;
+    Failure m_failure;
+};
+
+// All of it at once.
 Failure saveFile(const QString& path, const QByteArray& bytes);
 
 struct Loaded {

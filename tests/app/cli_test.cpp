@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <sys/stat.h>
 
 // What barycage-cli says to every command: usage, messages, standard input and output, interrupts.
 class CliTest : public CommandLineTest {
@@ -24,6 +25,8 @@ private slots:
     void standardInput();
     void standardInputHasALimit();
     void fullOutputIsSaid();
+    void onlyOrdinaryFilesAreReplaced_data();
+    void onlyOrdinaryFilesAreReplaced();
     void interruptLeavesNothing();
 };
 
@@ -169,6 +172,38 @@ void CliTest::fullOutputIsSaid() {
     QVERIFY(process.waitForFinished(60'000));
     QCOMPARE(process.exitCode(), 3);
     QVERIFY(process.readAllStandardError().contains("systems.ifs: error: "));
+}
+
+void CliTest::onlyOrdinaryFilesAreReplaced_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<QByteArray>("output");
+    const auto row = [](const char* arguments, const char* output) {
+        QTest::newRow(output) << QByteArray(arguments) << QByteArray(output);
+    };
+    row("render systems.ifs --size 20x15 -o ", "pipe.png");
+    row("render systems.ifs --size 20x15 --bits 16 --to png -o ", "pipe.16");
+    row("render systems.ifs --size 20x15 -o ", "pipe.svg");
+    row("render systems.ifs --size 20x15 -o ", "pipe.pdf");
+    row("gallery systems.ifs --tile 40x40 -o ", "sheet.png");
+    row("convert systems.ifs ", "pipe.ifs");
+    row("convert systems.ifs ", "pipe.flame");
+    row("convert systems.ifs --entry fern ", "pipe.csv");
+    row("convert systems.ifs --entry fern --points 10 ", "pipe.ply");
+    row("convert systems.ifs --entry fern --to pdf ", "pages.pdf");
+}
+
+// A pipe stays a pipe, whoever runs the program.
+void CliTest::onlyOrdinaryFilesAreReplaced() {
+    QFETCH(QByteArray, arguments);
+    QFETCH(QByteArray, output);
+    const QByteArray pipe = path(output).toLocal8Bit();
+    QCOMPARE(::mkfifo(pipe.constData(), 0600), 0);
+    const Result result = run(arguments + output);
+    struct stat status {};
+    QCOMPARE(::lstat(pipe.constData(), &status), 0);
+    QVERIFY(S_ISFIFO(status.st_mode));
+    QCOMPARE(result.status, 3);
+    QVERIFY2(result.err.contains("not an ordinary file"), result.err.constData());
 }
 
 void CliTest::interruptLeavesNothing() {

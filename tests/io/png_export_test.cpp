@@ -39,6 +39,7 @@ private slots:
     void theClipboardsPictureIsTheSame();
     void progressGrowsToTheEnd();
     void stoppingLeavesNothing();
+    void aPictureIsSavedAsOtherFilesAre();
     void memoryIsThatOfABand();
 
 private:
@@ -104,6 +105,26 @@ void PngExportTest::stoppingLeavesNothing() {
         QVERIFY(!outcome.failure);
         QVERIFY(!QFile::exists(path));
     }
+}
+
+// Symbolic links and permissions stay, and what is no ordinary file is refused before anything is drawn.
+void PngExportTest::aPictureIsSavedAsOtherFilesAre() {
+    const PngExport what = picture(20, 15);
+    const QString path = m_folder.filePath(QStringLiteral("kept.png"));
+    const QString link = m_folder.filePath(QStringLiteral("link.png"));
+    QVERIFY(!exportPng(what, path).failure);
+    QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+    QVERIFY(QFile::link(path, link));
+    const QByteArray before = bytesOf(path);
+    QVERIFY(QFile::resize(path, 0));
+    QVERIFY(!exportPng(what, link).failure);
+    QVERIFY(QFileInfo(link).isSymLink());
+    QCOMPARE(bytesOf(path), before);
+    QVERIFY(!(QFile::permissions(path) & (QFile::ReadGroup | QFile::ReadOther)));
+    bool hasBegun = false;
+    const auto outcome = exportPng(what, m_folder.path(), [&](double) { hasBegun = true; });
+    QVERIFY(outcome.failure && outcome.failure->contains(QStringLiteral("is a folder")));
+    QVERIFY(!hasBegun);
 }
 
 void PngExportTest::memoryIsThatOfABand() {
