@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace ifs {
 
@@ -26,18 +27,40 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system, std::option
     return facts;
 }
 
+namespace {
+
+// Vertices that have an address become the points that it names. Where two of them meet in one point, or one
+// no longer stands out, the hull does without: what it loses that way counts as error.
+void settleExtremePoints(Facts<2>& facts) {
+    ConvexHull& hull = *facts.hull;
+    const auto found = periodicExtremePoints(*facts.support, hull);
+    Polygon points = hull.vertices;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (found[k]) points[k] = found[k]->point;
+    const Polygon before =
+        std::exchange(hull.vertices,
+                      convexHull(points, 1e-14 * (facts.support->radius() + facts.support->centre().norm())));
+    double lost = 0;
+    for (const auto& vertex : before)
+        lost = std::max(lost, distanceToConvex(hull.vertices, vertex));
+    hull.error += lost;
+    hull.area = area(hull.vertices);
+    for (const auto& vertex : hull.vertices) {
+        facts.extremePoints.emplace_back();
+        for (std::size_t k = 0; k < points.size(); ++k)
+            if (found[k] && points[k] == vertex) facts.extremePoints.back() = found[k];
+    }
+}
+
+} // namespace
+
 template <int Dim>
 Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance) {
     Facts<Dim> facts = geometricFacts(system, hullTolerance);
     std::optional<double> dimension = facts.similarityDimension;
     if constexpr (Dim == 2) {
         dimension = affinityDimension(facts.active.maps);
-        if (facts.hull) {
-            facts.extremePoints = periodicExtremePoints(*facts.support, *facts.hull);
-            for (std::size_t k = 0; k < facts.extremePoints.size(); ++k)
-                if (facts.extremePoints[k]) facts.hull->vertices[k] = facts.extremePoints[k]->point;
-            facts.hull->area = area(facts.hull->vertices);
-        }
+        if (facts.hull) settleExtremePoints(facts);
     }
     if (dimension) facts.affinityDimension = std::min(*dimension, double(Dim));
     return facts;

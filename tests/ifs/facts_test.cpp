@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/facts.h"
+#include "ifs/polygon.h"
 
 #include <QtTest>
 
@@ -14,6 +15,15 @@ IteratedFunctionSystem<2> systemOf(const Maps2& maps) {
     for (const auto& map : maps)
         append(system, map, 1);
     return system;
+}
+// Every corner turns left, and none is there twice.
+bool isStrictlyConvex(const Polygon& polygon) {
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vector<2>&a = polygon[k], &b = polygon[(k + 1) % polygon.size()],
+              &c = polygon[(k + 2) % polygon.size()];
+        if (!(cross(b - a, c - b) > 0)) return false;
+    }
+    return polygon.size() > 2;
 }
 bool near(double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance;
@@ -66,6 +76,39 @@ private slots:
         QVERIFY(near(image.box->min.y(), 3, 1e-10) && near(image.box->max.y(), 3, 1e-10));
         QVERIFY(near(image.hull->area, 0, 1e-12));
         QVERIFY(image.active.maps.empty() && !image.affinityDimension);
+    }
+
+    // Far from the origin the points of several vertices, once they are known exactly, round to one.
+    void noVertexIsThereTwice() {
+        const Maps2 far{affineMap(-0.29175310664220233, 0.0887450621542083, -0.42621068652474703,
+                                  -0.2156406490196141, 146924.32284086608, -200507.06028090726),
+                        affineMap(0.2549841142478987, -0.30764087203317614, 0.07155274132933087,
+                                  -0.10821902953575225, 12973.41409502367, -228799.0795529225),
+                        affineMap(-0.3782705198663304, -0.37822990027846004, -0.41948928224637017,
+                                  0.3500708739048479, 62181.07221292422, -88036.89607505628)};
+        const Maps2 farther{affineMap(-0.35137642228175703, 0.47777080513460213, -0.0044941992071382275,
+                                      0.4091648010223574, 230691.8025476347, -117717.62032433819),
+                            affineMap(-0.25242302920952797, 0.35965390973393463, -0.239285832269863,
+                                      -0.42094393526855545, 197173.08419371684, -260260.20428304616),
+                            affineMap(0.3783503813610679, 0.16964004955898226, -0.07348934113770156,
+                                      -0.45856000147294773, 96092.97243874912, -284363.0669289023)};
+        for (const Maps2& maps : {far, farther, maple(), levy()}) {
+            const Facts<2> facts = factsOf(systemOf(maps));
+            const Polygon& corners = facts.hull->vertices;
+            QVERIFY(isStrictlyConvex(corners));
+            QCOMPARE(facts.extremePoints.size(), corners.size());
+            std::size_t addressed = 0;
+            for (std::size_t k = 0; k < corners.size(); ++k)
+                if (facts.extremePoints[k]) {
+                    ++addressed;
+                    QCOMPARE(facts.extremePoints[k]->point, corners[k]);
+                }
+            QVERIFY(addressed > 0);
+            QVERIFY(near(facts.hull->area, area(corners), 0));
+            Random random(3);
+            for (const auto& x : orbit<2>(maps, 2000, random))
+                QVERIFY(distanceToConvex(corners, x) <= facts.hull->error);
+        }
     }
 
     void nothingIsSaidOfASystemWithoutAnAttractor() {
