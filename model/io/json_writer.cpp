@@ -9,19 +9,20 @@ namespace io {
 
 namespace {
 
+// No control character is left as it is: JSON forbids some of them, and a terminal obeys the others.
 QByteArray quoted(const QString& text) {
-    QByteArray result = "\"";
-    for (const char c : text.toUtf8()) {
-        if (c == '"' || c == '\\')
-            result += {'\\', c};
-        else if (c == '\n')
-            result += "\\n";
-        else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            result += "\\u00" + QByteArray(1, c).toHex();
+    QString result;
+    for (const QChar c : text) {
+        if (c == u'"' || c == u'\\')
+            (result += u'\\') += c;
+        else if (c == u'\n')
+            result += QLatin1String("\\n");
+        else if (c.category() == QChar::Other_Control)
+            result += QStringLiteral("\\u%1").arg(c.unicode(), 4, 16, QLatin1Char('0'));
         else
             result += c;
     }
-    return result + '"';
+    return '"' + result.toUtf8() + '"';
 }
 
 } // namespace

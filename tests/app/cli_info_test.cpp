@@ -2,6 +2,7 @@
 #include "app/command_line.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QPointF>
 #include <QTest>
 
@@ -16,6 +17,8 @@ private slots:
     void factsOfTheFern();
     void factsInSpace();
     void unknownFactsAreNull();
+    void everyNameIsAString_data();
+    void everyNameIsAString();
 };
 
 // The exact values of docs/mathematics.md for the maple with equal weights.
@@ -144,6 +147,31 @@ void CliInfoTest::unknownFactsAreNull() {
          {"mean", "covariance", "bounding_box", "canonical_simplex", "hull", "affinity_dimension"})
         QVERIFY2(spin.contains(QLatin1String(key)) && spin[QLatin1String(key)].isNull(), key);
     QVERIFY(!result.out.contains(": nan") && !result.out.contains(": inf"));
+}
+
+void CliInfoTest::everyNameIsAString_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"a\"b", "a\\b", "\\", "\\u0041", "é√𝔉", "\"\\\"", "a/b", "a\302\237b"})
+        QTest::newRow(name) << QString::fromUtf8(name);
+    for (char16_t c = 1; c < 0x20; ++c)
+        if (c != u'\t' && c != u'\n' && c != u'\r' && c != 0x1a)
+            QTest::addRow("control character %d", c) << QStringLiteral("a%1b").arg(QChar(c));
+    QTest::newRow("delete") << QStringLiteral("a%1b").arg(QChar(0x7f));
+}
+
+// The names of an entry, of its problem and of a message that quotes it come back as they are in the file.
+void CliInfoTest::everyNameIsAString() {
+    QFETCH(QString, name);
+    const Result result = run("info - --json", name.toUtf8() + " {\n .5 0 0 .5 0 0 1\n}\n" + name.toUtf8() +
+                                                   "2 {\n .5 0 0 .5 0 0 x\n}\n");
+    QJsonParseError error;
+    const QJsonDocument json = QJsonDocument::fromJson(result.out, &error);
+    QVERIFY2(error.error == QJsonParseError::NoError, result.out.constData());
+    QCOMPARE(json[QLatin1String("entries")][0][QLatin1String("name")].toString(), name);
+    const QJsonArray problems = json[QLatin1String("problems")].toArray();
+    QCOMPARE(problems.last()[QLatin1String("entry")].toString(), name + u'2');
+    for (const char c : result.out)
+        QVERIFY(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
 }
 
 QTEST_GUILESS_MAIN(CliInfoTest)
