@@ -55,18 +55,22 @@ bool Application::event(QEvent* event) {
     return done;
 }
 
-void Application::openWindows(const QStringList& files) {
+void Application::openWindows(const QStringList& files, Start start) {
     for (const document::Abandoned& abandoned : Recovery::ask()) {
         auto* window = new MainWindow;
         window->show();
         window->openRecovered(abandoned);
     }
-    const bool again = files.isEmpty() && view::Preferences::stored().reopen;
+    const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
     MainWindow::openEach(again ? session::files() : files);
-    if (topLevelWidgets().isEmpty()) {
-        auto* window = new MainWindow;
-        window->openFirstPicture();
-        window->show();
-        if (!Tour::offer(window)) Welcome::offer(window);
-    }
+    if (start == Start::AsLastTime && !session::windows().isEmpty()) return;
+    auto* window = new MainWindow;
+    window->openFirstPicture();
+    window->show();
+    if (start == Start::Collection)
+        window->showCollection();
+    else if (start == Start::Random)
+        window->addRandom();
+    else if (!Tour::offer(window))
+        Welcome::offer(window);
 }

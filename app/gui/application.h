@@ -10,8 +10,11 @@ class Application : public QApplication {
 public:
     Application(int& argc, char** argv);
 
-    // One window per file; without files one window with the maple.
-    void openWindows(const QStringList& files);
+    // What a window without files shows first.
+    enum class Start { AsLastTime, New, Collection, Random };
+    // One window per file; without files one window with the maple, or those of the last run if that is
+    // wished.
+    void openWindows(const QStringList& files, Start start = Start::AsLastTime);
 
 protected:
     bool event(QEvent* event) override;

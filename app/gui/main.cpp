@@ -14,9 +14,21 @@ void describe(QCommandLineParser& parser) {
         Application::tr("Take a fractal by its corners: an editor for iterated function systems."));
     parser.addHelpOption();
     parser.addVersionOption();
+    parser.addOption(
+        {QStringLiteral("new"), Application::tr("a window with the maple, whatever was open before")});
+    parser.addOption({QStringLiteral("collection"), Application::tr("a window that shows the collection")});
+    parser.addOption(
+        {QStringLiteral("random"), Application::tr("a window with fractals made by chance to pick from")});
     parser.addPositionalArgument(QStringLiteral("files"),
                                  Application::tr(".ifs files to open, a window each"),
                                  QStringLiteral("[files…]"));
+}
+
+Application::Start startAskedFor(const QCommandLineParser& parser) {
+    using enum Application::Start;
+    if (parser.isSet(QStringLiteral("random"))) return Random;
+    if (parser.isSet(QStringLiteral("collection"))) return Collection;
+    return parser.isSet(QStringLiteral("new")) ? New : AsLastTime;
 }
 
 bool isAnsweredWithoutWindow(std::string_view argument) {
@@ -37,6 +49,6 @@ int main(int argc, char** argv) {
     Application application(argc, argv);
     describe(parser);
     parser.process(application);
-    application.openWindows(parser.positionalArguments());
+    application.openWindows(parser.positionalArguments(), startAskedFor(parser));
     return Application::exec();
 }

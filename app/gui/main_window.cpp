@@ -26,6 +26,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -99,6 +100,11 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
     addDockWidget(area, made);
     m_panelMenu->addAction(made->toggleViewAction());
     made->toggleViewAction()->setStatusTip(tr("Show or hide the panel “%1”").arg(title));
+    // Behind another panel it would go on taking keys that nobody sees arrive.
+    connect(made, &QDockWidget::visibilityChanged, this, [this, made](bool visible) {
+        const QWidget* focused = QApplication::focusWidget();
+        if (!visible && focused && made->isAncestorOf(focused)) m_canvas->setFocus();
+    });
     return made;
 }
 
@@ -266,6 +272,13 @@ void MainWindow::openRecovered(const document::Abandoned& abandoned) {
              *failure + u' ' + tr("The unsaved work is here all the same."));
 }
 
+void MainWindow::showCollection() {
+    auto* dock = findChild<QDockWidget*>(QStringLiteral("collection"));
+    dock->show();
+    dock->raise();
+    if (auto* search = dock->findChild<QLineEdit*>()) search->setFocus();
+}
+
 void MainWindow::reportOpened() {
     qsizetype broken = 0;
     qsizetype bent = 0;
@@ -386,7 +399,13 @@ void MainWindow::fail(const QString& title, const QString& sentence) {
                                 QMessageBox::Ok, this);
     box->setInformativeText(sentence);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
+    // One after the other: of two that are open, keys would reach neither.
+    connect(box, &QMessageBox::finished, this, [this, box] {
+        m_failures.removeOne(box);
+        if (!m_failures.isEmpty()) m_failures.first()->open();
+    });
+    m_failures << box;
+    if (m_failures.size() == 1) box->open();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -4,6 +4,7 @@
 #include "analysis_bridge.h"
 #include "arising.h"
 #include "canvas/canvas_view.h"
+#include "dialogs/mutate_dialog.h"
 #include "document/document.h"
 #include "io/save_file.h"
 #include "open_file.h"
@@ -17,6 +18,7 @@
 
 class QActionGroup;
 class QMenu;
+class QMessageBox;
 class QToolBar;
 class StatusLine;
 
@@ -36,6 +38,8 @@ public:
     void chooseAndOpen();                 // likewise
     void openFirstPicture();              // the maple of the collection, without a path
     void openRecovered(const document::Abandoned& abandoned);
+    void showCollection(); // ready for a search
+    void addRandom();      // picked out of many
 
     document::Document& document() { return m_document; }
     QString path() const { return m_file.path(); } // empty while the document has no file
@@ -55,6 +59,7 @@ private:
     void createFileActions();
     void createEditActions();
     void showPreferences();
+    void pickFrom(view::MutateDialog::Source source);
     void createCageActions();
     void createViewActions();
     void createHelpActions();
@@ -105,4 +110,5 @@ private:
     QAction* m_fullScreen = nullptr;
     QToolBar* m_branchBar = nullptr;  // under the canvas while maps or branches are dragged
     QList<QAction*> m_toolBarActions; // a null pointer is a separator
+    QList<QMessageBox*> m_failures;   // the first one is seen
 };

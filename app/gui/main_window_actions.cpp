@@ -144,21 +144,15 @@ void MainWindow::createEditActions() {
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->open(); // another edit would end what it shows
             });
-    const auto pick = [this](view::MutateDialog::Source source) {
-        auto* dialog = new view::MutateDialog(&m_document, source, this);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->open();
-    };
     command(m_editMenu, {}, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
-            tr("Pick one of many variations of this fractal"), [this, pick] {
+            tr("Pick one of many variations of this fractal"), [this] {
                 if (document::system2(m_document.fractal()))
-                    pick(view::MutateDialog::Source::Current);
+                    pickFrom(view::MutateDialog::Source::Current);
                 else
                     say(tr("Only systems in the plane can be varied."));
             });
     command(m_editMenu, {}, tr("Add &Random Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
-            tr("Pick one of many fractals made by chance, and add it to the file"),
-            [pick] { pick(view::MutateDialog::Source::Chance); });
+            tr("Pick one of many fractals made by chance, and add it to the file"), [this] { addRandom(); });
     m_editMenu->addSeparator();
     toggle(m_editMenu, {}, tr("Allow Systems &without an Attractor"), {},
            tr("Let maps be dragged to where they no longer contract; otherwise the drag stops there"),
@@ -168,6 +162,16 @@ void MainWindow::createEditActions() {
             tr("Language, theme, quality of the picture at rest, what is opened at the start"),
             [this] { showPreferences(); });
     m_toolBarActions << undo << redo << nullptr;
+}
+
+void MainWindow::pickFrom(view::MutateDialog::Source source) {
+    auto* dialog = new view::MutateDialog(&m_document, source, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::addRandom() {
+    pickFrom(view::MutateDialog::Source::Chance);
 }
 
 void MainWindow::showPreferences() {

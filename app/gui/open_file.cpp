@@ -8,11 +8,24 @@
 
 #include <QCryptographicHash>
 #include <QFileInfo>
+#include <QHash>
 
 namespace {
 
 QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+}
+
+// Entries of one name are one entry: those that nobody touched are not shown as changed.
+void keepIds(document::FractalFile& recovered, const document::FractalFile& before) {
+    QHash<QString, document::EntryId> known;
+    for (const document::Entry& entry : before.entries)
+        if (!known.contains(entry.fractal->name)) known.insert(entry.fractal->name, entry.id);
+    auto fresh = static_cast<std::uint32_t>(document::freshId(before));
+    for (document::Entry& entry : recovered.entries) {
+        entry.id = known.take(entry.fractal->name);
+        if (entry.id == document::EntryId::None) entry.id = static_cast<document::EntryId>(fresh++);
+    }
 }
 
 } // namespace
@@ -55,6 +68,7 @@ io::Failure OpenFile::recover(const document::Snapshot& snapshot) {
     if (snapshot.path.isEmpty() || failure) startNew();
     document::FractalFile recovered =
         io::readFractint(snapshot.bytes, QFileInfo(snapshot.path).completeBaseName());
+    keepIds(recovered, m_document->file());
     const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
     const document::EntryId current =
         known ? recovered.entries[snapshot.current].id : document::EntryId::None;

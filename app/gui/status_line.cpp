@@ -9,6 +9,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -21,8 +22,9 @@ QLabel* label(const QString& name, const QString& meaning) {
 }
 
 // Fixed decimals, so that digits stay in place while the pointer moves.
-QString fixed(double value) {
-    return QString::number(value, 'f', 4);
+QString fixed(double value, int decimals = 4) {
+    const double unit = std::pow(10, -decimals);
+    return QString::number(std::abs(value) < unit / 2 ? 0 : value, 'f', decimals); // no −0
 }
 
 QString count(std::uint64_t samples) {
@@ -84,7 +86,7 @@ void StatusLine::showPointer(const view::PointerPosition& position) {
     if (position.barycentric) {
         QStringList coordinates;
         for (double coordinate : *position.barycentric)
-            coordinates << QString::number(coordinate, 'f', 3);
+            coordinates << fixed(coordinate, 3);
         text += tr("  barycentric (%1)").arg(coordinates.join(QStringLiteral(", ")));
     }
     if (!position.address.empty()) {

@@ -183,6 +183,7 @@ void Tour::showStep(int step) {
     m_back->setVisible(step > 0);
     m_next->setText(asking ? tr("&Start the Tour") : step + 1 == stepCount ? tr("&Done") : tr("&Next"));
     m_next->setDefault(true);
+    m_next->setFocus(); // so that Return goes on
     m_close->setText(asking ? tr("Not Now") : tr("Close"));
     m_close->setVisible(step + 1 < stepCount);
     m_mark->setVisible(m_target != nullptr);

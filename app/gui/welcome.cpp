@@ -8,12 +8,10 @@
 
 #include <QCommandLinkButton>
 #include <QDir>
-#include <QDockWidget>
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 
 namespace {
@@ -30,16 +28,16 @@ QString folderOf(const QString& path) {
 } // namespace
 
 void Welcome::offer(MainWindow* window) {
-    if (recent_files::list().isEmpty()) return;
     auto* card = new Welcome(window);
-    card->appear(tr("The last files, and the collection."));
+    card->appear(recent_files::list().isEmpty() ? tr("A file, or the collection.")
+                                                : tr("The last files, and the collection."));
 }
 
 Welcome::Welcome(MainWindow* host) : Card(host) {
     setObjectName(QStringLiteral("welcome"));
     setAccessibleName(tr("Welcome"));
     QLabel* title = createTitle();
-    title->setText(tr("Go on with"));
+    title->setText(recent_files::list().isEmpty() ? tr("Begin with") : tr("Go on with"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(margin, margin - 2, margin, margin - 2);
     layout->setSpacing(0);
@@ -71,11 +69,7 @@ Welcome::Welcome(MainWindow* host) : Card(host) {
     connect(close, &QPushButton::clicked, this, &QWidget::close);
     connect(open, &QPushButton::clicked, host, &MainWindow::chooseAndOpen);
     connect(collection, &QPushButton::clicked, this, [this, host] {
-        if (auto* dock = host->findChild<QDockWidget*>(QStringLiteral("collection"))) {
-            dock->show();
-            dock->raise();
-            if (auto* search = dock->findChild<QLineEdit*>()) search->setFocus();
-        }
+        host->showCollection();
         this->close();
     });
     connect(&host->document(), &document::Document::changed, this, &QWidget::close);

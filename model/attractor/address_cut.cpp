@@ -219,7 +219,9 @@ public:
         m_exact = m_settings.samples > 0 ? fewest / m_settings.samples * visible : 0;
         m_atBorder = m_settings.samples > 0 ? atBorder / m_settings.samples * visible : 1;
         m_followsBend = View::bends;
+        m_thinnings = 0;
         AddressCut result = words(leaves(threshold, Threshold::Absolute, stop));
+        result.isThinned = m_thinnings > 0;
         return stop.stop_requested() ? AddressCut{} : result;
     }
 
@@ -382,9 +384,9 @@ private:
 
     // Words that lie side by side are all needed, however many they are; of words that lie on each other so
     // many as leave no holes.
-    void thinOverlaps(Nodes& nodes) const {
+    void thinOverlaps(Nodes& nodes) {
         constexpr double enough = 16;
-        if (nodes.size() <= View::most) return;
+        if (nodes.size() <= std::max(View::most, mostShown)) return;
         const double covered = coverage(nodes);
         if (covered > enough)
             thinOut(nodes, std::max(View::most, static_cast<std::size_t>(static_cast<double>(nodes.size()) *
@@ -393,14 +395,13 @@ private:
 
     // Overlapping systems have exponentially many words in a small view. A systematic sample of them, each
     // standing for its share, keeps every estimate unbiased.
-    void thinOut(Nodes& nodes, std::size_t wanted) const {
+    void thinOut(Nodes& nodes, std::size_t wanted) {
         double total = 0;
         for (const Node<Real>& node : nodes)
             total += node.probability;
         const double share = 2 * total / static_cast<double>(wanted);
-        double sum =
-            static_cast<double>(mixed(m_settings.seed + static_cast<std::uint64_t>(nodes.size())) >> 11) *
-            0x1p-53 * share;
+        const std::uint64_t draw = m_settings.seed + nodes.size() + (m_thinnings++ << 32);
+        double sum = static_cast<double>(mixed(draw) >> 11) * 0x1p-53 * share;
         std::size_t kept = 0;
         for (std::size_t k = 0; k < nodes.size(); ++k) {
             Node<Real> node = nodes[k];
@@ -469,6 +470,7 @@ private:
     double m_atBorder = 1; // probability above which a word that is partly in view is divided
     double m_exact = 0;    // probability below which samples are mapped one by one
     bool m_followsBend = false;
+    std::uint64_t m_thinnings = 0;
     std::size_t m_divided; // words at once; fewer where every word has thousands of children
     std::pmr::memory_resource* m_nodeMemory;
     View m_view;

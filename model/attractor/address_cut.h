@@ -74,6 +74,7 @@ struct AddressCut {
     const Curve* curveOf(std::size_t word) const { // nullptr where there is none
         return word >= firstCurved && word < firstExact ? &curves[word - firstCurved] : nullptr;
     }
+    bool isThinned = false; // words stand for others; another seed chooses others
     double probability = 0; // Σ p_σ: an unbiased estimate of the measure of the words that meet the view
 };
 

@@ -168,8 +168,8 @@ void placeBox(DrawableSystem& system) {
     system.halfExtent += Vector<2>::Constant(slack * size);
 }
 
-RenderNote existenceNote(const std::vector<ifs::AffineMap<2>>& maps) {
-    switch (ifs::classify<2>(maps, 2000).verdict) {
+RenderNote existenceNote(ifs::Verdict verdict) {
+    switch (verdict) {
     case ifs::Verdict::None:
         return RenderNote::NoAttractor;
     case ifs::Verdict::Undecided:
@@ -205,7 +205,11 @@ DrawableSystem drawable(const ifs::IteratedFunctionSystem<2>& system,
     for (std::size_t i = 0; i < result.maps.size(); ++i)
         result.meanLogarithm +=
             result.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(result.maps[i].linear));
-    result.note = existenceNote(result.maps);
+    const ifs::Existence existence = ifs::classify<2>(result.maps, 2000);
+    result.note = existenceNote(existence.verdict);
+    // Under a cage that shears, maps may stretch one by one whose words contract.
+    if (!(result.meanLogarithm < 0) && existence.verdict == ifs::Verdict::EventuallyContractive)
+        result.meanLogarithm = naturalLogarithm(existence.contractivity);
     placeBox(result);
     return result;
 }

@@ -142,33 +142,40 @@ bool Picture::complete(const std::stop_token& stop) {
     }
 }
 
+// For the next sample set. Words that stand for others are chosen anew, so that all get their turn.
+bool Picture::makeCut(const std::stop_token& stop) {
+    if (cut && (!cut->isThinned || cutOfSet == sampleSets)) return true;
+    CutSettings settings;
+    settings.words = wordsFor(request.samples);
+    settings.seed = sampleSets == 0 ? request.seed : mixed(request.seed) + sampleSets;
+    settings.samples = static_cast<double>(request.samples);
+    if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
+    if (request.appearance.colourBy == ColourBy::Address)
+        for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
+            ++settings.minDepth;
+    if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;
+    // Without an attractor there are words of every length that grow, and none is ever small enough.
+    if (system.note != RenderNote::None) settings.mostLooks = 1U << 20;
+    AddressCut fresh = addressCut(system, projection, settings, stop, &cutMemory);
+    if (stop.stop_requested()) return false;
+    // A map that does not contract may lead to words so deep that their measure is 0 to the arithmetic.
+    if (fresh.probability < std::numeric_limits<double>::min()) fresh = {};
+    cut = std::move(fresh);
+    cutOfSet = sampleSets;
+    return true;
+}
+
 bool Picture::completeDensity(const std::stop_token& stop) {
-    if (!cut) {
-        CutSettings settings;
-        settings.words = wordsFor(request.samples);
-        settings.seed = request.seed;
-        settings.samples = static_cast<double>(request.samples);
-        if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
-        if (request.appearance.colourBy == ColourBy::Address)
-            for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
-                ++settings.minDepth;
-        if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;
-        // Without an attractor there are words of every length that grow, and none is ever small enough.
-        if (system.note != RenderNote::None) settings.mostLooks = 1U << 20;
-        AddressCut fresh = addressCut(system, projection, settings, stop, &cutMemory);
-        if (stop.stop_requested()) return false;
-        // A map that does not contract may lead to words so deep that their measure is 0 to the arithmetic.
-        if (fresh.probability < std::numeric_limits<double>::min()) fresh = {};
-        cut = std::move(fresh);
-    }
-    if (cut->words.empty()) {
-        remaining = 0;
-        return true;
-    }
+    if (!cut && !makeCut(stop)) return false;
     while (true) {
         runJobs(stop);
         if (jobsLeft()) return false;
         if (remaining == 0) return true;
+        if (!makeCut(stop)) return false;
+        if (cut->words.empty()) {
+            remaining = 0;
+            return true;
+        }
         planSampleSet();
     }
 }

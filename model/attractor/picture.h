@@ -45,6 +45,7 @@ struct Picture {
 
     // Density
     std::optional<AddressCut> cut;
+    std::uint64_t cutOfSet = 0; // the sample set that `cut` was made for
     CutMemory cutMemory;
     SampleSet samples;
     std::uint64_t sampleSets = 0; // drawn so far
@@ -73,6 +74,7 @@ struct Picture {
     bool jobsLeft() const;
     std::size_t endOfJobs(std::size_t share) const { return jobs.size() * (share + 1) / nextJobs.size(); }
     bool complete(const std::stop_token& stop); // the present pass
+    bool makeCut(const std::stop_token& stop);
     bool completeDensity(const std::stop_token& stop);
     void planSampleSet();
     void planJobs();

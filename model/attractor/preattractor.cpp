@@ -12,8 +12,9 @@ namespace attractor {
 namespace {
 
 constexpr double mostImages = 1e6;
-constexpr double mostOutlined = 20'000; // images; sums of a cell stay below 2³² whatever covers it
-constexpr double smallestOutlined = 24; // cells
+constexpr double mostOutlined = 20'000;        // images; sums of a cell stay below 2³² whatever covers it
+constexpr double smallestOutlined = 24;        // cells
+constexpr std::size_t cellsPerLook = 1U << 18; // a millisecond's work
 
 class Painter {
 public:
@@ -59,7 +60,10 @@ public:
         std::ranges::reverse(stack);
         std::size_t visits = 0;
         while (!stack.empty()) {
-            if (++visits % 1024 == 0 && stop.stop_requested()) return false;
+            if (++visits % 1024 == 0 || m_filled > cellsPerLook) {
+                m_filled = 0;
+                if (stop.stop_requested()) return false;
+            }
             const Node node = stack.back();
             stack.pop_back();
             const Reach reach = reachOf(node.map);
@@ -230,6 +234,7 @@ private:
             const int to = static_cast<int>(std::clamp(std::ceil(m_crossings[k + 1] - 0.5), 0.0, width));
             for (int x = from; x < to; ++x)
                 add(x, y, colour);
+            m_filled += static_cast<std::size_t>(std::max(0, to - from));
             any = any || to > from;
         }
         return any;
@@ -245,6 +250,7 @@ private:
     std::optional<BendTable> m_bend;
     std::vector<ifs::Vector<2>> m_corners;
     std::vector<double> m_crossings;
+    std::size_t m_filled = 0; // cells since the last look at the stop token
 };
 
 } // namespace

@@ -126,6 +126,8 @@ bool splat(const Word& word, const SampleSet& samples, std::uint64_t count, cons
     if (outside(reach(word, samples, curve), window)) return false;
     std::uint32_t seen = 0;
     forEachRun(word, samples, count, [&](const kernels::Run& run) {
+        // What falls outside says nothing of how full the cells of the window are.
+        std::fill_n(cells + window.cells(), trashCells, ColourCell{});
         seen |= kernels::addToColours(word, curve, run, window, colour, cells);
     });
     return seen >> 31 != 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/control_cage.h"
 
+#include "ifs/polygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -23,6 +25,19 @@ template <int Dim> Simplex<Dim> simplexOf(const std::vector<Vector<Dim>>& vertic
     Simplex<Dim> simplex;
     std::copy_n(vertices.begin(), Dim + 1, simplex.begin());
     return simplex;
+}
+
+// A corner that points inwards; one that lies on its edge does not.
+bool hasNotch(std::span<const Vector<2>> polygon) {
+    constexpr double leastTurn = 1e-9;
+    const double sign = signedArea(polygon) > 0 ? 1 : -1;
+    const std::size_t n = polygon.size();
+    for (std::size_t j = 0; j < n; ++j) {
+        const Vector<2> in = polygon[(j + 1) % n] - polygon[j],
+                        out = polygon[(j + 2) % n] - polygon[(j + 1) % n];
+        if (sign * cross(in, out) < -leastTurn * in.norm() * out.norm()) return true;
+    }
+    return false;
 }
 
 template <int Dim> bool isSimplicial(const ControlCage<Dim>& cage) {
@@ -187,7 +202,7 @@ CageFlaw flawOf(const ControlCage<2>& cage, const Placement& placement) {
         mirrored = mirrored || turn < 0;
     }
     if (kept && mirrored) return CageFlaw::Folded;
-    return isStrictlyConvex(cage.rest) && isStrictlyConvex(cage.current) ? CageFlaw::None : CageFlaw::Concave;
+    return hasNotch(cage.rest) || hasNotch(cage.current) ? CageFlaw::Concave : CageFlaw::None;
 }
 
 std::optional<ControlCage<2>> withVertexInserted(const ControlCage<2>& cage, std::size_t edge, double share) {

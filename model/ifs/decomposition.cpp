@@ -29,7 +29,10 @@ RotationScaleShear rotationScaleShear(const Matrix<2>& linear) {
     if (scaleX == 0) // no first column to take the angle from: the second one stands at a right angle to it
         return {b == 0 && d == 0 ? 0 : std::atan2(-b, d), 0, std::hypot(b, d), 0};
     const double cosine = a / scaleX, sine = c / scaleX;
-    return {std::atan2(c, a), scaleX, cosine * d - sine * b, (cosine * b + sine * d) / scaleX};
+    // Columns at a right angle have no shear, not one of the size of rounding.
+    const double along = cosine * b + sine * d;
+    const bool isRight = std::abs(along) <= 4e-16 * (std::abs(cosine * b) + std::abs(sine * d));
+    return {std::atan2(c, a), scaleX, cosine * d - sine * b, isRight ? 0 : along / scaleX};
 }
 
 Matrix<2> linearPart(const RotationScaleShear& parts) {

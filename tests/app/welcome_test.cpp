@@ -11,6 +11,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -22,9 +23,15 @@ class WelcomeTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void nothingIsOfferedBeforeTheFirstFile() {
+    void theCollectionIsOfferedBeforeTheFirstFile() {
         Welcome::offer(m_window.get());
-        QVERIFY(!card());
+        QVERIFY(card());
+        QVERIFY(!card()->findChild<QCommandLinkButton*>());
+        QStringList buttons;
+        for (const auto* button : card()->findChildren<QPushButton*>())
+            buttons << button->text();
+        QVERIFY(buttons.contains(QStringLiteral("&Collection")) &&
+                buttons.contains(QStringLiteral("&Open…")));
     }
 
     void theNewestFilesAreOffered() {

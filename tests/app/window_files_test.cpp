@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
 #include "main_window.h"
+#include "panels/entries_model.h"
+#include "panels/entries_panel.h"
 #include "recovery.h"
 #include "session.h"
 #include "support/own_settings.h"
@@ -11,6 +13,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
+#include <QListView>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPrintPreviewDialog>
@@ -146,6 +149,10 @@ void WindowFilesTest::recoveredWorkDoesNotOverwriteOthers() {
     window->openRecovered(abandoned());
     window->show();
     QCOMPARE(window->path(), m_path);
+    const auto* entries = window->findChild<view::EntriesPanel*>()->findChild<QListView*>()->model();
+    QCOMPARE(entries->rowCount(), 2);
+    QVERIFY(!entries->index(0, 0).data(view::EntriesModel::ModifiedRole).toBool()); // nobody touched it
+    QVERIFY(entries->index(1, 0).data(view::EntriesModel::ModifiedRole).toBool());
     QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QStringLiteral("Changed on disk"));
     QCOMPARE(contents(m_path), theirs);
 

@@ -4,6 +4,7 @@
 #include "attractor/cell_sums.h"
 #include "attractor/chaos_game.h"
 #include "attractor/kernels.h"
+#include "attractor/picture.h"
 #include "attractor/splat.h"
 #include "attractor/systems.h"
 
@@ -179,6 +180,55 @@ private slots:
         }
         const double mean = sum / seeds;
         QVERIFY(std::sqrt(std::abs(squares / seeds - mean * mean)) < 0.2 * mean);
+    }
+
+    // 200 maps, each a quarter of the square: 40,000 words, many over each place, and none stands for
+    // another.
+    void manyMapsAreNotThinned() {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> place(0, .75);
+        ifs::IteratedFunctionSystem<2> system;
+        system.maps.resize(200);
+        for (auto& map : system.maps)
+            map.map = ifs::affineMap(.25, 0, 0, .25, place(random), place(random));
+        const AddressCut cut = cutOf(system, systems::camera(system, 400, 400), 610);
+        QVERIFY(!cut.isThinned);
+        QCOMPARE(cut.words.size(), std::size_t{40'000});
+    }
+
+    // Every set of samples goes to other words where words stand for others.
+    void thinnedWordsTakeTurns() {
+        RenderRequest request;
+        for (int i = 0; i < 4; ++i)
+            ifs::append<2>(request.system, ifs::affineMap(.9, 0, 0, .9, .1 * (i % 2), .1 * (i / 2)));
+        request.camera.width = request.camera.height = 400;
+        request.camera.centre = {.5, .5};
+        request.camera.pixelsPerUnit = 200'000;
+        request.samples = 40'000'000;
+        Picture picture;
+        picture.start(request);
+        picture.rewind(0, 400);
+        picture.remaining = request.samples;
+        QVERIFY(picture.complete({}));
+        QVERIFY(picture.cut->isThinned);
+        QVERIFY(picture.sampleSets > 1);
+        QCOMPARE(picture.cutOfSet, picture.sampleSets - 1);
+    }
+
+    // Maps of which some stretch, though words contract, as under a cage that shears: they are as deep as
+    // others.
+    void shearedCodesAreDeepToo() {
+        const ifs::AffineMap<2> shear = ifs::affineMap(1, 3, 0, 1, 0, 0);
+        const auto sheared = *ifs::conjugate(shear, systems::flower());
+        QVERIFY(ifs::spectralNorm<2>(sheared.maps[0].map.linear) > 1);
+        const DrawableSystem system = drawable(sheared);
+        QVERIFY(system.meanLogarithm < 0);
+        Camera camera = systems::camera(sheared, 250, 250);
+        camera.centre = *ifs::fixedPoint(sheared.maps[0].map);
+        camera.pixelsPerUnit *= 1e6;
+        const AddressCut cut = cutOf(sheared, camera);
+        QVERIFY(cut.words.size() > 100);
+        QVERIFY(cut.probability < 1e-3);
     }
 
     // Words that lie side by side are all needed: none may stand for another, however many maps there are.

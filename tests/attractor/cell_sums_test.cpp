@@ -85,6 +85,18 @@ private slots:
 
     // From afar all of the fern falls into a few cells, so that refining to more
     // than a 32-bit counter holds takes no time.
+    // However much falls beside the window, its cells are as full as they are.
+    void whatFallsOutsideFillsNothing() {
+        SampleSet samples;
+        drawSamples(drawable(systems::fern()), 1, 0, samples);
+        const CellWindow window{64, 0, 64};
+        std::vector<ColourCell> cells(window.cells() + trashCells);
+        const Word word{3000, 0, 0, 3000, 32, 32, 0, 0, 1, 0}; // some of it is inside
+        for (int n = 0; n < 100; ++n)
+            QVERIFY(!splat(word, samples, 10 * SampleSet::size, window, ColourCell{1, 4095, 4095, 4095},
+                           cells.data()));
+    }
+
     void countersNeverWrap_data() {
         QTest::addColumn<int>("colourBy");
         QTest::addColumn<quint64>("samples");

@@ -267,6 +267,10 @@ private slots:
             vertex.x() = -vertex.x();
         cage.current[2].y() = 1.2;
         QCOMPARE(flaw(cage), CageFlaw::None);
+        cage =
+            *withVertexInserted(polygonAtRest<2>({{0, 0}, {1, 0}, {0, 1}}), 1, 0.5); // on its edge: no notch
+        cage.current = SquareVertices;
+        QCOMPARE(flaw(cage), CageFlaw::None);
     }
 
     void verticesComeAndGo() {

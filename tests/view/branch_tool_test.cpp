@@ -115,6 +115,7 @@ private slots:
         QVERIFY(QLineF(at({Kind::Vertex, 1, 0}), other).length() < 1e-6);
         QVERIFY(system().maps[1].map == before.maps[1].map * before.maps[0].map);
         QCOMPARE(scene().branch(), (Word{0})); // goes on being selected
+        QCOMPARE(scene().selectedMaps(), std::vector{system().maps[0].id});
         drag(at({Kind::Inside, 0, 0}) * 0.55 + at({Kind::Vertex, 2, 0}) * 0.45, {5, 5}); // beside the pivot
         QCOMPARE(system().maps.size(), std::size_t{5});
         m_document->undoStack()->undo();

@@ -119,7 +119,12 @@ double BranchTool::preview(const std::function<DragResult(double)>& resultAt) {
 
 void BranchTool::ended() {
     MapsTool::ended();
-    if (m_before && scene().document().fractal() == *m_before) select(m_addressAtPress);
+    const bool isUndone = m_before && scene().document().fractal() == *m_before;
+    if (isUndone) select(m_addressAtPress);
+    if (m_before && !isUndone && m_address != m_addressAtPress) { // the table shows the map that it is now
+        scene().setSelectedPlaces({0});
+        emit message(tr("This branch is map 1 now. Numbers in the table change it further."));
+    }
     m_before.reset();
     ask();
 }

@@ -73,6 +73,18 @@ QString doubtful(const document::System2& system) {
         "It is not settled whether this system has an attractor. Points that run away are left out.");
 }
 
+bool isOnePoint(const document::System2& system) {
+    return ifs::activeMaps(system).maps.size() == 1;
+}
+
+QString onePoint(const document::Fractal& fractal) {
+    const auto displayed = document::effectiveSystem(fractal);
+    const auto point = displayed ? ifs::fixedPoint(ifs::activeMaps(*displayed).maps.front()) : std::nullopt;
+    if (!point) return Notes::tr("One map alone: nothing is left but its fixed point.");
+    return Notes::tr("One map alone: nothing is left but its fixed point (%1, %2).")
+        .arg(number(point->x()), number(point->y()));
+}
+
 } // namespace
 
 QString stopNote(const document::System2& system, const ifs::SafeWay& way) {
@@ -105,7 +117,7 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
                    : Notes::tr("This entry could not be read. Its text is kept as it is in the file.");
     switch (note) {
     case attractor::RenderNote::None:
-        return cageWarning(fractal);
+        return isOnePoint(*system) ? onePoint(fractal) : cageWarning(fractal);
     case attractor::RenderNote::NoMaps:
         return Notes::tr("No map takes part, so there is nothing to draw. Add a map or switch one on.");
     case attractor::RenderNote::NoAttractor:

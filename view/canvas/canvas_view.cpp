@@ -395,7 +395,11 @@ void CanvasView::copyPicture() const {
 
 void CanvasView::followDocument(const document::Change& change) {
     using document::Change;
-    if (change.live) holdPainting();
+    if (change.live)
+        holdPainting();
+    else if (viewport()->underMouse()) // what is said of the place of the pointer has changed with the cage
+        QMetaObject::invokeMethod(
+            this, [this] { report(m_pointer.position); }, Qt::QueuedConnection);
     if (!(change.parts & (Change::Current | Change::File))) return;
     if (m_tool == Tool::DefineTriangle) finishTool();
     if (m_placed) fit();
@@ -525,7 +529,7 @@ void CanvasView::wheelEvent(QWheelEvent* event) {
 
 void CanvasView::report(const QPointF& position) {
     PointerPosition pointer{worldAt(camera(), position), std::nullopt};
-    if (const auto& cage = m_scene->cage()) {
+    if (const auto& cage = m_scene->cage(); cage && cage->current.size() == 3) {
         const ifs::Simplex<2> triangle{cage->current[0], cage->current[1], cage->current[2]};
         if (ifs::isAffineBasis<2>(triangle))
             pointer.barycentric = ifs::barycentric<2>(triangle, pointer.world);

@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace view {
 
@@ -71,7 +72,10 @@ void ExportDialog::createFormat() {
     m_format->setAccessibleName(tr("Format"));
     m_format->setWhatsThis(
         tr("PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size."));
-    m_size = new ExportSizeEditor({std::max(1, m_camera.width), std::max(1, m_camera.height)}, m_options);
+    const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
+    m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
+                                   std::max(1, int(std::lround(m_camera.height * ratio)))},
+                                  m_options);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
     m_transparent->setWhatsThis(tr("The picture has no background and can be laid over another."));

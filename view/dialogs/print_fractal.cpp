@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace view {
@@ -90,6 +91,23 @@ document::Fractal onPaper(document::Fractal fractal) {
     return fractal;
 }
 
+// What the canvas shows without its empty sides, which are the cage's.
+attractor::Camera withoutMargins(const document::Fractal& fractal, attractor::Camera camera) {
+    const auto box = document::displayedBox(fractal);
+    if (!box || camera.width < 1 || camera.height < 1) return camera;
+    const ifs::Vector<2> half = ifs::Vector<2>(camera.width, camera.height) / (2 * camera.pixelsPerUnit);
+    constexpr double margin = 0.02;
+    constexpr double narrowest = 0.1; // of the canvas: a line has no width
+    ifs::Vector<2> low = (camera.centre - half).cwiseMax(box->min - margin * half);
+    ifs::Vector<2> high = (camera.centre + half).cwiseMin(box->max + margin * half);
+    if (!((high - low).minCoeff() > 0)) return camera; // nothing is in view
+    const ifs::Vector<2> size = (high - low).cwiseMax(2 * narrowest * half);
+    camera.centre = (low + high) / 2;
+    camera.width = std::max(1, int(std::lround(size.x() * camera.pixelsPerUnit)));
+    camera.height = std::max(1, int(std::lround(size.y() * camera.pixelsPerUnit)));
+    return camera;
+}
+
 io::PngExport pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
     constexpr int longSide = 2400;
     const double factor = double(longSide) / std::max({1, camera.width, camera.height});
@@ -153,7 +171,7 @@ void printFractal(document::Document* document, const attractor::Camera& camera,
     // The document may change while the picture is drawn.
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
     const document::Fractal fractal = document->fractal();
-    const QImage picture = drawn(pictureFor(fractal, camera), parent);
+    const QImage picture = drawn(pictureFor(fractal, withoutMargins(fractal, camera)), parent);
     if (picture.isNull()) return;
     const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
     printer->setDocName(fractal.name);
