@@ -38,14 +38,16 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
             "limit is 64 MB."));
         return result;
     }
-    Table table = readTable(QString::fromUtf8(bytes), columns);
-    const bool hasErrors = !table.problems.isEmpty();
+    Table table = readTable(QString::fromUtf8(bytes), columns, TableMaps::PlaneOrSpace);
     if (!table.isTable) return std::nullopt;
-    if (!hasErrors) {
+    if (!hasErrors(table)) {
         document::Fractal fractal;
         const QString name = QFileInfo(path).completeBaseName();
         fractal.name = document::uniqueName({}, name.isEmpty() ? QStringLiteral("table") : name);
-        fractal.system = systemOf(table);
+        if (table.spaceRows.empty())
+            fractal.system = systemOf(table);
+        else
+            fractal.system = spaceSystemOf(table);
         file = document::fileOf(std::move(fractal));
         result.isOrderAssumed = !table.isOrdered;
     }
@@ -59,8 +61,8 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
     if (looksLikePng(bytes)) return {QStringLiteral("png"), fileOf(readPngSystem(bytes)), false};
     if (looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes)), false};
     if (looksLikeFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes, options.axis), false};
-    constexpr qsizetype sample = 1000; // bytes, enough for five lines of a matrix
-    const bool isTable = options.columns || beginsWithMatrices(QString::fromUtf8(bytes.left(sample)));
+    constexpr qsizetype sample = 4000; // bytes, enough for five lines of a matrix
+    const bool isTable = options.columns || isTableToFractintUnknown(QString::fromUtf8(bytes.left(sample)));
     document::FractalFile file;
     if (!isTable) file = readFractint(bytes, QFileInfo(path).completeBaseName());
     if (file.entries.isEmpty())

@@ -3,6 +3,7 @@
 
 #include "io/coefficient.h"
 #include "io/number.h"
+#include "io/table_cells.h"
 #include "io/written_weights.h"
 
 #include <QCoreApplication>
@@ -26,97 +27,38 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
-struct Cell {
-    QString text;
-    int line = 1;
-    int column = 1; // both from 1; the column in bytes of the UTF-8 text
-};
-using Row = QList<Cell>;
-
-enum class Separator { Semicolon, Tab, Comma, Blank };
-
-struct Dialect {
-    Separator separator = Separator::Blank;
-    bool decimalComma = false;
-};
-
-bool isSeparator(QChar c, const Dialect& dialect) {
-    switch (dialect.separator) {
-    case Separator::Semicolon:
-        return c == QLatin1Char(';');
-    case Separator::Tab:
-        return c == QLatin1Char('\t');
-    case Separator::Comma:
-        return c == QLatin1Char(',') || c.isSpace();
-    case Separator::Blank:
-        return c.isSpace();
-    }
-    return false;
+QString withLineFeeds(QString text) {
+    return text.replace(QStringLiteral("\r\n"), QStringLiteral("\n")).replace(u'\r', u'\n');
 }
 
-// Blanks inside a cell separate numbers as well: "0.5 0; 0 0.5" is two cells with two numbers each.
-Row cellsOf(QStringView text, int line, const Dialect& dialect) {
-    Row cells;
-    Cell cell;
-    cell.line = line;
-    int column = 1;
-    for (const QChar c : text) {
-        if (c == QLatin1Char(';') && dialect.separator != Separator::Semicolon) break; // a comment
-        if (isSeparator(c, dialect) || c.isSpace()) {
-            if (!cell.text.isEmpty()) cells << cell;
-            if (cells.size() > longestRow) return cells;
-            cell.text.clear();
-        } else {
-            if (cell.text.isEmpty()) cell.column = column;
-            cell.text += c;
-        }
-        // Halves of a surrogate pair make 4 bytes together.
-        column += c.unicode() < 0x80 ? 1 : c.unicode() < 0x800 || c.isSurrogate() ? 2 : 3;
-    }
-    if (!cell.text.isEmpty()) cells << cell;
-    return cells;
+// A word that nobody meant as a number: w1, ƒ1, "f(1)", 1: — and neither O.5 nor nan.
+bool looksLikeLabel(const QString& text) {
+    if (text.endsWith(u':') || text.endsWith(u')')) return true;
+    for (const char* number : {"nan", "inf", "infinity"})
+        if (text.compare(QLatin1String(number), Qt::CaseInsensitive) == 0) return false;
+    return !text.isEmpty() && (text[0].isLetter() || text[0] == u'#') && !text.contains(u'.') &&
+           !text.contains(u',');
 }
 
-std::optional<double> value(QString text, const Dialect& dialect) {
-    text.replace(QChar(0x2212), QLatin1Char('-'));
-    if (dialect.decimalComma) {
-        if (text.contains(QLatin1Char('.'))) return std::nullopt;
-        text.replace(QLatin1Char(','), QLatin1Char('.'));
-    }
-    if (text.size() <= 2) text = text.normalized(QString::NormalizationForm_KD); // ½ → 1⁄2
-    text.replace(QChar(0x2044), QLatin1Char('/'));
-    const qsizetype slash = text.indexOf(QLatin1Char('/'));
-    if (slash < 0) return parseNumber(text);
-    const auto numerator = parseNumber(text.left(slash));
-    const auto denominator = parseNumber(text.mid(slash + 1));
-    if (!numerator || !denominator || !std::isfinite(*numerator / *denominator)) return std::nullopt;
-    return *numerator / *denominator;
-}
-
-// Semicolons or tabs between all numbers of a row leave the comma free to be the decimal one. Fewer
-// semicolons begin a comment, as in Fractint's files.
-Dialect dialectOf(QStringView text) {
-    constexpr qsizetype fewestSeparators = 5;
-    bool semicolons = false;
-    bool tabs = false;
-    bool comma = false; // outside of comments
-    for (const QStringView line : text.tokenize(u'\n')) {
-        semicolons = semicolons || line.count(u';') >= fewestSeparators;
-        tabs = tabs || line.trimmed().count(u'\t') >= fewestSeparators;
-        const qsizetype comment = line.indexOf(u';');
-        comma = comma || line.first(comment < 0 ? line.size() : comment).contains(u',');
-    }
-    if (semicolons) return {Separator::Semicolon, text.contains(u',')};
-    if (tabs) return {Separator::Tab, comma};
-    return {comma ? Separator::Comma : Separator::Blank, false};
+// Names of the columns a … l of a map in space, with or without its weight.
+enum class SpaceHeader { None, Plain, Weighted };
+SpaceHeader spaceHeader(const QStringList& names) {
+    QString letters;
+    for (const QString& name : names)
+        letters += name.toLower();
+    return letters == u"abcdefghijkl"    ? SpaceHeader::Plain
+           : letters == u"abcdefghijklp" ? SpaceHeader::Weighted
+                                         : SpaceHeader::None;
 }
 
 class TableParser {
 public:
-    TableParser(const QString& text, const std::optional<TableColumns>& columns)
-        : m_text(withLineFeeds(text)),
-          m_dialect(dialectOf(m_text)),
+    TableParser(const QString& text, const Dialect& dialect, const std::optional<TableColumns>& columns,
+                TableMaps wanted)
+        : m_text(text),
+          m_dialect(dialect),
           m_chosen(columns.has_value()),
+          m_wanted(m_chosen ? TableMaps::Plane : wanted),
           m_columns(columns.value_or(fractintColumns())) {
         m_table.isOrdered = m_chosen;
     }
@@ -137,7 +79,7 @@ public:
                  row = rows(1))
                 readRow(row.first());
         }
-        if (m_table.rows.empty() && m_table.problems.isEmpty())
+        if (m_table.rows.empty() && m_table.spaceRows.empty() && m_table.problems.isEmpty())
             fail({}, Text::tr("There are no rows of numbers: a row is a b c d e f and perhaps a weight."));
         if (std::find(m_columns.begin(), m_columns.end(), TableColumn::Cumulative) != m_columns.end())
             takeDifferences();
@@ -146,11 +88,10 @@ public:
 
 private:
     static constexpr qsizetype mostTransposed = 12; // rows of a table that has a column for every map
+    static constexpr qsizetype planeNumbers = 6;    // of a map without its weight
+    static constexpr qsizetype spaceNumbers = 12;
 
-    static QString withLineFeeds(QString text) {
-        return text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"))
-            .replace(QLatin1Char('\r'), QLatin1Char('\n'));
-    }
+    std::optional<double> value(const Cell& cell) const { return numberIn(cell, m_dialect); }
 
     void startOver() { m_next = m_line = 0; }
 
@@ -160,16 +101,31 @@ private:
         while (m_next < m_text.size() && found.size() < most) {
             const qsizetype feed = m_text.indexOf(u'\n', m_next);
             const qsizetype end = feed < 0 ? m_text.size() : feed;
-            Row cells = cellsOf(QStringView(m_text).sliced(m_next, end - m_next), ++m_line, m_dialect);
-            if (!cells.isEmpty()) found << std::move(cells);
+            Row cells =
+                cellsOf(QStringView(m_text).sliced(m_next, end - m_next), ++m_line, m_dialect, longestRow);
+            if (!cells.isEmpty() && !isRemark(cells)) found << std::move(cells);
             m_next = end + 1;
         }
         return found;
     }
 
+    // "# …" is a comment, unless it names the columns.
+    static bool isRemark(Row& cells) {
+        if (!cells.first().text.startsWith(u'#') || looksLikeNumberSign(cells.first().text)) return false;
+        Row named = cells;
+        named.first().text.remove(0, 1);
+        if (named.first().text.isEmpty()) named.removeFirst();
+        if (!tableColumns(namesIn(named)) && spaceHeader(namesIn(named)) == SpaceHeader::None) return true;
+        cells = named;
+        return false;
+    }
+
+    // "#1" as a label.
+    static bool looksLikeNumberSign(const QString& text) { return text.size() > 1 && text[1].isDigit(); }
+
     bool isHeader(const Row& cells) const {
         return std::none_of(cells.begin(), cells.end(),
-                            [this](const Cell& cell) { return value(cell.text, m_dialect).has_value(); });
+                            [this](const Cell& cell) { return value(cell).has_value(); });
     }
 
     static QStringList namesIn(const Row& cells) {
@@ -195,87 +151,196 @@ private:
         return turned;
     }
 
-    // "3", then for every map a line with its weight and three lines of a matrix that ends in 0 0 1.
+    // "3", then for every map a line with its weight and three lines of a matrix that ends in 0 0 1; or all
+    // ten on a line.
     bool beginsWithACount(const QList<Row>& table) const {
-        return table.size() >= 5 && table[0].size() == 1 && table[1].size() == 1 && table[2].size() == 3 &&
-               value(table[0][0].text, m_dialect).has_value();
+        if (table.size() < 2 || table[0].size() != 1 || !value(table[0][0])) return false;
+        return table[1].size() == 10 || (table.size() >= 5 && table[1].size() == 1 && table[2].size() == 3);
     }
 
     void readMatrices() {
         const Cell count = rows(1).first().first();
         m_columns = fractintColumns();
         m_table.isOrdered = true;
-        for (QList<Row> map = rows(4); !map.isEmpty() && m_table.problems.isEmpty(); map = rows(4)) {
-            if (map.size() != 4 || map[0].size() != 1 || map[1].size() != 3 || map[2].size() != 3 ||
-                map[3].size() != 3)
-                return fail(map[0][0],
-                            Text::tr("After the count, a map is its weight and a matrix of 3 rows."));
-            const Row flat{map[1][0], map[1][1], map[2][0], map[2][1], map[1][2], map[2][2], map[0][0]};
-            const auto last = [&](qsizetype i) { return value(map[3][i].text, m_dialect); };
-            if (last(0) != 0.0 || last(1) != 0.0 || last(2) != 1.0)
-                return fail(map[3][0], Text::tr("The last row of the matrix of an affine map is 0 0 1."));
-            addRow(flat);
+        Row map;
+        for (QList<Row> row = rows(1); !row.isEmpty() && m_table.problems.isEmpty(); row = rows(1)) {
+            map += row.first();
+            for (; map.size() >= 10 && m_table.problems.isEmpty(); map.remove(0, 10))
+                addMatrix(map);
         }
-        if (m_table.problems.isEmpty() && value(count.text, m_dialect) != double(m_table.rows.size()))
+        if (!m_table.problems.isEmpty()) return;
+        if (!map.isEmpty())
+            fail(map.first(), Text::tr("After the count, a map is its weight and a matrix of 3 rows."));
+        else if (value(count) != double(m_table.rows.size()))
             fail(count, Text::tr("The table says that it has %1 maps, and it has %2.")
                             .arg(count.text)
                             .arg(m_table.rows.size()));
     }
 
-    void readHeader(const Row& cells) {
-        if (!m_table.rows.empty() || m_hasHeader)
-            return fail(cells.first(), Text::tr("“%1” is not a number.").arg(cells.first().text));
-        m_hasHeader = true;
-        if (m_chosen) return;
-        QStringList names = namesIn(cells);
-        auto columns = tableColumns(names);
-        if (!columns && names.size() > 6) {
-            names.removeFirst(); // what stands over the labels
-            columns = tableColumns(names);
-        }
-        if (columns) {
-            m_columns = *columns;
-            m_table.isOrdered = true;
-        } else {
-            m_unknownHeader = cells;
-        }
+    void addMatrix(const Row& map) {
+        if (value(map[7]) != 0.0 || value(map[8]) != 0.0 || value(map[9]) != 1.0)
+            return fail(map[7], Text::tr("The last row of the matrix of an affine map is 0 0 1."));
+        addRow({map[1], map[2], map[4], map[5], map[3], map[6], map[0]});
     }
 
-    void readRow(Row cells) {
-        if (isHeader(cells)) return readHeader(cells);
-        if (cells.size() == m_unknownHeader.size() && cells.size() >= 6) {
-            m_table.isTable = true;
-            return fail(
-                m_unknownHeader.first(),
-                Text::tr("The header does not say which column is a, b, c, d, e and f; choose the order of "
-                         "the columns."));
+    void readHeader(const Row& cells) {
+        if (!m_table.rows.empty() || !m_table.spaceRows.empty() || m_isOrderKnown)
+            return fail(cells.first(), Text::tr("“%1” is not a number.").arg(cells.first().text));
+        m_header = cells;
+        if (m_chosen) return;
+        QStringList names = namesIn(cells);
+        m_isOrderKnown = takeNames(names);
+        if (!m_isOrderKnown && names.size() > planeNumbers) { // what stands over the labels, perhaps in words
+            names.remove(0, wordsOfField(cells));
+            m_isOrderKnown = takeNames(names);
+            m_labels = m_isOrderKnown ? Labels::Named : Labels::Unknown;
         }
-        m_unknownHeader.clear();
-        if (!value(cells.first().text, m_dialect) || cells.size() == 8)
-            cells.removeFirst(); // a label: ƒ1, w1, 1
-        if (cells.size() != 6 && cells.size() != 7)
-            return fail(cells.isEmpty() ? Cell{} : cells.first(),
-                        Text::tr("This row has %1 numbers; a map is 6 numbers, or 7 with its weight.")
-                            .arg(cells.size()));
-        addRow(cells);
+        m_table.isOrdered = m_isOrderKnown;
+        m_table.isTable = m_isOrderKnown;
+    }
+
+    // Whether the names say which column is which.
+    bool takeNames(const QStringList& names) {
+        if (const SpaceHeader space = spaceHeader(names); space != SpaceHeader::None) {
+            if (m_wanted == TableMaps::Plane) return false;
+            m_fewest = names.size();
+            m_most = spaceNumbers + 1;
+            return true;
+        }
+        const auto columns = tableColumns(names);
+        if (!columns) return false;
+        m_columns = *columns;
+        m_fewest = names.size();
+        m_most = planeNumbers + 1;
+        return true;
+    }
+
+    void failOrder() {
+        m_table.isTable = true;
+        fail(m_header.first(),
+             Text::tr("The header does not say which column is a, b, c, d, e and f; choose the order of "
+                      "the columns."));
+    }
+
+    void readRow(const Row& cells) {
+        if (isHeader(cells)) return readHeader(cells);
+        if (!m_chosen && !m_isOrderKnown && !m_header.isEmpty()) {
+            const bool isOverIt = m_dialect.separator == Separator::Blank ? cells.size() == m_header.size()
+                                                                          : cells.size() >= m_header.size();
+            if (isOverIt && m_header.size() >= planeNumbers) return failOrder();
+            m_header.clear(); // a title
+        }
+        const auto start = beginOfNumbers(cells);
+        const qsizetype count = cells.size() - start.value_or(0);
+        if (!start || (!isExpected(count) && !isWithoutItsWeight(count))) return failCount(cells, count);
+        if (*start > 0 && !isNextLabel(cells.first()))
+            return m_header.isEmpty() ? failCount(cells, cells.size()) : failOrder();
+        if (m_labels == Labels::Unknown) m_labels = *start > 0 ? Labels::Found : Labels::None;
+        addRow(cells.sliced(*start));
+    }
+
+    bool isExpected(qsizetype count) const {
+        if (m_most > 0) return count == m_most || count == m_fewest;
+        return count == planeNumbers || count == planeNumbers + 1 ||
+               (m_wanted == TableMaps::PlaneOrSpace && !m_dialect.isMixed &&
+                (count == spaceNumbers || count == spaceNumbers + 1));
+    }
+
+    // ".5,0,0,.5,0,0," under a header: separators show that it is the last cell that is empty.
+    bool isWithoutItsWeight(qsizetype count) const {
+        return m_dialect.separator != Separator::Blank && m_columns.back() == TableColumn::Weight &&
+               m_most > 0 && count == m_most - 1;
+    }
+
+    // What stands before the numbers is a label only where it cannot be a number gone wrong, and where as
+    // many numbers are left as a row has. nullopt: it could be both.
+    std::optional<qsizetype> beginOfNumbers(const Row& cells) const {
+        if (m_labels == Labels::None) return 0;
+        if (m_labels == Labels::Named) return wordsOfField(cells);
+        if (value(cells.first())) {
+            if (isExpected(cells.size())) return m_labels == Labels::Found ? std::nullopt : std::optional(0);
+            return m_header.isEmpty() && !m_dialect.isMixed ? 1 : 0;
+        }
+        const qsizetype words = wordsOfLabel(cells);
+        return looksLikeLabel(cells.first().text) && isExpected(cells.size() - words) ? words : 0;
+    }
+
+    static qsizetype wordsOfField(const Row& cells) {
+        const auto next =
+            std::find_if(cells.begin() + 1, cells.end(), [](const Cell& cell) { return !cell.isContinued; });
+        return next - cells.begin();
+    }
+
+    // Of "map 1,0.5,0 …" two, of "w1 0.5,0 …" one; 0 of what could be both.
+    qsizetype wordsOfLabel(const Row& cells) const {
+        const qsizetype words = wordsOfField(cells);
+        if (words == 1) return 1;
+        const bool one = isExpected(cells.size() - 1);
+        const bool all = isExpected(cells.size() - words);
+        return one && all ? 0 : all ? words : 1;
+    }
+
+    // Labels that are numbers count the maps.
+    bool isNextLabel(const Cell& cell) {
+        const auto number = value(cell);
+        if (!number) return true;
+        const bool isNext =
+            m_lastLabel ? *number == *m_lastLabel + 1 : *number >= 0 && *number == std::floor(*number);
+        m_lastLabel = number;
+        return isNext;
+    }
+
+    void failCount(const Row& cells, qsizetype count) {
+        const bool isNoNumber = !value(cells.first());
+        if (isNoNumber && m_labels != Labels::Named) return fail(cells.first(), notANumber(cells.first()));
+        if (m_most > 0 && m_fewest == m_most)
+            return fail(
+                cells.first(),
+                Text::tr("This row has %1 numbers, and the header names %2 columns.").arg(count).arg(m_most));
+        fail(cells.first(),
+             Text::tr("This row has %1 numbers; a map is 6 numbers, or 7 with its weight.").arg(count));
+    }
+
+    static QString notANumber(const Cell& cell) {
+        return cell.text.isEmpty() ? Text::tr("A cell of this row is empty.")
+                                   : Text::tr("“%1” is not a decimal number.").arg(cell.text.left(40));
     }
 
     void addRow(const Row& cells) {
+        const auto good = std::count_if(cells.begin(), cells.end(),
+                                        [this](const Cell& cell) { return value(cell).has_value(); });
+        m_table.isTable = m_table.isTable || 2 * good > cells.size();
         std::vector<double> numbers;
         for (const Cell& cell : cells) {
-            const auto number = value(cell.text, m_dialect);
-            if (!number) return fail(cell, Text::tr("“%1” is not a decimal number.").arg(cell.text.left(40)));
+            const auto number = value(cell);
+            if (!number) return fail(cell, notANumber(cell));
             numbers.push_back(*number);
         }
         if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return isCoefficient(number); }))
             return fail(
                 cells.first(),
                 Text::tr("A number of this row is larger than a coefficient can be (3.4e38 in size)."));
-        if (static_cast<qsizetype>(m_table.rows.size()) >= maxRows)
+        if (static_cast<qsizetype>(m_table.rows.size() + m_table.spaceRows.size()) >= maxRows)
             return fail(cells.first(),
                         Text::tr("The table has more than %1 rows, which is the limit.").arg(maxRows));
-        m_table.rows.push_back(mapOf(m_columns, numbers));
-        m_table.isTable = true;
+        if (cells.size() < spaceNumbers)
+            m_table.rows.push_back(mapOf(m_columns, numbers));
+        else
+            m_table.spaceRows.push_back(spaceMapOf(numbers));
+        if (!m_table.rows.empty() && !m_table.spaceRows.empty())
+            fail(cells.first(), Text::tr("The table has maps of the plane and maps of space."));
+        else if (!m_table.spaceRows.empty())
+            m_table.isOrdered = true;
+    }
+
+    static ifs::WeightedMap<3> spaceMapOf(const std::vector<double>& numbers) {
+        ifs::WeightedMap<3> row;
+        for (std::size_t i = 0; i < 9; ++i)
+            row.map.linear(Eigen::Index(i / 3), Eigen::Index(i % 3)) = numbers[i];
+        for (std::size_t i = 0; i < 3; ++i)
+            row.map.translation[Eigen::Index(i)] = numbers[9 + i];
+        if (numbers.size() > 12) row.weight = numbers[12];
+        return row;
     }
 
     void takeDifferences() {
@@ -288,24 +353,30 @@ private:
     }
 
     void fail(const Cell& where, const QString& message) {
-        const int line = where.text.isEmpty() ? 0 : where.line;
-        m_table.problems.append({Problem::Severity::Error, {}, line, line == 0 ? 0 : where.column, message});
+        m_table.problems.append({Problem::Severity::Error, {}, where.line, where.column, message});
     }
 
-    QString m_text; // lines end in LF
+    // Named: the header has a column for them. Found: the first row had one, so every row has.
+    enum class Labels { Unknown, None, Found, Named };
+
+    const QString& m_text; // lines end in LF
     Dialect m_dialect;
     bool m_chosen;
+    TableMaps m_wanted;
     TableColumns m_columns;
     qsizetype m_next = 0; // where the next line begins
     int m_line = 0;       // lines before it
-    bool m_hasHeader = false;
-    Row m_unknownHeader;
+    Row m_header;
+    bool m_isOrderKnown = false;        // from the header
+    qsizetype m_fewest = 0, m_most = 0; // numbers of a row that the header allows; 0: nothing is known
+    Labels m_labels = Labels::Unknown;
+    std::optional<double> m_lastLabel;
     Table m_table;
 };
 
 } // namespace
 
-Table readTable(const QString& text, const std::optional<TableColumns>& columns) {
+Table readTable(const QString& text, const std::optional<TableColumns>& columns, TableMaps wanted) {
     if (text.size() > largestTable) {
         Table table;
         table.problems.append(
@@ -316,19 +387,56 @@ Table readTable(const QString& text, const std::optional<TableColumns>& columns)
              Text::tr("The text has more than 64 MB, which is the limit for a table of numbers.")});
         return table;
     }
-    return TableParser(text, columns).read();
+    const QString lines = withLineFeeds(text);
+    const QList<Dialect> dialects = dialectsOf(lines);
+    Table table = TableParser(lines, dialects.first(), columns, wanted).read();
+    if (dialects.size() == 1) return table;
+    Table other = TableParser(lines, dialects.last(), columns, wanted).read();
+    if (hasErrors(other) || (table.rows == other.rows && table.spaceRows == other.spaceRows)) return table;
+    if (!hasErrors(table))
+        other.problems.append(
+            {Problem::Severity::Error,
+             {},
+             0,
+             0,
+             Text::tr("A comma can be read as a decimal point or between two numbers here, and both give "
+                      "whole rows. Write decimal points.")});
+    return other;
 }
 
-ifs::IteratedFunctionSystem<2> systemOf(const Table& table) {
-    ifs::IteratedFunctionSystem<2> system{table.rows};
+bool hasErrors(const Table& table) {
+    return std::any_of(table.problems.begin(), table.problems.end(),
+                       [](const Problem& problem) { return problem.severity == Problem::Severity::Error; });
+}
+
+namespace {
+
+template <int Dim> ifs::IteratedFunctionSystem<Dim> numbered(const std::vector<ifs::WeightedMap<Dim>>& rows) {
+    ifs::IteratedFunctionSystem<Dim> system{rows};
     std::uint32_t number = 0;
     for (auto& map : system.maps)
         map.id = static_cast<ifs::MapId>(++number);
     return system;
 }
 
-bool beginsWithMatrices(const QString& beginning) {
-    return TableParser(beginning, std::nullopt).beginsWithMatrices();
+} // namespace
+
+ifs::IteratedFunctionSystem<2> systemOf(const Table& table) {
+    return numbered(table.rows);
+}
+
+ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table) {
+    return numbered(table.spaceRows);
+}
+
+bool isTableToFractintUnknown(const QString& beginning) {
+    if (beginning.contains(u'{')) return false;
+    const QString lines = withLineFeeds(beginning);
+    const Dialect dialect = dialectsOf(lines).first();
+    if (TableParser(lines, dialect, std::nullopt, TableMaps::PlaneOrSpace).beginsWithMatrices()) return true;
+    const QString whole = lines.left(lines.lastIndexOf(u'\n') < 0 ? lines.size() : lines.lastIndexOf(u'\n'));
+    return dialect.separator == Separator::Semicolon &&
+           !hasErrors(TableParser(whole, dialect, std::nullopt, TableMaps::PlaneOrSpace).read());
 }
 
 QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows) {

@@ -11,25 +11,32 @@
 
 namespace io {
 
-// Rows of numbers as people paste them: blanks, tabs, commas or semicolons between 6 or 7 numbers a row, with
-// or without a label and a header; one column per map when the rows are labelled a, b, c …; or a count
-// followed, for every map, by its weight and a 3×3 matrix. The order of the columns is the one given, else
-// the header's, else Fractint's "a b c d e f [p]".
+// Rows of numbers as people paste them or a spreadsheet writes them: blanks, tabs, commas or semicolons
+// between 6 or 7 numbers a row (12 or 13 of a map in space), with or without a label and a header; one column
+// per map when the rows are labelled a, b, c …; or a count followed, for every map, by its weight and a 3×3
+// matrix. The order of the columns is the one given, else the header's, else Fractint's "a b c d e f [p]". A
+// row that is not understood in one way alone is an error.
 struct Table {
-    std::vector<ifs::WeightedMap<2>> rows; // without ids
-    document::Problems problems;           // any error: nothing is to be pasted
-    bool isTable = false;                  // there was a row that could be read, or a header over one
-    bool isOrdered = false;                // the text itself says what its columns are, or the caller did
+    std::vector<ifs::WeightedMap<2>> rows;      // without ids
+    std::vector<ifs::WeightedMap<3>> spaceRows; // or these
+    document::Problems problems;                // any error: nothing is to be pasted
+    bool isTable = false;                       // there was a row that could be read, or a header over one
+    bool isOrdered = false; // the text itself says what its columns are, or the caller did
 };
-Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt);
+enum class TableMaps { Plane, PlaneOrSpace }; // which are wanted; others are an error
+Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt,
+                TableMaps wanted = TableMaps::Plane);
+bool hasErrors(const Table& table);
 
 // The rows as a system, numbered from 1.
 ifs::IteratedFunctionSystem<2> systemOf(const Table& table);
+ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table);
 
 constexpr qsizetype largestTable = 64 * 1024 * 1024; // characters
 
-// Whether a text begins like a count and matrices, whose numbers could be taken for rows of 7.
-bool beginsWithMatrices(const QString& beginning);
+// Whether a text is a table whose numbers Fractint would take for other rows: a count and matrices, or
+// semicolons between the numbers, where they begin comments.
+bool isTableToFractintUnknown(const QString& beginning);
 
 // Tab-separated rows a b c d e f p, as they are.
 QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows);

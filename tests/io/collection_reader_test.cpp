@@ -57,6 +57,21 @@ void CollectionReaderTest::formats_data() {
         "table", 2);
     row("one column per map", "a .5 .5 .5\nb 0 0 0\nc 0 0 0\nd .5 .5 .5\ne 0 1 0\nf 0 0 1\n", "table", 3);
     row("count and matrices", "2\n.5\n.5 0 0\n0 .5 0\n0 0 1\n.5\n.5 0 1\n0 .5 0\n0 0 1\n", "table", 2);
+    row("count and matrices, a line each", "2\n.5 .5 0 0 0 .5 0 0 0 1\n.5 .5 0 1 0 .5 2 0 0 1\n", "table", 2);
+    row("count and three matrices, a line each",
+        "3\n.5 .5 0 0 0 .5 0 0 0 1\n.25 .5 0 1 0 .5 2 0 0 1\n.25 .5 0 1 0 .5 2 0 0 1\n", "table", 3);
+    row("semicolons and labels", "1;0.5;0;0;0.5;0;0;0.5\n2;0.5;0;0;0.5;1;0;0.5\n", "table", 2);
+    row("semicolons, first numbers that fill a row",
+        "1;0;0;1;0;0;1\n1;0;0;1;0;0;1\n1;0;0;1;0;0;1\n1;0;0;1;0;0;1\n1;0;0;1;0;0;1\n1;0;0;1;0;0;1\n1;0;0;1;0;"
+        "0;1\n",
+        "table", 7);
+    row("bare rows with remarks",
+        ".5 0 0 .5 0 0 .5 ; a; b; c; d; e; f\n.5 0 0 .5 1 0 .5 ; 1; 2; 3; 4; 5; 6\n", "fractint", 2);
+    row("quotation marks",
+        "\"a\",\"b\",\"c\",\"d\",\"e\",\"f\",\"p\"\n\"0.5\",\"0\",\"0\",\"0.5\",\"0\",\"0\",\"1\"\n", "table",
+        1);
+    row("a bad first row", "a,b,c,d,e,f,p\nO.5,0,0,.5,0,0,.5\n.5,0,0,.5,1,0,.5\n", "table", 0);
+    row("bad rows alone", ".5,0,0,.5,0,0,nan\n", "table", 0);
     row("flame", "<flame><xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame>", "flame", 1);
     row("expressions are no table", "0, 0.16*y;0.5\r\n0.5*x, y/2;0.5\r\n", "fractint", 0);
     row("prose", "Once upon a time\nthere were 6 maps\n", "fractint", 0);

@@ -68,6 +68,28 @@ private slots:
             "0.5 0 0.25 -0.5 1 2 25/0.5 0 0.25 -0.5 1 2 75");
         row("scales and angles", "r s theta phi h k p\n2 3 0 0 1 2 .5", "2 0 0 3 1 2 0.5");
         row("count and matrices", "1\n.75\n.5 0 1\n.25 -.5 2\n0 0 1\n", weighted);
+        const char* two = "0.5 0 0.25 -0.5 1 2 0.75/0.5 0 0.25 -0.5 1 2 0.25";
+        row("labels under a header that has none", "a b c d e f p\nw1 .5 0 .25 -.5 1 2 .75", weighted);
+        row("numbers as labels", "1;0.5;0;0.25;-0.5;1;2;0.75\n2;0.5;0;0.25;-0.5;1;2;0.25", two);
+        row("words and numbers as labels",
+            "map;a;b;c;d;e;f;p\nstem;0.5;0;0.25;-0.5;1;2;0.75\n2;.5;0;.25;-.5;1;2;.25", two);
+        row("labels of two words", "map 1,.5,0,.25,-.5,1,2,.75\nmap 2,.5,0,.25,-.5,1,2,.25", two);
+        row("a label of two words and a header of two", "the map,a,b,c,d,e,f\nmap 1,.5,0,.25,-.5,1,2", one);
+        row("a label and a blank", "w1 .5,0,.25,-.5,1,2", "0.5 0 0.25 -0.5 1 2 -");
+        row("no name over the labels", ",a,b,c,d,e,f,p\n0,.5,0,.25,-.5,1,2,.75\n1,.5,0,.25,-.5,1,2,.25", two);
+        row("no weight", "a,b,c,d,e,f,p\n.5,0,.25,-.5,1,2,", one);
+        row("a title and a header", "The fern\na,b,c,d,e,f,p\n.5,0,.25,-.5,1,2,.75", weighted);
+        row("remarks", "# of 1988, all maps\n# a b c d e f p\n.5 0 .25 -.5 1 2 .75\n# end\n", weighted);
+        row("empty rows", "a,b,c,d,e,f,p\n,,,,,,\n.5,0,.25,-.5,1,2,.75\n,,,,,,\n", weighted);
+        row("decimal commas, blanks", "0,5 0 0,25 -0,5 1 2\n", one);
+        row("decimal commas, blanks, a header", "a b c d e f\n0,5 0 0,25 -0,5 1 2 0,75", weighted);
+        row("quotation marks",
+            "\"a\",\"b\",\"c\",\"d\",\"e\",\"f\",\"p\"\n\"0.5\",\"0\",\".25\",-.5,\"1\",\" 2 \",\".75\"",
+            weighted);
+        row("separators in quotation marks",
+            "\"map, \"\"stem\"\"\",a,b,c,d,e,f\n\"a, b\",\"0,5\",0,\"0,25\",\"-0,5\",1,2", one);
+        row("a count and matrices of one line", "2\n.75 .5 0 1 .25 -.5 2 0 0 1\n.25 .5 0 1 .25 -.5 2 0 0 1\n",
+            two);
         row("exponents", "5e-1 0 2.5E-1 -.5 1 +2", one);
     }
 
@@ -109,6 +131,36 @@ private slots:
         QTest::newRow("words later") << QStringLiteral("1 2 3 4 5 6\nend of table") << 2 << 1;
         QTest::newRow("unknown order of columns") << QStringLiteral("m n o p q r\n1 2 3 4 5 6") << 1 << 1;
         QTest::newRow("last row of a matrix") << QStringLiteral("1\n.5\n1 0 0\n0 1 0\n0 0 2") << 5 << 1;
+        const auto row = [](const char* text, int line, int column) {
+            QTest::newRow(qPrintable(QString::fromUtf8(text).replace(u'\n', u'/')))
+                << QString::fromUtf8(text) << line << column;
+        };
+        // A cell that is no number is never taken for a label.
+        row("a,b,c,d,e,f,p\n.5,0,0,.5,0,0,.5\nO.5,0,0,.4,1,2,.5", 3, 1);
+        row("a,b,c,d,e,f,p\nO.5,0,0,.4,1,2,.5", 2, 1);
+        row("O.5,0,0,.4,1,2,.5", 1, 1);
+        row("a,b,c,d,e,f,p\n,0,0,.4,1,2,.5", 2, 1);
+        row("a,b,c,d,e,f,p\n.5,,0,.4,1,2,.5", 2, 4);
+        row(".5,0,0,.5,0,0,.5\n,0,0,.4,1,2,.5", 2, 1);
+        row("a,b,c,d,e,f,p\n.5,0,0,.5,0,0,.5\n1e400,0,0,.4,1,2,.5", 3, 1);
+        row("a,b,c,d,e,f,p\n0x10,0,0,.5,0,0,.5", 2, 1);
+        row("0x10 0 0 .5 0 0 .5", 1, 1);
+        row("85%,0,0,.5,0,0,.5", 1, 1);
+        row("nan 0 0 .5 0 0 .5", 1, 1);
+        row("1½ 0 0 .5 0 0 .5", 1, 1);
+        // … and a number neither.
+        row("a,b,c,d,e,f,p\n.5,0,0,.5,0,0,.5\n.5,0,0,.4,1,2,.5,9", 3, 1);
+        row(".5,0,0,.5,0,0,.5\n.5,0,0,.4,1,2,.5,9", 2, 1);
+        row(".5,.5,0,0,.4,1,2,.5", 1, 1);
+        row("1,.5,0,0,.4,1,2,.5\n5,.5,0,0,.4,1,2,.5", 2, 1);
+        row("w,a,b,c,d,e,f\n.5,0,0,.5,0,0,.5", 1, 1);
+        row("w1,.5,0,0,.5,0,0\n.5,0,0,.5,0,0,.5", 2, 1);
+        row("w1 0,.5,0,0,.5,0,0", 1, 1); // the first of 7 numbers, or the end of the label
+        row("0,5 0 0 0,5 1 0\n0.5 0 0 0.5 1 0", 1, 1);
+        row("a b c d e f p\n.5 0 0 .5 0 0", 2, 1);
+        row("m1,m2,m3,m4,m5,m6\n1,.5,0,0,.5,0,0", 1, 1);
+        row("2\n.75 .5 0 1 .25 -.5 2 0 0 1\n.25 .5 0 1\n", 3, 1);
+        row(".5 0 0 0 .5 0 0 0 .5 0 0 0", 1, 1); // a map in space, where a plane one is wanted
         QTest::newRow("wrong count") << QStringLiteral("2\n.5\n1 0 0\n0 1 0\n0 0 1") << 1 << 1;
         QTest::newRow("nothing") << QString() << 0 << 0;
     }
@@ -121,6 +173,38 @@ private slots:
         QTEST(table.problems[0].line, "line");
         QTEST(table.problems[0].column, "column");
         QVERIFY(table.problems[0].message.endsWith(QLatin1Char('.')));
+    }
+
+    void mapsInSpace_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("isWeighted");
+        QTest::newRow("12 numbers") << QStringLiteral("1,2,3,4,5,6,7,8,9,10,11,12") << false;
+        QTest::newRow("13 numbers") << QStringLiteral("1 2 3 4 5 6 7 8 9 10 11 12 .5") << true;
+        QTest::newRow("label") << QStringLiteral("w1;1;2;3;4;5;6;7;8;9;10;11;12;,5") << true;
+        QTest::newRow("header") << QStringLiteral("a,b,c,d,e,f,g,h,i,j,k,l,p\n1,2,3,4,5,6,7,8,9,10,11,12,.5")
+                                << true;
+        QTest::newRow("header over labels")
+            << QStringLiteral(
+                   "map\ta\tb\tc\td\te\tf\tg\th\ti\tj\tk\tl\n1\t1\t2\t3\t4\t5\t6\t7\t8\t9\t10\t11\t12")
+            << false;
+    }
+
+    void mapsInSpace() {
+        QFETCH(QString, text);
+        QFETCH(bool, isWeighted);
+        const io::Table table = io::readTable(text, std::nullopt, io::TableMaps::PlaneOrSpace);
+        QVERIFY2(table.problems.isEmpty(), qPrintable(table.problems.value(0).message));
+        QCOMPARE(table.rows.size(), std::size_t(0));
+        QCOMPARE(table.spaceRows.size(), std::size_t(1));
+        const auto& map = table.spaceRows[0].map;
+        for (int i = 0; i < 9; ++i)
+            QCOMPARE(map.linear(i / 3, i % 3), i + 1.0);
+        for (int i = 0; i < 3; ++i)
+            QCOMPARE(map.translation[i], i + 10.0);
+        QCOMPARE(table.spaceRows[0].weight, isWeighted ? std::optional(0.5) : std::nullopt);
+        const io::Table mixed = io::readTable(QStringLiteral("1 2 3 4 5 6\n1 2 3 4 5 6 7 8 9 10 11 12"),
+                                              std::nullopt, io::TableMaps::PlaneOrSpace);
+        QCOMPARE(mixed.problems.value(0).line, 2);
     }
 
     void writtenTablesReadBack() {

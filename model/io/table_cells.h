@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QStringView>
+
+#include <optional>
+
+// The cells of a table that people paste or a spreadsheet writes, and the numbers in them.
+namespace io {
+
+struct Cell {
+    QString text; // without the quotation marks around it
+    int line = 0;
+    int column = 0; // both from 1; the column in bytes of the UTF-8 text
+    bool isContinued =
+        false; // no more than blanks part it from the cell before, in a table that has separators
+};
+using Row = QList<Cell>;
+
+enum class Separator { Semicolon, Tab, Comma, Blank };
+
+struct Dialect {
+    Separator separator = Separator::Blank;
+    bool decimalComma = false;
+    bool isMixed = false; // blanks part other numbers: nothing more is to be guessed
+};
+
+// The ways in which the text can be understood: one, or two when some numbers are parted by commas and others
+// by blanks. Semicolons or tabs between all numbers of a row leave the comma free to be the decimal one.
+// Fewer semicolons begin a comment, as in Fractint's files. `text` has lines that end in LF.
+QList<Dialect> dialectsOf(QStringView text);
+
+// The cells of one line. Between two separators stands a cell, be it empty; only at the end of a line empty
+// cells mean nothing. Blanks inside a cell part numbers as well. Quotation marks as in RFC 4180, within a
+// line. No more than `most` cells are taken.
+Row cellsOf(QStringView text, int line, const Dialect& dialect, qsizetype most);
+
+// A decimal number, a fraction like 1/3 or ½; U+2212 is a minus sign.
+std::optional<double> numberIn(const Cell& cell, const Dialect& dialect);
+
+} // namespace io
