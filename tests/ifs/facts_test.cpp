@@ -48,6 +48,7 @@ private slots:
         QVERIFY(near(image.hull->area, direct.hull->area, 1e-7));
         QVERIFY(near(image.hull->area, code.hull->area * (1.2 * 0.8 - 0.7 * 0.3), 1e-10));
         QVERIFY(image.hull->error < 1e-8);
+        QVERIFY((*image.mean - *direct.mean).norm() < 1e-12);
         QVERIFY((image.moments->mean - direct.moments->mean).norm() < 1e-12);
         QVERIFY((image.moments->covariance - direct.moments->covariance).norm() < 1e-11);
         QVERIFY(image.existence.verdict == direct.existence.verdict);
