@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/attractor_existence.h"
 
+#include "ifs/eigenvalues.h"
 #include "ifs/invariant_form.h"
 
 #include <Eigen/Cholesky>
@@ -16,14 +17,16 @@ namespace ifs {
 
 namespace {
 
-constexpr double ContractionLimit = 1 - 1e-12; // rounding must not turn a rotation into a contraction
-constexpr double SmallestContractivity = 1e-3; // keeps γ^(−k) finite where products vanish
+constexpr double RoundingUnit = 0x1p-53;
+constexpr double ContractionLimit = 1 - 0x1p-50; // a rotation whose coefficients were rounded is one still
+constexpr double SmallestContractivity = 1e-3;   // keeps γ^(−k) finite where products vanish
 
 template <int Dim> using Matrices = std::vector<Matrix<Dim>, Eigen::aligned_allocator<Matrix<Dim>>>;
 
 // The products A_σ of all words of one length; the digits of an index, base N, spell its word.
 template <int Dim> struct WordLevel {
     Matrices<Dim> products;
+    std::vector<double> errors = std::vector<double>(products.size()); // of rounding, in the Frobenius norm
     int length = 1;
 };
 
@@ -43,13 +46,38 @@ template <int Dim> Largest largestNorm(const Matrices<Dim>& products) {
     return largest;
 }
 
-// The first word that does not shrink everything in the long run, if any.
-template <int Dim> Largest firstExpanding(const Matrices<Dim>& products) {
-    for (std::size_t i = 0; i < products.size(); ++i)
-        if (products[i].norm() >= ContractionLimit) {
-            const double radius = spectralRadius<Dim>(products[i]);
-            if (radius >= ContractionLimit) return {radius, i};
-        }
+// No matrix within `error` of this one has a smaller spectral radius. From trace and determinant, whose
+// errors are known: ρ is |t| + √δ when δ = t² − det ≥ 0, t half the trace, and √det when not; never less than
+// |t| and √|det|.
+double leastSpectralRadius(const Matrix<2>& linear, double error) {
+    const double size = linear.cwiseAbs().maxCoeff();
+    const Matrix<2> m = linear / size;
+    const double e = error / size, all = m.cwiseAbs().sum();
+    const double a = m(0, 0), d = m(1, 1), bc = m(0, 1) * m(1, 0), difference = (a - d) / 2;
+    const double discriminant = difference * difference + bc;
+    const double unsure = 4 * RoundingUnit * (difference * difference + std::abs(bc)) + e * (all + e);
+    const double byTrace = std::abs(a + d) / 2 - e + std::sqrt(std::max(discriminant - unsure, 0.0));
+    const double determinant = std::abs(a * d - bc);
+    const double lost = 4 * RoundingUnit * (std::abs(a * d) + std::abs(bc)) + e * (all + e);
+    return size * std::max(byTrace, std::sqrt(std::max(determinant - lost, 0.0)));
+}
+
+// In space by the condition of the eigenvalue.
+double leastSpectralRadius(const Matrix<3>& linear, double error) {
+    const double size = linear.cwiseAbs().maxCoeff();
+    const auto [modulus, condition] = largestEigenvalue(linear / size);
+    constexpr double Solver = 16 * RoundingUnit; // loses so much, but hardly anything of normal matrices
+    return size * (modulus - Solver * (condition - 1)) - condition * error;
+}
+
+// The first word that is proved not to shrink everything in the long run, if any.
+template <int Dim> Largest firstExpanding(const WordLevel<Dim>& level) {
+    for (std::size_t i = 0; i < level.products.size(); ++i) {
+        const Matrix<Dim>& product = level.products[i];
+        if (product.norm() >= ContractionLimit && spectralRadius<Dim>(product) >= ContractionLimit &&
+            leastSpectralRadius(product, level.errors[i]) >= ContractionLimit)
+            return {std::max(spectralRadius<Dim>(product), 1.0), i};
+    }
     return {};
 }
 
@@ -65,20 +93,26 @@ std::vector<int> spell(std::size_t index, int length, std::size_t alphabet) {
 }
 
 template <int Dim> void extend(WordLevel<Dim>& level, const Matrices<Dim>& generators) {
-    Matrices<Dim> longer;
-    longer.reserve(level.products.size() * generators.size());
-    for (const auto& product : level.products)
-        for (const auto& generator : generators)
-            longer.push_back(product * generator);
-    level.products = std::move(longer);
-    ++level.length;
+    WordLevel<Dim> longer{{}, {}, level.length + 1};
+    longer.products.reserve(level.products.size() * generators.size());
+    longer.errors.reserve(level.products.size() * generators.size());
+    std::vector<double> norms;
+    for (const auto& generator : generators)
+        norms.push_back(spectralNorm<Dim>(generator));
+    for (std::size_t i = 0; i < level.products.size(); ++i)
+        for (std::size_t k = 0; k < generators.size(); ++k) {
+            const Matrix<Dim> terms = level.products[i].cwiseAbs() * generators[k].cwiseAbs();
+            longer.products.push_back(level.products[i] * generators[k]);
+            longer.errors.push_back(level.errors[i] * norms[k] + Dim * Dim * RoundingUnit * terms.maxCoeff());
+        }
+    level = std::move(longer);
 }
 
 // C = max over k < n of γ^(−k)·g_k, with g_0 = 1 and `norms` = g_1 … g_{n−1}.
 double normEquivalence(const std::vector<double>& norms, double contractivity) {
     double constant = 1, power = 1;
     for (const double norm : norms) {
-        power *= contractivity;
+        power *= std::max(contractivity, SmallestContractivity);
         constant = std::max(constant, norm / power);
     }
     return constant;
@@ -132,17 +166,16 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
         const Largest norm = largestNorm<Dim>(level.products);
         const double root = std::pow(norm.value, 1.0 / level.length);
         const auto word = [&](std::size_t index) { return spell(index, level.length, maps.size()); };
-        if (norm.value < ContractionLimit) {
+        if (norm.value + std::ranges::max(level.errors) < ContractionLimit) {
             const bool immediately = level.length == 1;
-            const double contractivity = immediately ? norm.value : std::max(root, SmallestContractivity);
             return {.verdict = immediately ? Verdict::Hyperbolic : Verdict::EventuallyContractive,
-                    .contractivity = contractivity,
+                    .contractivity = root,
                     .wordLength = level.length,
                     .witness = word(norm.index),
-                    .normEquivalence = normEquivalence(norms, contractivity)};
+                    .normEquivalence = normEquivalence(norms, root)};
         }
-        const Largest expanding = firstExpanding<Dim>(level.products);
-        if (expanding.value >= ContractionLimit)
+        const Largest expanding = firstExpanding<Dim>(level);
+        if (expanding.value >= 1)
             return {.verdict = Verdict::None,
                     .contractivity = std::pow(expanding.value, 1.0 / level.length),
                     .wordLength = level.length,
@@ -171,7 +204,8 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
 template <int Dim>
 ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const Existence& existence) {
     constexpr double Tight = 20; // not worth the search for a better one
-    ContractingNorm<Dim> best{.contractivity = existence.contractivity,
+    const double least = existence.wordLength == 1 ? 0 : SmallestContractivity;
+    ContractingNorm<Dim> best{.contractivity = std::max(existence.contractivity, least),
                               .equivalence = existence.normEquivalence};
     const auto cost = [](const auto& norm) { return norm.equivalence / (1 - norm.contractivity); };
     const auto offer = [&](const ContractingNorm<Dim>& norm) {

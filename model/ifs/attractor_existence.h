@@ -11,22 +11,23 @@ namespace ifs {
 enum class Verdict {
     Hyperbolic,            // every map contracts
     EventuallyContractive, // every word of some length contracts: an attractor exists all the same
-    None,                  // some word expands or keeps lengths: no attractor
+    None,                  // some word is proved to expand or to keep lengths: no attractor
     Undecided,             // not settled within the work allowed
     Empty,                 // no map takes part
 };
 
 struct Existence {
     Verdict verdict = Verdict::Undecided;
-    // Hyperbolic: s = max ‖A_i‖. EventuallyContractive: γ = (max ‖A_σ‖ over |σ| = wordLength)^(1/wordLength),
-    // at least 1e-3; or, with wordLength 1, max ‖A_i‖ in an ellipsoidal norm. Undecided: the smallest γ found
-    // (≥ 1). None: ρ(A_σ)^(1/|σ|) ≥ 1 of the witness, to 1e-12.
+    // Hyperbolic: s = max ‖A_i‖. EventuallyContractive: γ = (max ‖A_σ‖ over |σ| = wordLength)^(1/wordLength);
+    // or, with wordLength 1, max ‖A_i‖ in an ellipsoidal norm. Undecided: the smallest γ found. None:
+    // ρ(A_σ)^(1/|σ|) ≥ 1 of the witness.
     double contractivity = 0;
     int wordLength = 1;
     // None: a word (indices into the maps, outermost first) whose spectral radius is at least 1.
     // Hyperbolic and EventuallyContractive: a word of wordLength with the largest norm.
     std::vector<int> witness{};
-    // C with |x| ≤ ‖x‖_* ≤ C|x|, where every map contracts by `contractivity` in ‖·‖_*; 1 when Hyperbolic.
+    // C with |x| ≤ ‖x‖_* ≤ C|x|, where every map contracts by `contractivity` in ‖·‖_*; 1 when Hyperbolic. Of
+    // longer words by 1e-3 at least: where products vanish, no norm shows it.
     double normEquivalence = 1;
 };
 

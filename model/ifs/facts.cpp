@@ -16,6 +16,7 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system, std::option
     facts.probabilities = probabilities(system);
     facts.active = activeMaps(system);
     facts.existence = classify<Dim>(facts.active.maps);
+    facts.mean = mean(facts.active);
     facts.moments = moments(facts.active);
     facts.support = SupportFunction<Dim>::of(facts.active.maps);
     if (!facts.support) return facts;
@@ -93,6 +94,7 @@ Moments<2> moved(const AffineMap<2>& transformation, const Moments<2>& moments) 
 Facts<2> moved(const AffineMap<2>& transformation, const Facts<2>& facts) {
     if (transformation == AffineMap<2>{}) return facts;
     Facts<2> result = facts;
+    if (facts.mean) result.mean = transformation(*facts.mean);
     if (facts.moments) result.moments = moved(transformation, *facts.moments);
     if (facts.support) {
         const double tolerance = 1e-12 * facts.support->radius() * spectralNorm<2>(transformation.linear);

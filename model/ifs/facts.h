@@ -16,7 +16,8 @@ namespace ifs {
 template <int Dim> struct Facts {
     std::vector<double> probabilities; // one for each map, 0 for a map that takes no part
     ActiveMaps<Dim> active;
-    Existence existence; // of the active maps
+    Existence existence;             // of the active maps
+    std::optional<Vector<Dim>> mean; // can exist without the covariance
     std::optional<Moments<Dim>> moments;
     std::optional<SupportFunction<Dim>> support;
     std::optional<BoundingBox<Dim>> box;

@@ -15,6 +15,11 @@ template <int Dim> struct Moments {
     Matrix<Dim> longRunCovariance;
 };
 
+// What the expectation of the n-th chaos-game point tends to from any start, and the mean of μ where μ has
+// one: the fixed point of Σ p_i w_i. It needs less than the covariance. nullopt when no map is active, or
+// ρ(Σ p_i A_i) ≥ 1.
+template <int Dim> std::optional<Vector<Dim>> mean(const ActiveMaps<Dim>& maps);
+
 // nullopt when no map is active, or ρ(Σ p_i A_i⊗A_i) ≥ 1 and the covariance does not exist.
 template <int Dim> std::optional<Moments<Dim>> moments(const ActiveMaps<Dim>& maps);
 

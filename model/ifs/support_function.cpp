@@ -159,7 +159,6 @@ std::vector<double> SupportFunction<Dim>::Container::solved(Constant constant, d
 // The smallest polytope with these normals that every map takes into itself, a little widened and then
 // verified; false when the fan is too coarse for maps that hardly contract.
 template <int Dim> bool SupportFunction<Dim>::Container::solve() {
-    constexpr double Widening = 1e-9;
     const auto& directions = fan.directions();
     if (20 * directions.size() * offsets.size() > TableWork) return false;
     const auto offset = [&](std::size_t g, std::size_t i) { return directions[g].dot(offsets[i]); };
@@ -167,8 +166,9 @@ template <int Dim> bool SupportFunction<Dim>::Container::solve() {
     const std::vector<double> margin = solved([](std::size_t, std::size_t) { return 1.0; }, 1e-9);
     const double widest = std::ranges::max(margin);
     if (!(widest > 0 && std::isfinite(widest))) return false;
+    const double widening = std::max(1e-9 * radius, 2 * rounding() * widest); // as much as rounding costs
     for (std::size_t g = 0; g < directions.size(); ++g)
-        solution[g] += Widening * radius * margin[g] / widest;
+        solution[g] += widening * margin[g] / widest;
     for (std::size_t g = 0; g < directions.size(); ++g)
         for (std::size_t i = 0; i < offsets.size(); ++i)
             if (!(offset(g, i) + fan.bound(transposed[i] * directions[g], solution) + rounding() <=

@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include <Eigen/Geometry>
+
 using namespace ifs;
 using namespace canonical;
 
@@ -127,6 +129,11 @@ private slots:
         }
         const Maps2 nilpotent{affineMap(0, 1e200, 0, 0, 1, 1)};
         QCOMPARE(classify<2>(nilpotent).verdict, Verdict::EventuallyContractive);
+        QCOMPARE(classify<2>(nilpotent).contractivity, 0.0);
+        const Existence vanishing =
+            classify<2>(Maps2{affineMap(0, 5, 0, 0, 1, 1), affineMap(0, 5, 0, 0, 0, 0)});
+        QCOMPARE(vanishing.contractivity, 0.0);
+        QVERIFY(vanishing.normEquivalence >= 5 && std::isfinite(vanishing.normEquivalence));
         const Maps2 huge{affineMap(1e300, 1e300, -1e300, 1e300, 0, 0)};
         QCOMPARE(classify<2>(huge).verdict, Verdict::None);
         const Maps2 constant{affineMap(0, 0, 0, 0, 1, 2)};
@@ -139,6 +146,56 @@ private slots:
         for (int n = 0; n < 1000; ++n) {
             const Maps2 maps{similarity(1, uniform(random, 0, 6), 1, 2)};
             QCOMPARE(classify<2>(maps).verdict, Verdict::None);
+        }
+    }
+
+    // However slowly: as long as every norm is less than 1, the maps contract.
+    void slowContractions() {
+        for (const double rest : {1e-9, 1e-12, 1e-15}) {
+            const Existence existence =
+                classify<2>(Maps2{affineMap(-1 + rest, 0, 0, .5, 1, 0), affineMap(-.5, 0, 0, .5, 0, 0)});
+            QCOMPARE(existence.verdict, Verdict::Hyperbolic);
+            QCOMPARE(existence.contractivity, 1 - rest);
+            Maps3 inSpace = fern3();
+            inSpace[0].linear(1, 1) = 1 - 16 * rest;
+            QCOMPARE(classify<3>(inSpace).verdict, Verdict::Hyperbolic);
+        }
+        const Maps2 eventually{affineMap(1 - 1e-12, 3, 0, .5, 0, 0)};
+        QVERIFY(classify<2>(eventually).verdict != Verdict::None);
+    }
+
+    // What expands by no more than rounding can cost is not said to expand.
+    void noneIsProved() {
+        for (const double rest : {0.0, 1e-12}) {
+            for (const Maps2& maps :
+                 {Maps2{affineMap(1 + rest, 5, 0, .5, 0, 0)}, Maps2{affineMap(1 + rest, 1e6, 0, 1, 0, 0)},
+                  Maps2{affineMap(2, 0, 0, .25, 0, 0), affineMap(.5 + rest, 0, 0, 4, 0, 0)}}) {
+                const Existence existence = classify<2>(maps);
+                QCOMPARE(existence.verdict, Verdict::None);
+                QVERIFY(existence.contractivity >= 1);
+            }
+            Maps3 inSpace = fern3();
+            inSpace[0].linear(1, 1) = 1 + rest;
+            QCOMPARE(classify<3>(inSpace).verdict, Verdict::None);
+        }
+        // A rotation by 0.99999 that leans by 1e8: its coefficients cancel to what rounding leaves.
+        const AffineMap<2> lean = affineMap(1, 1e8, 0, 1, 0, 0);
+        Random random(4);
+        for (int n = 0; n < 200; ++n) {
+            const auto leaning = conjugate(lean, similarity(1 - 1e-5, uniform(random, 0, 6), 1, 2));
+            QVERIFY(classify<2>(Maps2{*leaning}).verdict != Verdict::None);
+        }
+    }
+
+    void rotationsInSpaceDoNotContract() {
+        Random random(5);
+        for (int n = 0; n < 1000; ++n) {
+            const Matrix<3> turn =
+                Eigen::Quaterniond(uniform(random), uniform(random), uniform(random), uniform(random))
+                    .normalized()
+                    .matrix();
+            const Maps3 maps{map3(turn, randomVector<3>(random))};
+            QCOMPARE(classify<3>(maps).verdict, Verdict::None);
         }
     }
 

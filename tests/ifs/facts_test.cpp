@@ -48,6 +48,7 @@ private slots:
         QVERIFY(near(image.hull->area, direct.hull->area, 1e-7));
         QVERIFY(near(image.hull->area, code.hull->area * (1.2 * 0.8 - 0.7 * 0.3), 1e-10));
         QVERIFY(image.hull->error < 1e-8);
+        QVERIFY((*image.mean - *direct.mean).norm() < 1e-12);
         QVERIFY((image.moments->mean - direct.moments->mean).norm() < 1e-12);
         QVERIFY((image.moments->covariance - direct.moments->covariance).norm() < 1e-11);
         QVERIFY(image.existence.verdict == direct.existence.verdict);
@@ -108,6 +109,31 @@ private slots:
             Random random(3);
             for (const auto& x : orbit<2>(maps, 2000, random))
                 QVERIFY(distanceToConvex(corners, x) <= facts.hull->error);
+        }
+    }
+
+    // Maps that hardly contract have an attractor, and what is said of it holds, within errors that say how
+    // much of it rounding has left.
+    void slowContractionsKeepTheirPromises() {
+        struct Known {
+            AffineMap<2> slow, fast;
+            double low, high, sharp;
+        };
+        const double s = 0.999999999999, far = 1 / (1 - s);
+        const Known systems[] = {{affineMap(s, 0, 0, .5, 1, 0), affineMap(.5, 0, 0, .5, 0, 0), 0, far, 0.5},
+                                 {affineMap(s, 0, 0, .5, 0, 0), affineMap(s, 0, 0, .5, 1 - s, 0), 0, 1, 1e-2},
+                                 {affineMap(-s, 0, 0, .5, 1, 0), affineMap(-.5, 0, 0, .5, 0, 0),
+                                  1 - s / (1 - s / 2), 1 / (1 - s / 2), 1e-2}};
+        for (const auto& [slow, fast, low, high, sharp] : systems) {
+            const Facts<2> facts = factsOf(systemOf({slow, fast}));
+            QCOMPARE(facts.existence.verdict, Verdict::Hyperbolic);
+            const auto& box = *facts.box;
+            QVERIFY(near(box.min.x(), low, box.error) && near(box.max.x(), high, box.error));
+            QVERIFY(near(box.min.y(), 0, box.error) && near(box.max.y(), 0, box.error));
+            QVERIFY(box.error <= sharp * (high - low));
+            for (const double end : {low, high})
+                QVERIFY(distanceToConvex(facts.hull->vertices, {end, 0}) <= facts.hull->error);
+            QVERIFY(facts.hull->error <= sharp * (high - low));
         }
     }
 

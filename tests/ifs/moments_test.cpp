@@ -110,6 +110,25 @@ private slots:
         QVERIFY(!moments(activeMaps(canonical::system<2>({affineMap(1e200, 0, 0, .5, 1, 1)}))));
     }
 
+    // x/4 and 3.2x + 1, 9 to 1: the mean map is 0.545 x + 0.1, but the mean of squares grows.
+    void aMeanWithoutCovariance() {
+        const auto code = activeMaps(
+            canonical::system<2>({affineMap(.25, 0, 0, .5, 0, 0), affineMap(3.2, 0, 0, .5, 1, 4)}, {9, 1}));
+        QVERIFY(!moments(code));
+        QVERIFY((*mean(code) - Vector<2>(.1 / .455, .8)).norm() < 1e-15);
+        for (const auto& maps : {maple(), flower(), fern()}) {
+            const auto active = activeMaps(canonical::system<2>(maps));
+            QCOMPARE(*mean(active), moments(active)->mean);
+        }
+    }
+
+    void noMean() {
+        QVERIFY(!mean(ActiveMaps<2>{}));
+        for (const auto& map : {affineMap(1, 0, 0, .5, 1, 1), affineMap(NaN, 0, 0, .5, 1, 1),
+                                affineMap(.5, 0, 0, .5, Infinity, 1), affineMap(1e200, 0, 0, .5, 1, 1)})
+            QVERIFY(!mean(activeMaps(canonical::system<2>({map}))));
+    }
+
     void aPointDoesNotSpread() {
         const auto found = momentsOf<2>({affineMap(.5, .1, 0, .3, 1, 2)});
         QVERIFY(found.covariance.norm() < 1e-15);
