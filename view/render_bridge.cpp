@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint64_t fewest = 1'000'000;
 constexpr std::uint64_t most = 10'000'000; // in the first pass
 constexpr double fluid = 14;               // milliseconds for one frame of a gesture
+constexpr int mostThreads = 4;             // each has counters of its own, 8 MB for a large canvas
 constexpr int patience = 400;              // milliseconds that a change waits for the frame before it
 
 } // namespace
@@ -108,7 +109,7 @@ void RenderBridge::submit() {
     if (m_camera.width <= 0 || m_camera.height <= 0) return;
     attractor::RenderRequest request = document::renderRequest(fractal, m_camera);
     request.revision = ++m_requested;
-    request.threads = attractor::coreCount();
+    request.threads = std::min(attractor::coreCount(), mostThreads);
     request.samples = m_live ? m_liveSamples : most;
     std::uint64_t quality = m_quality;
     if (m_shown.algorithm != attractor::Algorithm::Density) {

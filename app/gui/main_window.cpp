@@ -196,7 +196,8 @@ void MainWindow::childEvent(QChildEvent* event) {
 void MainWindow::connectDocument() {
     connect(&m_document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
-        if (change.parts & (Change::System | Change::Current | Change::File))
+        const bool isAnother = change.parts & (Change::System | Change::Current | Change::File);
+        if (isAnother || (!change.live && change.parts & Change::Cage))
             m_status->showVerdict(m_document.fractal());
         if (!change.live && change.parts & (Change::Name | Change::Current | Change::File)) updateTitle();
     });

@@ -105,9 +105,10 @@ void StatusLine::clearPointer() {
 }
 
 void StatusLine::showVerdict(const document::Fractal& fractal) {
-    if (!document::system2(fractal)) m_frame->clear(); // nothing is drawn of it
-    if (const auto* plane = document::system2(fractal))
-        m_verdict->setText(verdictText(ifs::classify<2>(ifs::activeMaps(*plane).maps)));
+    if (!document::system2(fractal)) m_frame->clear();  // nothing is drawn of it
+    if (const auto* plane = document::system2(fractal)) // as displayed, which is what the analysis speaks of
+        m_verdict->setText(verdictText(
+            ifs::classify<2>(ifs::activeMaps(document::effectiveSystem(fractal).value_or(*plane)).maps)));
     else if (document::dimension(fractal) == 3)
         m_verdict->setText(tr("3D: not yet shown"));
     else

@@ -97,12 +97,34 @@ std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<2
     return result;
 }
 
+namespace {
+
+// Numbers that rounding has left where there should be none would stand in the table, and in the file.
+void dropRounding(System2& system) {
+    constexpr double rounding = 1e-15;
+    const auto clean = [](auto& numbers, double size) {
+        numbers =
+            numbers.unaryExpr([size](double x) { return std::abs(x) <= rounding * size ? 0 : x; }).eval();
+    };
+    double reach = 0;
+    for (const auto& map : system.maps)
+        reach = std::max(reach, map.map.translation.cwiseAbs().maxCoeff());
+    for (auto& map : system.maps) {
+        clean(map.map.linear, map.map.linear.cwiseAbs().maxCoeff());
+        clean(map.map.translation, reach);
+    }
+}
+
+} // namespace
+
 std::optional<Fractal> withCageBaked(const Fractal& fractal) {
     if (system2(fractal) == nullptr || !fractal.cage) return std::nullopt;
     const auto baked = ifs::bake(*system2(fractal), *fractal.cage);
     auto result = baked ? conjugated(fractal, ifs::displayMap(*fractal.cage)) : std::nullopt;
     if (!result) return std::nullopt;
-    result->system = baked->system;
+    System2 system = baked->system;
+    dropRounding(system);
+    result->system = std::move(system);
     result->cage = baked->cage;
     return result;
 }

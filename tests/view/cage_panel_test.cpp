@@ -178,6 +178,10 @@ private slots:
         for (std::size_t i = 0; i < before.maps.size(); ++i)
             QVERIFY(distance(before.maps[i].map, now.maps[i].map) < 1e-12);
         QVERIFY(distance(document::system2(*after)->maps[0].map, before.maps[0].map) > 1e-3);
+        for (const auto& map : document::system2(*after)->maps) // no noise in the table
+            for (const double x : {map.map.linear(0, 0), map.map.linear(0, 1), map.map.linear(1, 0),
+                                   map.map.linear(1, 1), map.map.translation.x(), map.map.translation.y()})
+                QVERIFY(x == 0 || std::abs(x) > 1e-14);
         QVERIFY(!view::unbaked(*after));
     }
 
