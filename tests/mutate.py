@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Changes one sign, comparison or constant of the model at a time and sees whether a test notices.
 
-A copy of the tree is built below build/mutate; the tree itself is not touched. A mutant is caught when a test fails,
+What docs/testing.md lists as making no difference to any result is not counted: a mutant that nobody could catch. A
+copy of the tree is built below build/mutate; the tree itself is not touched. A mutant is caught when a test fails,
 crashes or takes far too long. Only tests that link the changed file are asked, until one fails: first the test of the
 file's own name, then the others of its folder, the quick ones before the slow ones.
 """
@@ -63,6 +64,13 @@ def mutants(path):
                 found.append((start + m.start(), len(m.group()), {"true": "false", "false": "true"}[m.group()]))
         start += len(line)
     return found
+
+
+def examined():
+    """(file, line as it was, line as it became) of the mutants listed in the documentation."""
+    table = (ROOT / "docs" / "testing.md").read_text()
+    rows = re.findall(r"^\| `([^`]+)` \| `([^`]+)` \| `([^`]+)` \|", table, flags=re.M)
+    return {tuple(cell.replace("\\|", "|") for cell in row) for row in rows}
 
 
 def run(command, **options):
@@ -142,7 +150,8 @@ def main():
     prepare()
     end = time.monotonic() + 60 * arguments.minutes
     judges = {}
-    counts = {"caught": 0, "survived": 0, "does not compile": 0}
+    counts = {"caught": 0, "survived": 0, "makes no difference": 0, "does not compile": 0}
+    harmless = examined()
     survivors = []
     for number, (name, (place, length, replacement)) in enumerate(all_mutants, 1):
         if time.monotonic() > end:
@@ -152,22 +161,22 @@ def main():
         text = (ROOT / name).read_text()
         line = text.count("\n", 0, place) + 1
         changed = text[:place] + replacement + text[place + length:]
+        was, shown = (version.splitlines()[line - 1].strip() for version in (text, changed))
         try:
             (COPY / name).write_text(changed)
-            verdict = judge.verdict(Path(name).stem)
+            verdict = "makes no difference" if (name, was, shown) in harmless else judge.verdict(Path(name).stem)
         finally:
             (COPY / name).write_text(text)
         counts[verdict] += 1
-        shown = changed.splitlines()[line - 1].strip()
         print(f"{number}/{len(all_mutants)} {verdict}: {name}:{line}: {shown}", flush=True)
         if verdict == "survived":
-            survivors.append(f"| `{name}:{line}` | `{text.splitlines()[line - 1].strip()}` | `{shown}` |")
+            survivors.append(f"| `{name}` | `{was}` | `{shown}` |".replace("||", r"\|\|"))
     judged = counts["caught"] + counts["survived"]
     share = f"{counts['caught']} of {judged} mutants were caught"
     share += f" ({100 * counts['caught'] / judged:.0f} %)" if judged else ""
-    print(f"{share}; {counts['does not compile']} did not compile")
+    print(f"{share}; {counts['makes no difference']} make no difference, {counts['does not compile']} did not compile")
     if arguments.report:
-        arguments.report.write_text("\n".join([share + ".", "", "| where | line | became |", "|---|---|---|",
+        arguments.report.write_text("\n".join([share + ".", "", "| where | was | became |", "|---|---|---|",
                                                *sorted(survivors)]) + "\n")
 
 

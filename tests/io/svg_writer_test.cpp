@@ -171,6 +171,8 @@ private slots:
     void referencesAreCountedAndBounded();
     void outlineHoldsTheAttractor_data() { systems(); }
     void outlineHoldsTheAttractor();
+    void outlineOfASlantedSegmentHasArea();
+    void unitsDoNotMatter();
     void errorHoldsBothWays();
     void noMatrixIsSingular_data();
     void noMatrixIsSingular();
@@ -335,6 +337,35 @@ void SvgWriterTest::referencesAreCountedAndBounded() {
     QCOMPARE(counted, picture.plan.references);
     const auto levels = SvgLevels::of(*document::system2(fractal), {});
     QCOMPARE(levels->references(levels->deepest() + 1), SvgLevels::mostReferences);
+}
+
+void SvgWriterTest::outlineOfASlantedSegmentHasArea() {
+    const std::vector<ifs::AffineMap<2>> maps{ifs::affineMap(.5, 0, 0, .5, 0, 0),
+                                              ifs::affineMap(.5, 0, 0, .5, .5, .5)};
+    const document::Fractal fractal = fractalOf(maps);
+    const auto levels = SvgLevels::of(*document::system2(fractal), worldToPixel(cameraFor(fractal)));
+    const auto outline = levels->outline(0);
+    double twice = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const ifs::Vector<2>&a = outline[i], &b = outline[(i + 1) % outline.size()];
+        twice += a.x() * b.y() - a.y() * b.x();
+    }
+    QVERIFY(twice > 1e-6);
+}
+
+// A million times as large and seen from as far, everything is the same.
+void SvgWriterTest::unitsDoNotMatter() {
+    std::vector<ifs::AffineMap<2>> maps = canonical::fern();
+    const auto planOf = [](const std::vector<ifs::AffineMap<2>>& of) {
+        const document::Fractal fractal = fractalOf(of);
+        return svgPlan(fractal, cameraFor(fractal), {1000, CageVisibility::Hidden});
+    };
+    const SvgPlan near = planOf(maps);
+    for (auto& map : maps)
+        map.translation *= 1e6;
+    const SvgPlan far = planOf(maps);
+    QCOMPARE(far.depth, near.depth);
+    QCOMPARE(far.references, near.references);
 }
 
 void SvgWriterTest::outlineHoldsTheAttractor() {
