@@ -4,6 +4,7 @@
 #include "input.h"
 #include "interrupt.h"
 #include "messages.h"
+#include "output.h"
 #include "progress_bar.h"
 #include "usage_error.h"
 
@@ -46,13 +47,6 @@ QString tr(const char* text) {
     return QCoreApplication::translate("cli", text);
 }
 
-// One input file and what is to become of it.
-struct Job {
-    std::string input;
-    QString output; // a file; for a folder, what the names in it begin with
-    bool inFolder = false;
-};
-
 // What every input is converted to, checked before any of them is read.
 struct Plan {
     Format format = TextFormat::Fractint;
@@ -60,7 +54,8 @@ struct Plan {
     io::TextOptions writing;
     std::uint64_t points = 0;
     std::uint64_t seed = 1;
-    std::vector<Job> jobs;
+    QString output;
+    bool intoFolder = false;
 };
 
 bool isFractint(const Format& format) {
@@ -110,35 +105,16 @@ void refuseIf(bool given, const char* option, const QString& reason) {
     if (given) throw UsageError{tr("%1 is not possible here: %2").arg(QLatin1String(option), reason)};
 }
 
-std::vector<Job> jobsOf(const Arguments& arguments, const Format& format) {
-    const QString output = QString::fromStdString(arguments.files.back());
-    const bool inFolder = output.endsWith(u'/') || QFileInfo(output).isDir();
-    if (arguments.files.size() > 2 && !inFolder)
-        throw UsageError{tr("Several files are converted into a folder, and “%1” is none. (A name that ends "
-                            "in / makes one.)")
-                             .arg(output)};
-    std::vector<Job> jobs;
-    QSet<QString> taken;
-    for (std::size_t i = 0; i + 1 < arguments.files.size(); ++i) {
-        const QFileInfo input(QString::fromStdString(arguments.files[i]));
-        Job job{arguments.files[i], output, inFolder};
-        if (inFolder)
-            job.output = QDir(output).filePath(input.fileName() == u"-" ? QStringLiteral("standard-input")
-                                                                        : input.completeBaseName());
-        if (taken.contains(job.output))
-            throw UsageError{
-                tr("Two of the files would be written to “%1”.").arg(job.output + u'.' + suffixOf(format))};
-        taken.insert(job.output);
-        jobs.push_back(job);
-    }
-    return jobs;
-}
-
 Plan planOf(const Arguments& arguments) {
-    const QFileInfo output(QString::fromStdString(arguments.files.back()));
-    if ((output.isDir() || output.fileName().isEmpty()) && arguments.format.empty())
-        throw UsageError{tr("Say with --to what the files in the folder shall be.")};
     Plan plan;
+    plan.output = QString::fromStdString(arguments.files.back());
+    const QFileInfo output(plan.output);
+    const bool isPrinted = isStandardOutput(plan.output);
+    plan.intoFolder = !isPrinted && (output.isDir() || output.fileName().isEmpty());
+    if (plan.intoFolder && arguments.format.empty())
+        throw UsageError{tr("Say with --to what the files in the folder shall be.")};
+    if (isPrinted && arguments.format.empty())
+        throw UsageError{tr("Say with --to what is written to standard output.")};
     plan.format = formatOf(arguments, output);
     refuseIf(arguments.strict && !isFractint(plan.format), "--strict", tr("it belongs to .ifs."));
     refuseIf(arguments.columns && !isTable(plan.format), "--columns",
@@ -153,106 +129,108 @@ Plan planOf(const Arguments& arguments) {
     if (arguments.points && (plan.points < 1 || plan.points > io::PointCloud::mostPoints))
         throw UsageError{tr("--points takes a number from 1 to %1.").arg(io::PointCloud::mostPoints)};
     if (arguments.seed) plan.seed = wholeArgument("--seed", *arguments.seed);
-    plan.jobs = jobsOf(arguments, plan.format);
+    if (arguments.files.size() > 2 && !plan.intoFolder)
+        throw UsageError{tr("Several files are converted into a folder, and “%1” is none. (A name that ends "
+                            "in / makes one.)")
+                             .arg(plan.output)};
     return plan;
 }
 
-// The entry under its cage becomes the code; false when the cage is too flat, which is then reported.
-bool bakeEntry(document::Entry& entry, const QString& fileName) {
-    if (!document::system2(*entry.fractal) || !entry.fractal->cage ||
-        entry.fractal->cage->rest == entry.fractal->cage->current)
-        return true;
-    auto baked = document::withCageBaked(*entry.fractal);
-    if (!baked) {
-        reportError(fileName,
-                    tr("The cage of “%1” is too flat to be baked into the code.").arg(entry.fractal->name));
-        return false;
-    }
-    entry.fractal = std::make_shared<const document::Fractal>(*std::move(baked));
-    return true;
+// What is written of a file. Every entry that is not is said.
+struct Content {
+    document::FractalFile file; // with the entries that can be written
+    qsizetype asked = 0;        // entries, with those that are left out
+    ExitStatus status = ExitStatus::Done;
+};
+
+bool isUnderMovedCage(const document::Fractal& fractal) {
+    return document::system2(fractal) && fractal.cage && fractal.cage->rest != fractal.cage->current;
 }
 
-// What goes into the output; nullopt after a problem that has been reported.
-std::optional<document::FractalFile> fileToWrite(const Input& input, const Arguments& arguments) {
-    document::FractalFile file = input.collection.file;
-    if (!arguments.entries.empty()) {
-        const Selection selection = select(input, arguments.entries);
-        if (!selection.complete) return std::nullopt;
-        file.entries = selection.entries;
-        file.tail.clear();
+// Why the entry cannot be written in this form; the code takes up the cage where that is asked.
+std::optional<QString> obstacle(document::Entry& entry, const Arguments& arguments, const Plan& plan) {
+    const document::Fractal& fractal = *entry.fractal;
+    if (!isFractint(plan.format) && !document::system2(fractal))
+        return tr("“%1” is left out: the format holds plane systems only.").arg(fractal.name);
+    if (arguments.bake && isUnderMovedCage(fractal)) {
+        if (ifs::bends(*fractal.cage))
+            return tr("“%1” is left out: its cage bends the picture, which no code can do.")
+                .arg(fractal.name);
+        auto baked = document::withCageBaked(fractal);
+        if (!baked)
+            return tr("“%1” is left out: its cage is too flat to be baked into the code.").arg(fractal.name);
+        entry.fractal = std::make_shared<const document::Fractal>(*std::move(baked));
     }
-    bool good = true;
-    for (auto& entry : file.entries)
-        if (arguments.bake) good = bakeEntry(entry, input.name) && good;
-    return good ? std::optional(std::move(file)) : std::nullopt;
+    if (const auto* points = std::get_if<io::PointFormat>(&plan.format))
+        return io::obstacle({*entry.fractal, plan.points, plan.seed, *points});
+    const document::System2* system = document::system2(*entry.fractal);
+    if (plan.format == Format(TextFormat::Aifs) && ifs::activeMaps(*system).maps.empty())
+        return tr("“%1” is left out: no map takes part.").arg(fractal.name);
+    return std::nullopt;
 }
 
-// Problems that keep entries from being converted. A copy byte for byte minds none.
-bool reportProblems(const Input& input, const document::FractalFile& file) {
-    bool good = !file.entries.isEmpty();
-    for (const auto& problem : input.collection.file.problems)
-        report(problem, input.name);
-    for (const auto& entry : file.entries) {
-        for (const auto& problem : entry.problems)
-            report(problem, input.name);
-        good = good && isLoaded(entry);
+Content contentOf(const Input& input, const Arguments& arguments, const Plan& plan) {
+    const Selection selection = select(input, arguments.entries);
+    Content content{input.collection.file, selection.entries.size(),
+                    reportAll(selection.problems, input.name)};
+    if (!selection.complete) content.status = ExitStatus::InputProblems;
+    if (!arguments.entries.empty()) content.file.tail.clear();
+    content.file.entries.clear();
+    for (document::Entry entry : selection.entries) {
+        if (!isLoaded(entry)) continue;
+        if (const auto reason = obstacle(entry, arguments, plan)) {
+            reportError(input.name, *reason);
+            content.status = ExitStatus::InputProblems;
+        } else {
+            content.file.entries << entry;
+        }
     }
-    return good;
+    return content;
 }
 
 using Fractals = QList<std::shared_ptr<const document::Fractal>>;
 
-// The plane systems; what is left out is said.
-Fractals planeSystems(const document::FractalFile& file, const QString& fileName) {
-    Fractals plane;
-    for (const auto& entry : file.entries) {
-        if (document::system2(*entry.fractal))
-            plane << entry.fractal;
-        else
-            reportWarning(
-                fileName,
-                tr("“%1” is left out: the format holds plane systems only.").arg(entry.fractal->name));
-    }
-    return plane;
+Fractals systemsOf(const document::FractalFile& file) {
+    Fractals systems;
+    for (const auto& entry : file.entries)
+        systems << entry.fractal;
+    return systems;
 }
 
-ExitStatus save(const QString& output, const QByteArray& bytes) {
-    const auto failure = io::saveFile(output, bytes);
-    if (!failure) return ExitStatus::Done;
-    reportError(output, *failure);
-    return ExitStatus::CannotReadOrWrite;
-}
-
-ExitStatus nothingLeft(const QString& fileName) {
-    reportError(fileName, tr("No entry is left that could be written, so nothing was."));
-    return ExitStatus::InputProblems;
-}
+// How many entries were written, where some were not.
+struct Written {
+    qsizetype entries = 0;
+    ExitStatus status = ExitStatus::Done;
+};
 
 class Converter {
 public:
     Converter(const Arguments& arguments, const Plan& plan, std::stop_token stop)
         : m_arguments(arguments), m_plan(plan), m_stop(std::move(stop)) {}
 
-    ExitStatus run(const Job& job, const io::Progress& progress) const {
-        const auto input = readInput(job.input, m_plan.reading);
+    ExitStatus run(const std::string& file, const io::Progress& progress) {
+        const auto input = readInput(file, m_plan.reading);
         if (!input) return ExitStatus::CannotReadOrWrite;
-        if (job.inFolder && !QDir().mkpath(QFileInfo(job.output).path())) {
-            reportError(QFileInfo(job.output).path(), tr("The folder cannot be made."));
+        const QString base = baseOf(*input);
+        if (m_plan.intoFolder && !QDir().mkpath(m_plan.output)) {
+            reportError(m_plan.output, tr("The folder cannot be made."));
             return ExitStatus::CannotReadOrWrite;
         }
-        const QString output = job.inFolder ? job.output + u'.' + suffixOf(m_plan.format) : job.output;
         const bool untouched = m_arguments.entries.empty() && !m_arguments.bake && !m_arguments.strict;
         if (untouched && isFractint(m_plan.format) && input->collection.format == u"fractint" &&
             !isParameterFile(*input))
-            return save(output, input->bytes);
-        const auto file = fileToWrite(*input, m_arguments);
-        if (!file || !reportProblems(*input, *file)) return ExitStatus::InputProblems;
-        if (isFractint(m_plan.format)) return saveCollection(*file, input->name, output);
-        const Fractals systems = planeSystems(*file, input->name);
-        if (systems.isEmpty()) return nothingLeft(input->name);
-        if (std::holds_alternative<PdfFormat>(m_plan.format)) return savePages(systems, input->name, output);
-        if (holdsOneEntry(m_plan.format)) return saveEach(systems, job, input->name, output, progress);
-        return save(output, io::textOf(systems, std::get<TextFormat>(m_plan.format), m_plan.writing));
+            return writeOutput(outputFor(base, input->name), input->bytes);
+        const Content content = contentOf(*input, m_arguments, m_plan);
+        if (content.file.entries.isEmpty()) return nothingLeft(input->name);
+        const Written written = save(content.file, base, input->name, progress);
+        const ExitStatus status = std::max(content.status, written.status);
+        if (written.entries == content.asked || written.entries == 0) return status;
+        if (status > ExitStatus::InputProblems) return status;
+        const auto say = status == ExitStatus::Done ? reportWarning : reportError;
+        say(input->name, tr("Entries written: %1; left out: %2.")
+                             .arg(written.entries)
+                             .arg(content.asked - written.entries));
+        return status;
     }
 
 private:
@@ -261,22 +239,61 @@ private:
         return QFileInfo(input.name).suffix().compare(u"par", Qt::CaseInsensitive) == 0;
     }
 
-    ExitStatus saveCollection(document::FractalFile file, const QString& name, const QString& output) const {
+    static ExitStatus nothingLeft(const QString& fileName) {
+        reportError(fileName, tr("No entry is left that could be written, so nothing was."));
+        return ExitStatus::InputProblems;
+    }
+
+    // The output, in a folder without its suffix.
+    QString baseOf(const Input& input) const {
+        if (!m_plan.intoFolder) return m_plan.output;
+        const QString name =
+            input.name == u"-" ? QStringLiteral("standard-input") : QFileInfo(input.name).completeBaseName();
+        return QDir(m_plan.output).filePath(name);
+    }
+
+    // A file in the folder that this run has not written yet.
+    QString outputFor(const QString& base, const QString& inputName) {
+        if (!m_plan.intoFolder) return m_plan.output;
+        const QString suffix = u'.' + suffixOf(m_plan.format);
+        const QString wanted = base + suffix;
+        QString output = wanted;
+        for (int number = 2; m_taken.contains(output.toLower()); ++number)
+            output = base + u'-' + QString::number(number) + suffix;
+        m_taken.insert(output.toLower());
+        if (output != wanted)
+            reportWarning(inputName, tr("It is written to “%1”, for “%2” is taken.").arg(output, wanted));
+        return output;
+    }
+
+    Written save(const document::FractalFile& file, const QString& base, const QString& inputName,
+                 const io::Progress& progress) {
+        if (isFractint(m_plan.format)) return saveCollection(file, outputFor(base, inputName), inputName);
+        const Fractals systems = systemsOf(file);
+        if (std::holds_alternative<PdfFormat>(m_plan.format))
+            return savePages(systems, outputFor(base, inputName), inputName);
+        if (holdsOneEntry(m_plan.format)) return saveEach(systems, base, inputName, progress);
+        return {systems.size(),
+                writeOutput(outputFor(base, inputName),
+                            io::textOf(systems, std::get<TextFormat>(m_plan.format), m_plan.writing))};
+    }
+
+    Written saveCollection(document::FractalFile file, const QString& output, const QString& name) const {
         if (name.endsWith(u".par", Qt::CaseInsensitive)) {
             file.head.clear();
             file.tail.clear();
             for (auto& entry : file.entries)
                 entry.source.reset();
         }
-        if (!m_arguments.strict) return save(output, io::writeFractint(file));
+        if (!m_arguments.strict) return {file.entries.size(), writeOutput(output, io::writeFractint(file))};
         const io::StrictText text = io::writeStrict(file);
-        for (const auto& problem : text.problems)
-            report(problem, name);
-        return text.bytes.isEmpty() ? nothingLeft(name) : save(output, text.bytes);
+        const ExitStatus status = reportAll(text.problems, name);
+        if (text.bytes.isEmpty()) return {0, nothingLeft(name)};
+        return {text.entries, std::max(status, writeOutput(output, text.bytes))};
     }
 
     // One square page for every system that has an attractor.
-    ExitStatus savePages(const Fractals& systems, const QString& inputName, const QString& output) const {
+    Written savePages(const Fractals& systems, const QString& output, const QString& inputName) const {
         constexpr int side = 700; // pixels, a good seven inches
         std::vector<io::PdfPage> pages;
         for (const auto& fractal : systems) {
@@ -291,47 +308,45 @@ private:
             else
                 pages.push_back(std::move(page));
         }
-        if (pages.empty()) return nothingLeft(inputName);
+        if (pages.empty()) return {0, nothingLeft(inputName)};
         const io::PdfPicture picture = io::pdfPicture(pages, m_stop);
-        if (m_stop.stop_requested()) return ExitStatus::Interrupted;
-        return save(output, picture.bytes);
+        if (m_stop.stop_requested()) return {0, ExitStatus::Interrupted};
+        return {qsizetype(pages.size()), writeOutput(output, picture.bytes)};
     }
 
     // One file for every system.
-    ExitStatus saveEach(const Fractals& systems, const Job& job, const QString& inputName,
-                        const QString& output, const io::Progress& progress) const {
-        if (systems.size() == 1) return saveOne(systems.first(), output, inputName, progress);
-        if (!job.inFolder) {
+    Written saveEach(const Fractals& systems, const QString& base, const QString& inputName,
+                     const io::Progress& progress) {
+        if (systems.size() == 1)
+            return {1, saveOne(systems.first(), outputFor(base, inputName), inputName, progress)};
+        if (!m_plan.intoFolder) {
             reportError(inputName, tr("The file has %1 systems, and %2 holds one: choose it with --entry, or "
                                       "name a folder to write one file for each.")
                                        .arg(systems.size())
-                                       .arg(QFileInfo(output).fileName()));
-            return ExitStatus::InputProblems;
+                                       .arg(QFileInfo(base).fileName()));
+            return {0, ExitStatus::InputProblems};
         }
-        ExitStatus worst = ExitStatus::Done;
-        QSet<QString> taken;
+        Written written;
         for (qsizetype i = 0; i < systems.size() && !m_stop.stop_requested(); ++i) {
             QString name = systems[i]->name;
             name.replace(u'/', u'_');
-            while (taken.contains(name.toLower()))
-                name += u'_';
-            taken.insert(name.toLower());
             const io::Progress part = [&](double fraction) {
                 progress((double(i) + fraction) / double(systems.size()));
             };
-            const QString file = job.output + u'-' + name + u'.' + suffixOf(m_plan.format);
-            worst = std::max(worst, saveOne(systems[i], file, inputName, part));
+            const QString output = outputFor(base + u'-' + name, inputName);
+            written.status = std::max(written.status, saveOne(systems[i], output, inputName, part));
+            ++written.entries;
         }
-        return worst;
+        return written;
     }
 
     ExitStatus saveOne(const std::shared_ptr<const document::Fractal>& fractal, const QString& output,
                        const QString& inputName, const io::Progress& progress) const {
         if (const auto* text = std::get_if<TextFormat>(&m_plan.format))
-            return save(output, io::textOf({fractal}, *text, m_plan.writing));
+            return writeOutput(output, io::textOf({fractal}, *text, m_plan.writing));
         const auto format = std::get<io::PointFormat>(m_plan.format);
-        const auto outcome =
-            io::exportPoints({*fractal, m_plan.points, m_plan.seed, format}, output, progress, m_stop);
+        const io::PointCloud cloud{*fractal, m_plan.points, m_plan.seed, format};
+        const auto outcome = exportOutput(cloud, output, progress, m_stop);
         if (outcome.stopped) return ExitStatus::Interrupted;
         if (outcome.failure) {
             reportError(output, *outcome.failure);
@@ -348,27 +363,28 @@ private:
     const Arguments& m_arguments;
     const Plan& m_plan;
     std::stop_token m_stop;
+    QSet<QString> m_taken; // files in the folder, in small letters
 };
 
 ExitStatus convert(const Arguments& arguments) {
     const ProgressMode mode = progressMode(arguments.progress);
     const Plan plan = planOf(arguments);
     const Interrupt interrupt;
-    const Converter converter(arguments, plan, interrupt.token());
+    Converter converter(arguments, plan, interrupt.token());
     ExitStatus worst = ExitStatus::Done;
     ProgressBar bar(mode);
-    for (std::size_t i = 0; i < plan.jobs.size() && worst != ExitStatus::Interrupted; ++i) {
+    const std::size_t files = arguments.files.size() - 1;
+    for (std::size_t i = 0; i < files && worst != ExitStatus::Interrupted; ++i) {
         const io::Progress progress = [&](double fraction) {
-            bar.show((double(i) + fraction) / double(plan.jobs.size()));
+            bar.show((double(i) + fraction) / double(files));
         };
-        worst = std::max(worst, converter.run(plan.jobs[i], progress));
+        worst = std::max(worst, converter.run(arguments.files[i], progress));
         progress(1);
         if (interrupt.token().stop_requested()) worst = ExitStatus::Interrupted;
     }
     bar.clear();
     if (worst == ExitStatus::Interrupted)
-        reportError(QString::fromStdString(arguments.files.back()),
-                    tr("Interrupted; what is written so far is whole."));
+        reportError(plan.output, tr("Interrupted; what is written so far is whole."));
     return worst;
 }
 
@@ -378,8 +394,9 @@ void addConvertCommand(CLI::App& program, Run& run) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand("convert", "Write entries in another form");
     command
-        ->add_option("FILES", arguments->files,
-                     "Files to read (- for standard input), then the file or folder to write")
+        ->add_option(
+            "FILES", arguments->files,
+            "Files to read (- for standard input), then the file (- for standard output) or folder to write")
         ->required()
         ->expected(2, 1'000'000);
     command->add_option("--entry", arguments->entries, "Only the entry of this name (may be repeated)")

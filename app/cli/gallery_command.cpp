@@ -4,6 +4,7 @@
 #include "input.h"
 #include "interrupt.h"
 #include "messages.h"
+#include "output.h"
 #include "progress_bar.h"
 #include "usage_error.h"
 
@@ -42,10 +43,9 @@ QString headingOf(const QString& fileName) {
 }
 
 io::ContactSheet sheetOf(const Arguments& arguments) {
-    if (QFileInfo(QString::fromStdString(arguments.output)).suffix().compare(u"png", Qt::CaseInsensitive) !=
-        0)
-        throw UsageError{tr("The sheet is written as .png, and “%1” is not.")
-                             .arg(QString::fromStdString(arguments.output))};
+    const QString output = QString::fromStdString(arguments.output);
+    if (!isStandardOutput(output) && QFileInfo(output).suffix().compare(u"png", Qt::CaseInsensitive) != 0)
+        throw UsageError{tr("The sheet is written as .png, and “%1” is not.").arg(output)};
     io::ContactSheet sheet;
     sheet.title = QString::fromStdString(arguments.title);
     sheet.columns = arguments.columns.value_or(0);
@@ -64,11 +64,7 @@ ExitStatus addFiles(const Arguments& arguments, io::ContactSheet& sheet) {
             worst = ExitStatus::CannotReadOrWrite;
             continue;
         }
-        for (const auto& problem : select(*input, {}).problems) {
-            report(problem, input->name);
-            if (problem.severity == document::Problem::Severity::Error)
-                worst = std::max(worst, ExitStatus::InputProblems);
-        }
+        worst = std::max(worst, reportAll(select(*input, {}).problems, input->name));
         io::ContactSheet::Section section;
         if (arguments.files.size() > 1) section.title = headingOf(input->name);
         for (const auto& entry : input->collection.file.entries)
@@ -99,11 +95,7 @@ ExitStatus gallery(const Arguments& arguments) {
     }
     QBuffer png;
     drawn.image.save(&png, "PNG");
-    if (const auto failure = io::saveFile(output, png.data())) {
-        reportError(output, *failure);
-        return ExitStatus::CannotReadOrWrite;
-    }
-    return read;
+    return std::max(read, writeOutput(output, png.data()));
 }
 
 } // namespace
@@ -112,7 +104,8 @@ void addGalleryCommand(CLI::App& program, Run& run) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand("gallery", "Draw all entries of collections on one sheet");
     command->add_option("FILES", arguments->files, "Collections; - for standard input")->required();
-    command->add_option("-o,--output", arguments->output, "Sheet to write: .png")->required();
+    command->add_option("-o,--output", arguments->output, "Sheet to write: .png; - for standard output")
+        ->required();
     command->add_option("--columns", arguments->columns, "Pictures side by side (as wide as a screen)")
         ->check(CLI::Range(1, 1000));
     command->add_option("--tile", arguments->tile, "Width and height of a picture in pixels (240x240)");

@@ -38,8 +38,7 @@ ExitStatus info(const Arguments& arguments) {
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
     const Selection selection = select(*input, arguments.entries);
-    for (const auto& problem : selection.problems)
-        report(problem, input->name);
+    const ExitStatus problems = reportAll(selection.problems, input->name);
     const io::InfoSubject subject{input->name, input->collection.format, selection.entries,
                                   selection.problems, hullTolerance};
     if (!print(arguments.json ? io::infoJson(subject) : printable(io::infoText(subject)).toUtf8())) {
@@ -47,9 +46,7 @@ ExitStatus info(const Arguments& arguments) {
                     QCoreApplication::translate("cli", "The answer cannot be written to standard output."));
         return ExitStatus::CannotReadOrWrite;
     }
-    const bool allLoaded = std::all_of(selection.entries.begin(), selection.entries.end(), isLoaded);
-    return selection.complete && allLoaded && !selection.entries.isEmpty() ? ExitStatus::Done
-                                                                           : ExitStatus::InputProblems;
+    return selection.complete && !selection.entries.isEmpty() ? problems : ExitStatus::InputProblems;
 }
 
 } // namespace

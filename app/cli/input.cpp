@@ -40,8 +40,32 @@ const document::Entry* find(const Input& input, const QString& name) {
     return found == entries.end() ? nullptr : &*found;
 }
 
+bool isDrawable(const document::Entry& entry) {
+    return document::system2(*entry.fractal) != nullptr;
+}
+
 void reportMissing(const Input& input, const QString& name) {
     reportError(input.name, tr("There is no entry “%1”.").arg(name));
+}
+
+// What its reader refused by name is an entry that could not be read, as in a collection, and its reason a
+// problem of the entry.
+void listRefused(document::FractalFile& file) {
+    document::Problems ofTheFile;
+    for (const document::Problem& problem : std::as_const(file.problems)) {
+        if (problem.severity != document::Problem::Severity::Error || problem.entry.isEmpty()) {
+            ofTheFile << problem;
+            continue;
+        }
+        auto fractal = std::make_shared<document::Fractal>();
+        fractal->name = problem.entry;
+        document::Entry entry;
+        entry.id = document::freshId(file);
+        entry.fractal = std::move(fractal);
+        entry.problems << problem;
+        file.entries << entry;
+    }
+    file.problems = ofTheFile;
 }
 
 } // namespace
@@ -53,8 +77,19 @@ std::optional<Input> readInput(const std::string& file, const io::ReadOptions& o
         reportError(name, *loaded.failure);
         return std::nullopt;
     }
-    return Input{name, loaded.bytes,
-                 io::readCollection(loaded.bytes, file == "-" ? QString() : name, options)};
+    Input input{name, loaded.bytes,
+                io::readCollection(loaded.bytes, file == "-" ? QString() : name, options)};
+    listRefused(input.collection.file);
+    return input;
+}
+
+ExitStatus reportAll(const document::Problems& problems, const QString& fileName) {
+    ExitStatus status = ExitStatus::Done;
+    for (const document::Problem& problem : problems) {
+        report(problem, fileName);
+        if (problem.severity == document::Problem::Severity::Error) status = ExitStatus::InputProblems;
+    }
+    return status;
 }
 
 bool isLoaded(const document::Entry& entry) {
@@ -80,25 +115,28 @@ Selection select(const Input& input, const std::vector<std::string>& names) {
     return selection;
 }
 
-const document::Entry* entryToDraw(const Input& input, const std::string& name) {
+ToDraw entryToDraw(const Input& input, const std::string& name) {
     const document::Entry* entry = nullptr;
     const auto& entries = input.collection.file.entries;
     if (!name.empty()) {
         entry = find(input, QString::fromStdString(name));
         if (!entry) reportMissing(input, QString::fromStdString(name));
-    } else if (const auto first = std::find_if(entries.begin(), entries.end(), isLoaded);
+    } else if (const auto first = std::find_if(entries.begin(), entries.end(), isDrawable);
                first != entries.end()) {
         entry = &*first;
     }
-    for (const auto& problem : input.collection.file.problems)
-        report(problem, input.name);
+    ExitStatus status = reportAll(input.collection.file.problems, input.name);
     for (const auto& other : entries)
         if (&other == entry || (!entry && name.empty()))
-            for (const auto& problem : other.problems)
-                report(problem, input.name);
-    if (entry && isLoaded(*entry)) return entry;
-    if (!entry && name.empty()) reportError(input.name, tr("The file holds no entry that can be drawn."));
-    return nullptr;
+            status = std::max(status, reportAll(other.problems, input.name));
+    if (entry && isDrawable(*entry)) return {entry, status};
+    if (!entry && name.empty())
+        reportError(input.name, tr("The file holds no entry that can be drawn."));
+    else if (entry && isLoaded(*entry))
+        reportError(
+            input.name,
+            tr("“%1” lies in space, and this version draws in the plane only.").arg(entry->fractal->name));
+    return {nullptr, ExitStatus::InputProblems};
 }
 
 } // namespace cli

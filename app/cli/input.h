@@ -32,9 +32,16 @@ struct Selection {
 };
 Selection select(const Input& input, const std::vector<std::string>& names);
 
-// The entry to draw: the one named, else the first that could be read. nullptr when there is none, which has
-// then been reported.
-const document::Entry* entryToDraw(const Input& input, const std::string& name);
+// Says the problems; InputProblems when one of them is an error.
+ExitStatus reportAll(const document::Problems& problems, const QString& fileName);
+
+// The entry to draw: the one named, else the first that could be read and lies in the plane. nullptr when
+// there is none, which has then been reported, as its problems and those of the file are.
+struct ToDraw {
+    const document::Entry* entry;
+    ExitStatus status; // InputProblems after an error
+};
+ToDraw entryToDraw(const Input& input, const std::string& name);
 
 bool isLoaded(const document::Entry& entry);
 

@@ -4,6 +4,7 @@
 #include "input.h"
 #include "interrupt.h"
 #include "messages.h"
+#include "output.h"
 #include "progress_bar.h"
 #include "render_view.h"
 #include "usage_error.h"
@@ -51,6 +52,8 @@ Format formatOf(const Arguments& arguments) {
     if (suffix == u"png") return Format::Png;
     if (suffix == u"svg") return Format::Svg;
     if (suffix == u"pdf") return Format::Pdf;
+    if (isStandardOutput(QString::fromStdString(arguments.output)))
+        throw UsageError{tr("Say with --to what is written to standard output: png, svg or pdf.")};
     throw UsageError{tr("The picture is written as .png, .svg or .pdf, and “%1” is none of them.")
                          .arg(QString::fromStdString(arguments.output))};
 }
@@ -308,24 +311,11 @@ ExitStatus finish(const io::ExportOutcome& outcome, const QString& fileName, con
     return ExitStatus::Done;
 }
 
-// nullopt when the entry cannot be drawn, which has then been reported.
-std::optional<document::Fractal> fractalOf(const Input& input, const Arguments& arguments) {
-    const document::Entry* entry = entryToDraw(input, arguments.entry);
-    if (!entry) return std::nullopt;
-    const document::System2* system = document::system2(*entry->fractal);
-    if (!system) {
-        reportError(
-            input.name,
-            tr("“%1” lies in space, and this version draws in the plane only.").arg(entry->fractal->name));
-        return std::nullopt;
-    }
-    if (ifs::activeMaps(*system).maps.empty()) {
-        reportError(
-            input.name,
-            tr("“%1” has no map that takes part, so there is nothing to draw.").arg(entry->fractal->name));
-        return std::nullopt;
-    }
-    return *entry->fractal;
+bool hasMaps(const document::Fractal& fractal, const QString& fileName) {
+    if (!ifs::activeMaps(*document::system2(fractal)).maps.empty()) return true;
+    reportError(fileName,
+                tr("“%1” has no map that takes part, so there is nothing to draw.").arg(fractal.name));
+    return false;
 }
 
 ExitStatus render(const Arguments& arguments) {
@@ -338,12 +328,13 @@ ExitStatus render(const Arguments& arguments) {
     const Interrupt interrupt;
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
-    auto fractal = fractalOf(*input, arguments);
-    if (!fractal) return ExitStatus::InputProblems;
-    applyAppearance(fractal->appearance, arguments);
-    applyCage(*fractal, arguments);
-    const attractor::Camera camera = cameraOf(*fractal, arguments, input->name);
-    const io::Export what = exportOf(*fractal, camera, format, arguments);
+    const ToDraw toDraw = entryToDraw(*input, arguments.entry);
+    if (!toDraw.entry || !hasMaps(*toDraw.entry->fractal, input->name)) return ExitStatus::InputProblems;
+    document::Fractal fractal = *toDraw.entry->fractal;
+    applyAppearance(fractal.appearance, arguments);
+    applyCage(fractal, arguments);
+    const attractor::Camera camera = cameraOf(fractal, arguments, input->name);
+    const io::Export what = exportOf(fractal, camera, format, arguments);
     if (const auto* svg = std::get_if<io::SvgExport>(&what)) {
         const io::SvgPlan plan = io::svgPlan(svg->fractal, svg->camera, svg->format);
         if (plan.failure) {
@@ -357,10 +348,10 @@ ExitStatus render(const Arguments& arguments) {
     }
     const QString output = QString::fromStdString(arguments.output);
     ProgressBar bar(progress);
-    const auto outcome = io::exportTo(
+    const auto outcome = exportOutput(
         what, output, [&](double fraction) { bar.show(fraction); }, interrupt.token());
     bar.clear();
-    return finish(outcome, input->name, output);
+    return std::max(toDraw.status, finish(outcome, input->name, output));
 }
 
 void addPictureOptions(CLI::App& command, Arguments& arguments) {
@@ -416,11 +407,15 @@ void addRenderCommand(CLI::App& program, Run& run) {
         ->add_option("FILE", arguments->file,
                      "Collection, or picture with a system inside; - for standard input")
         ->required();
-    command->add_option("-o,--output", arguments->output, "Picture to write: .png, .svg or .pdf")->required();
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "Picture to write: .png, .svg or .pdf; - for standard output")
+        ->required();
     command
         ->add_option("--to", arguments->format, "png, svg or pdf, where the name of the output does not tell")
         ->check(CLI::IsMember({"png", "svg", "pdf"}));
-    command->add_option("--entry", arguments->entry, "Entry to draw (the first that can be read)");
+    command->add_option("--entry", arguments->entry,
+                        "Entry to draw (the first in the plane that can be read)");
     addFramingOptions(*command, *arguments);
     addAlgorithmOptions(*command, *arguments);
     addPictureOptions(*command, *arguments);

@@ -43,9 +43,9 @@ public:
     StrictText write(const FractalFile& file, const QList<document::EntryId>& only) && {
         for (const Entry& entry : file.entries)
             if (only.isEmpty() || only.contains(entry.id)) append(*entry.fractal);
-        if (m_written > mostEntries)
+        if (m_text.entries > mostEntries)
             warn({}, Text::tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
-                         .arg(m_written));
+                         .arg(m_text.entries));
         return std::move(m_text);
     }
 
@@ -53,9 +53,11 @@ private:
     void append(const document::Fractal& fractal) {
         const std::vector<Row> rows = activeRows(fractal);
         if (rows.empty())
-            return warn(fractal.name, Text::tr("The entry has no map that takes part and is left out."));
+            return m_text.problems.append(
+                {Problem::Severity::Error, fractal.name, 0, 0,
+                 Text::tr("The entry has no map that takes part and is left out.")});
         const QByteArray name = strictName(fractal.name);
-        ++m_written;
+        ++m_text.entries;
         if (!m_text.bytes.isEmpty()) m_text.bytes += '\n';
         for (const QString& comment : fractal.comments) // before the entry: Fractint 16–18 accept none inside
             m_text.bytes += "; " + ascii(fractint::storedComment(comment), '?').left(longestLine - 2) + '\n';
@@ -130,7 +132,6 @@ private:
     }
 
     document::UniqueNames m_names;
-    qsizetype m_written = 0; // entries
     StrictText m_text;
 };
 

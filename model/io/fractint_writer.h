@@ -19,6 +19,7 @@ QByteArray writeEntry(const document::Fractal& fractal, const QByteArray& lineEn
 // comments. Limits of other programs that are exceeded are reported in `problems`.
 struct StrictText {
     QByteArray bytes;
+    qsizetype entries = 0; // written; for those that are not, an error is among the problems
     document::Problems problems;
 };
 StrictText writeStrict(const document::FractalFile& file, const QList<document::EntryId>& only = {});

@@ -119,7 +119,8 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
     lines.add(Text::tr("affinity dimension"), digits(facts.affinityDimension));
 }
 
-void addEntry(Lines& lines, const document::Fractal& fractal, const InfoSubject& subject) {
+void addEntry(Lines& lines, const document::Entry& entry, const InfoSubject& subject) {
+    const document::Fractal& fractal = *entry.fractal;
     if (const auto* plane = std::get_if<document::System2>(&fractal.system)) {
         lines.title(Text::tr("%1 — in the plane, %2 maps").arg(fractal.name).arg(plane->maps.size()));
         addSystem(lines, *plane, subject);
@@ -128,6 +129,9 @@ void addEntry(Lines& lines, const document::Fractal& fractal, const InfoSubject&
         addSystem(lines, *space, subject);
     } else {
         lines.title(Text::tr("%1 — could not be read").arg(fractal.name));
+        for (const auto& problem : entry.problems)
+            if (problem.severity == document::Problem::Severity::Error)
+                lines.add(Text::tr("reason"), problem.message);
     }
     if (fractal.cage) {
         lines.add(Text::tr("cage at rest"), list(fractal.cage->rest));
@@ -147,7 +151,7 @@ QString infoText(const InfoSubject& subject) {
     Lines lines;
     for (const auto& entry : subject.entries) {
         if (!lines.text().isEmpty()) lines.title({});
-        addEntry(lines, *entry.fractal, subject);
+        addEntry(lines, entry, subject);
     }
     return lines.text();
 }

@@ -85,6 +85,8 @@ private:
     QByteArray m_bytes;
 };
 
+} // namespace
+
 Failure obstacle(const PointCloud& cloud) {
     const document::System2* system = document::system2(cloud.fractal);
     if (!system)
@@ -99,8 +101,6 @@ Failure obstacle(const PointCloud& cloud) {
         return Text::tr("A point cloud has from 1 to %1 points.").arg(PointCloud::mostPoints);
     return std::nullopt;
 }
-
-} // namespace
 
 ExportOutcome exportPoints(const PointCloud& cloud, const QString& path, const Progress& progress,
                            std::stop_token stop) {

@@ -20,6 +20,9 @@ struct PointCloud {
     PointFormat format = PointFormat::Csv;
 };
 
+// Why there can be no such points; nullopt where there can.
+Failure obstacle(const PointCloud& cloud);
+
 ExportOutcome exportPoints(const PointCloud& cloud, const QString& path, const Progress& progress = {},
                            std::stop_token stop = {});
 

@@ -19,6 +19,12 @@ private slots:
     void convertsManyFilesIntoAFolder();
     void writesPoints();
     void parameterFilesBecomeCollections();
+    void aBrokenEntryStopsNoOther_data();
+    void aBrokenEntryStopsNoOther();
+    void refusedFlamesAreLeftOut();
+    void cagesThatCannotBeBaked();
+    void filesOfOneNameGetNumbers();
+    void writesToStandardOutput();
 };
 
 void CliConvertTest::nothingLeftIsNotWritten() {
@@ -42,7 +48,8 @@ void CliConvertTest::copyKeepsEveryByte() {
     QVERIFY(read("one.ifs").contains("Fern { ; Barnsley\n 0 0 0 0.16 0 0 .01\n"));
     QVERIFY(!read("one.ifs").contains("maple"));
     QCOMPARE(run("convert broken.ifs strict.ifs --strict").status, 1);
-    QVERIFY(!QFile::exists(path("strict.ifs")));
+    QVERIFY(read("strict.ifs").contains("good {\n"));
+    QVERIFY(!read("strict.ifs").contains("bad"));
     QCOMPARE(run("convert systems.ifs strict.ifs --strict").status, 0);
     QVERIFY(read("strict.ifs").contains("maple {\n"));
 }
@@ -99,7 +106,8 @@ void CliConvertTest::convertsManyFilesIntoAFolder() {
     QCOMPARE(result.status, 1); // the second file has a broken entry
     QVERIFY2(result.err.contains("broken.ifs:6:"), result.err.constData());
     QVERIFY(read("many/systems.aifs").contains("@spin:\n$dim=2\n"));
-    QVERIFY(!QFile::exists(path("many/broken.aifs")));
+    QVERIFY(read("many/broken.aifs").contains("@good:\n$dim=2\n"));
+    QVERIFY(!read("many/broken.aifs").contains("bad"));
     // A table holds one system: one file for each, or none.
     QCOMPARE(run("convert systems.ifs all.csv").status, 1);
     QVERIFY(!QFile::exists(path("all.csv")));
@@ -126,6 +134,139 @@ void CliConvertTest::parameterFilesBecomeCollections() {
     const QByteArray bytes = read("leaf.ifs");
     QVERIFY2(bytes.startsWith("leaf { ; by hand\n"), bytes.constData());
     QVERIFY(!bytes.contains("type=ifs"));
+}
+
+void CliConvertTest::aBrokenEntryStopsNoOther_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<QByteArray>("output");
+    QTest::addColumn<QByteArray>("first"); // of the entries written
+    QTest::addColumn<int>("written");
+    const auto row = [](const char* arguments, const char* output, const char* first, int written) {
+        QTest::newRow(output) << QByteArray(arguments) << QByteArray(output) << QByteArray(first) << written;
+    };
+    row("", "rest.flame", "<flame name=\"one\"", 2);
+    row("", "rest.aifs", "@one:", 2);
+    row("", "rest.pdf", "%PDF", 2);
+    row("--strict", "strict.ifs", "one {\n", 3);
+    row("--bake", "baked.ifs", "one {\n", 3);
+    row("--entry bad --entry one", "chosen.ifs", "one {\n", 1);
+    row("--entry bad --entry one", "chosen.csv", "a,b,c,d,e,f,p\n", 1);
+    row("--entry nowhere --entry one --entry one", "absent.flame", "<flame name=\"one\"", 1);
+}
+
+// What can be written is; the rest is named, counted and makes the status 1.
+void CliConvertTest::aBrokenEntryStopsNoOther() {
+    write("mixed.ifs", "one {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n_README {\n all by hand\n}\n"
+                       "cube (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n}\n"
+                       "bad {\n .5 0 0 .5 0 0 x\n}\ntwo {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 0 1 .5\n}\n");
+    QFETCH(QByteArray, arguments);
+    QFETCH(QByteArray, output);
+    QFETCH(QByteArray, first);
+    QFETCH(int, written);
+    const Result result = run("convert mixed.ifs " + output + ' ' + arguments);
+    QCOMPARE(result.status, 1);
+    QVERIFY2(read(output).contains(first), read(output).constData());
+    QVERIFY(!read(output).contains("bad") && !read(output).contains("README"));
+    const bool isChosen = arguments.contains("--entry");
+    const QByteArray closing =
+        QByteArray("mixed.ifs: error: Entries written: ") + QByteArray::number(written) + "; left out: ";
+    QCOMPARE(result.err.contains(closing +
+                                 (isChosen       ? "1"
+                                  : written == 3 ? "2"
+                                                 : "3") +
+                                 ".\n"),
+             !arguments.contains("nowhere"));
+    QVERIFY2(result.err.contains(arguments.contains("nowhere") ? "“nowhere”" : "“bad”"),
+             result.err.constData());
+    QCOMPARE(result.err.contains("“cube” is left out"), written == 2);
+    QVERIFY(run("info --json " + output).status < 2);
+}
+
+void CliConvertTest::refusedFlamesAreLeftOut() {
+    write("swirl.flame",
+          "<x><flame name=\"swirl\"><xform weight=\"1\" swirl=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame>\n"
+          "<flame name=\"good\"><xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame></x>");
+    const Result converted = run("convert swirl.flame swirl.ifs");
+    QCOMPARE(converted.status, 1);
+    QVERIFY2(converted.err.contains("swirl.flame:1:") &&
+                 converted.err.contains("Entries written: 1; left out: 1."),
+             converted.err.constData());
+    QVERIFY(read("swirl.ifs").startsWith("good {\n"));
+    const Result told = run("info swirl.flame --json");
+    QCOMPARE(told.status, 1);
+    QStringList names;
+    for (int i = 0; i < 2; ++i)
+        names << told.entry(i)[QLatin1String("name")].toString() +
+                     (told.entry(i)[QLatin1String("loaded")].toBool() ? u'+' : u'-');
+    names.sort();
+    QCOMPARE(names, (QStringList{QStringLiteral("good+"), QStringLiteral("swirl-")}));
+    QVERIFY(told.out.contains("variation “swirl”"));
+    QVERIFY(run("info swirl.flame").out.contains("reason"));
+    QCOMPARE(run("info swirl.flame --entry good").status, 0);
+    QCOMPARE(run("info swirl.flame --entry swirl").status, 1);
+    QCOMPARE(run("gallery swirl.flame -o swirl.png").status, 1);
+    QCOMPARE(run("render swirl.flame -o swirl.svg").status, 0);
+
+    write("cut.flame", read("swirl.flame").replace("swirl", "linear").chopped(12));
+    for (const char* arguments : {"info cut.flame", "convert cut.flame cut.ifs",
+                                  "gallery cut.flame -o cut.png", "render cut.flame -o cut.svg"}) {
+        const Result result = run(arguments);
+        QVERIFY2(result.err.contains("error: The XML ends here"), result.err.constData());
+        QCOMPARE(result.status, 1);
+    }
+    for (const char* name : {"cut.ifs", "cut.png", "cut.svg"})
+        QVERIFY(QFile::exists(path(name)));
+}
+
+void CliConvertTest::cagesThatCannotBeBaked() {
+    const auto entry = [](const QByteArray& name, const QByteArrayList& rest, const QByteArrayList& current) {
+        QByteArray text = name + " {\n";
+        for (const QByteArray& place : rest)
+            text += "; barycage: rest " + place + '\n';
+        for (const QByteArray& place : current)
+            text += "; barycage: current " + place + '\n';
+        return text + " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n";
+    };
+    write("caged.ifs", entry("bent", {"0 0", "1 0", "1 1", "0 1"}, {"0 0", "1 0", "2 2", "0 1"}) +
+                           entry("flat", {"0 0", "1 0", "0 1"}, {"1 1", "2 2", "3 3"}));
+    const Result points = run("convert caged.ifs bent.csv --entry bent --points 4");
+    QCOMPARE(points.status, 1);
+    QVERIFY2(points.err.contains("bends") && !QFile::exists(path("bent.csv")), points.err.constData());
+    const Result baked = run("convert caged.ifs baked-cages.ifs --bake");
+    QCOMPARE(baked.status, 1);
+    QVERIFY2(baked.err.contains("“bent” is left out: its cage bends"), baked.err.constData());
+    QVERIFY2(baked.err.contains("“flat” is left out: its cage is too flat"), baked.err.constData());
+    QVERIFY(!QFile::exists(path("baked-cages.ifs")));
+}
+
+void CliConvertTest::filesOfOneNameGetNumbers() {
+    write("same.ifs", "a {\n .5 0 0 .5 0 0 1\n}\n");
+    write("same.csv", "a,b,c,d,e,f,p\n.5,0,0,.5,0,0,1\n");
+    write("same-2.csv", read("same.csv"));
+    const Result result = run("convert same.ifs same.csv same-2.csv same/ --to flame");
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.startsWith("same.csv: warning: ") && result.err.contains("same-2.flame"),
+             result.err.constData());
+    for (const char* name : {"same/same.flame", "same/same-2.flame", "same/same-2-2.flame"})
+        QVERIFY2(QFile::exists(path(name)), name);
+    QVERIFY(read("same/same.flame").contains("name=\"a\""));
+    QVERIFY(read("same/same-2.flame").contains("name=\"same\""));
+}
+
+void CliConvertTest::writesToStandardOutput() {
+    QCOMPARE(run("convert systems.ifs --entry fern fern-file.csv").status, 0);
+    const Result table = run("convert - - --to csv --entry fern", read("systems.ifs"));
+    QCOMPARE(table.status, 0);
+    QCOMPARE(table.out, read("fern-file.csv"));
+    QVERIFY(table.err.isEmpty());
+    QCOMPARE(run("convert systems.ifs - --to ifs").out, read("systems.ifs"));
+    QVERIFY(run("convert systems.ifs - --to pdf").out.startsWith("%PDF"));
+    QCOMPARE(run("convert systems.ifs --entry fern - --to ply --points 7").out.count("element vertex 7\n"),
+             1);
+    QCOMPARE(run("convert systems.ifs - --to csv").status, 1);
+    QCOMPARE(run("convert systems.ifs -").status, 2);
+    QCOMPARE(run("convert systems.ifs broken.ifs - --to flame").status, 2);
+    QVERIFY(!QFile::exists(path("-")));
 }
 
 QTEST_GUILESS_MAIN(CliConvertTest)

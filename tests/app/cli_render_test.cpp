@@ -12,6 +12,8 @@ class CliRenderTest : public CommandLineTest {
     Q_OBJECT
 
 private slots:
+    void writesToStandardOutput();
+    void entriesInSpaceArePassedOver();
     void aPointIsInTheMiddle();
     void thousandsOfMapsFitIntoMemory();
     void sameBytesForAnyThreads();
@@ -258,6 +260,35 @@ void CliRenderTest::pictureOptionsCount() {
     QCOMPARE(draw("--bits 16 --dpi 254").status, 0);
     QCOMPARE(pictures.back().depth(), 64);
     QCOMPARE(pictures.back().dotsPerMeterX(), 10000);
+}
+
+void CliRenderTest::writesToStandardOutput() {
+    for (const QByteArray format : {"png", "svg", "pdf"}) {
+        QCOMPARE(run("render systems.ifs --size 30x20 -o printed." + format).status, 0);
+        const Result printed = run("render systems.ifs --size 30x20 -o - --to " + format);
+        QCOMPARE(printed.status, 0);
+        QCOMPARE(printed.out, read("printed." + format));
+        QVERIFY(printed.err.isEmpty());
+    }
+    QCOMPARE(run("render systems.ifs -o -").status, 2);
+    const Result sheet = run("gallery systems.ifs --tile 40x40 -o -");
+    QCOMPARE(sheet.status, 0);
+    QVERIFY(sheet.out.startsWith("\x89PNG"));
+    QVERIFY(!QFile::exists(path("-")));
+}
+
+// The first entry in the plane, that is: another draws nothing.
+void CliRenderTest::entriesInSpaceArePassedOver() {
+    const QByteArray space = "cube (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n}\n";
+    write("cube.ifs", space);
+    write("cube-first.ifs", space + "line {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
+    QCOMPARE(run("render cube-first.ifs --size 30x20 -o line.png").status, 0);
+    QVERIFY(QFile::exists(path("line.png")));
+    const Result named = run("render cube-first.ifs --size 30x20 -o cube.png --entry cube");
+    QCOMPARE(named.status, 1);
+    QVERIFY(named.err.contains("in space"));
+    QCOMPARE(run("render cube.ifs --size 30x20 -o cube.png").status, 1);
+    QVERIFY(!QFile::exists(path("cube.png")));
 }
 
 QTEST_GUILESS_MAIN(CliRenderTest)

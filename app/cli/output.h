@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "exit_status.h"
+
+#include "io/export_job.h"
+
+#include <QByteArray>
+#include <QString>
+
+namespace cli {
+
+// "-", in place of a file.
+bool isStandardOutput(const QString& output);
+
+// What goes wrong has then been reported.
+ExitStatus writeOutput(const QString& output, const QByteArray& bytes);
+
+// Like io::exportTo(); on standard output appears all or nothing as well.
+io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
+                               std::stop_token stop);
+
+} // namespace cli
