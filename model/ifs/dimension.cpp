@@ -5,6 +5,7 @@
 #include "ifs/decomposition.h"
 #include "ifs/invariant_form.h"
 #include "ifs/iterated_function_system.h"
+#include "ifs/rank_one.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,13 +30,9 @@ template <class Function> double bisect(Function function, double low, double hi
 // |A_iᵀx|^(2−t)·|det A_i|^(t−1) above; its growth rate is that of Σ φ^t(A_σ) over the words σ.
 class TransferOperator {
 public:
-    explicit TransferOperator(std::span<const AffineMap<2>> maps) {
-        constexpr std::size_t MostCells = 500, FewestCells = 50, MostImages = 50'000;
-        m_cells = std::clamp(MostImages / maps.size(), FewestCells, MostCells);
-        // So that thousands of maps do not cost more than a hundred.
-        m_iterations = int(std::clamp<std::size_t>(200 * MostImages / (m_cells * maps.size()), 20, 200));
+    TransferOperator(std::span<const AffineMap<2>> maps, std::size_t cells) : m_cells(cells) {
         for (const auto& map : maps) {
-            m_determinants.push_back(std::abs(determinant<2>(map.linear)));
+            m_determinants.push_back(isFlat(map.linear) ? 0 : std::abs(determinant<2>(map.linear)));
             for (std::size_t j = 0; j < m_cells; ++j) {
                 const double angle = (double(j) + 0.5) * std::numbers::pi / double(m_cells);
                 m_images.push_back(
@@ -46,15 +43,16 @@ public:
 
     // ln of the growth rate of L_tⁿ1.
     double pressure(double t) const {
+        constexpr int Iterations = 200;
         const std::vector<double> weights = weightsFor(t);
         std::vector<double> f(m_cells, 1), next(m_cells);
         double growth = 0;
         int counted = 0;
-        for (int n = 0; n < m_iterations; ++n) {
+        for (int n = 0; n < Iterations; ++n) {
             apply(weights, f, next);
             const double largest = std::ranges::max(next);
             if (!(largest > 0)) return -std::numeric_limits<double>::infinity();
-            if (2 * n >= m_iterations) { // the first half only forgets where it started
+            if (2 * n >= Iterations) { // the first half only forgets where it started
                 growth += std::log(largest);
                 ++counted;
             }
@@ -101,18 +99,51 @@ private:
     void apply(const std::vector<double>& weights, const std::vector<double>& f,
                std::vector<double>& next) const {
         std::ranges::fill(next, 0.0);
-        for (std::size_t k = 0; k < m_images.size(); ++k) {
-            const Image& at = m_images[k];
-            const std::size_t after = at.cell + 1 == m_cells ? 0 : at.cell + 1;
-            next[k % m_cells] += weights[k] * (f[at.cell] + at.fraction * (f[after] - f[at.cell]));
-        }
+        for (std::size_t k = 0; k < m_images.size();)
+            for (std::size_t j = 0; j < m_cells; ++j, ++k) {
+                const Image& at = m_images[k];
+                const std::size_t after = at.cell + 1 == m_cells ? 0 : at.cell + 1;
+                next[j] += weights[k] * (f[at.cell] + at.fraction * (f[after] - f[at.cell]));
+            }
     }
 
     std::size_t m_cells;
-    int m_iterations;
     std::vector<double> m_determinants;
     std::vector<Image> m_images; // map by map, cell by cell
 };
+
+// The zero of a decreasing function on [0, 2], looked for first within `reach` of where it may be.
+template <class Function> double zeroNear(Function function, double guess, double reach) {
+    constexpr double Accuracy = 1e-8;
+    for (;; reach *= 32) {
+        const double low = std::max(guess - reach, 0.0), high = std::min(guess + reach, 2.0);
+        if ((low == 0 || function(low) > 0) && (high == 2 || function(high) <= 0))
+            return bisect(function, low, high, int(std::ceil(std::log2((high - low) / Accuracy))));
+    }
+}
+
+// Where the pressure vanishes, on finer and finer directions. The error of each falls with the square of the
+// spacing where the eigenfunction is smooth; so extrapolated, three in a row must agree.
+std::optional<double> refinedDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop) {
+    constexpr std::size_t FewestCells = 64, MostCells = 8192, MostImages = 800'000;
+    constexpr double Agreement = 1e-6;
+    double found = 1, extrapolated = -1;
+    int agreeing = 0;
+    for (std::size_t cells = FewestCells; cells <= MostCells && cells * maps.size() <= MostImages;
+         cells *= 2) {
+        const TransferOperator transfer(maps, cells);
+        const auto pressure = [&](double t) { return stop.stop_requested() ? 0 : transfer.pressure(t); };
+        const bool isFirst = cells == FewestCells;
+        const double finer = zeroNear(pressure, found, isFirst ? 1 : 1e-4);
+        if (stop.stop_requested()) return std::nullopt;
+        const double next = finer + (isFirst ? 0 : (finer - found) / 3);
+        agreeing = std::abs(next - extrapolated) <= Agreement ? agreeing + 1 : 0;
+        if (agreeing == 2) return next;
+        found = finer;
+        extrapolated = next;
+    }
+    return std::nullopt;
+}
 
 template <int Dim> std::vector<double> similarityRatios(std::span<const AffineMap<Dim>> maps) {
     std::vector<double> ratios;
@@ -134,8 +165,16 @@ template <int Dim> double firstBound(std::span<const AffineMap<Dim>> maps) {
     return bisect(excess, 0, Largest, 60);
 }
 
+bool hasAttractor(std::span<const AffineMap<2>> maps) {
+    const Verdict verdict = classify(maps).verdict;
+    return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
+}
+
 template <int Dim> std::optional<double> dimensionOf(std::span<const AffineMap<Dim>> maps) {
-    if constexpr (Dim == 2) return affinityDimension(maps);
+    if constexpr (Dim == 2) {
+        if (const auto dimension = affinityDimension(maps)) return dimension;
+        if (!hasAttractor(maps)) return std::nullopt;
+    }
     if (const auto dimension = similarityDimension<Dim>(maps)) return dimension;
     return maps.empty() ? std::nullopt : std::optional(firstBound<Dim>(maps));
 }
@@ -183,8 +222,7 @@ template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, doubl
 }
 
 std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop) {
-    const Verdict verdict = classify(maps).verdict;
-    if (verdict != Verdict::Hyperbolic && verdict != Verdict::EventuallyContractive) return std::nullopt;
+    if (!hasAttractor(maps)) return std::nullopt;
     if (maps.size() == 1) return 0;
     if (const auto dimension = similarityDimension(maps)) return dimension;
     double area = 0;
@@ -192,11 +230,9 @@ std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, cons
         area += std::abs(determinant<2>(map.linear));
     if (area >= 1) // above 2 the pressure is ln Σ |det A_i|^(t/2)
         return moranDimension(similarityRatios<2>(maps));
-    const TransferOperator transfer(maps);
-    constexpr int Steps = 26;
-    const double dimension =
-        bisect([&](double t) { return stop.stop_requested() ? 0 : transfer.pressure(t); }, 0, 2, Steps);
-    return stop.stop_requested() ? std::nullopt : std::optional(dimension);
+    if (std::ranges::all_of(maps, [](const auto& map) { return isFlat(map.linear); }))
+        return rankOneDimension(maps, stop);
+    return refinedDimension(maps, stop);
 }
 
 template <int Dim> std::vector<double> dimensionWeights(std::span<const AffineMap<Dim>> maps, double floor) {

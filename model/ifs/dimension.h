@@ -19,9 +19,9 @@ template <int Dim> std::optional<double> similarityDimension(std::span<const Aff
 // φ^t(A), Falconer's singular value function, t ≥ 0.
 template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, double t);
 
-// Falconer's affinity dimension (not capped at Dim), by the transfer operator on directions in the plane
-// (error about 1e-6); an upper bound of the box dimension. nullopt without an attractor,
-// or when stopped.
+// Falconer's affinity dimension (not capped at Dim), by the transfer operator on directions in the plane, and
+// exactly where every map is flat; an upper bound of the box dimension. The error is about 1e-6. nullopt
+// without an attractor, where that is not reached, or when stopped.
 std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop = {});
 
 } // namespace ifs
