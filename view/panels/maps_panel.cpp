@@ -124,7 +124,7 @@ QToolButton* MapsPanel::button(QAction* action) {
 }
 
 QToolButton* MapsPanel::weightsButton() {
-    auto* menu = new QMenu(this);
+    auto* menu = new QMenu(tr("Weights"), this);
     const auto add = [&](const char* iconName, const QString& text, const QString& tip, WeightRule rule) {
         QAction* rules = menu->addAction(icon(QString::fromLatin1(iconName)), text, this,
                                          [this, rule] { applyWeights(rule); });
