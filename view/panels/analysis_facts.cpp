@@ -151,25 +151,21 @@ QString word(const std::vector<int>& address, const std::vector<std::size_t>& ro
 } // namespace
 
 QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Analysis", text); };
     const QString factor = shortNumber(existence.contractivity);
     switch (existence.verdict) {
     case ifs::Verdict::Hyperbolic:
-        return tr(QT_TRANSLATE_NOOP("Analysis", "Yes: hyperbolic, every map contracts by %1 or less."))
-            .arg(factor);
+        return Facts::tr("Yes: hyperbolic, every map contracts by %1 or less.").arg(factor);
     case ifs::Verdict::EventuallyContractive:
-        return tr(QT_TRANSLATE_NOOP("Analysis",
-                                    "Yes: eventually contractive, every word of %1 maps contracts (%2 a "
-                                    "map)."))
+        return Facts::tr("Yes: eventually contractive, every word of %1 maps contracts (%2 a map).")
             .arg(existence.wordLength)
             .arg(factor);
     case ifs::Verdict::None:
-        return tr(QT_TRANSLATE_NOOP("Analysis", "None: the word %1 does not contract (%2 a map)."))
+        return Facts::tr("None: the word %1 does not contract (%2 a map).")
             .arg(word(existence.witness, rows), factor);
     case ifs::Verdict::Undecided:
-        return tr(QT_TRANSLATE_NOOP("Analysis", "Undecided: no proof either way was found."));
+        return Facts::tr("Undecided: no proof either way was found.");
     case ifs::Verdict::Empty:
-        return tr(QT_TRANSLATE_NOOP("Analysis", "None: no map takes part."));
+        return Facts::tr("None: no map takes part.");
     }
     return {};
 }
