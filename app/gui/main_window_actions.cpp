@@ -125,10 +125,12 @@ void MainWindow::createFileActions() {
 void MainWindow::createEditActions() {
     m_editMenu = menuBar()->addMenu(tr("&Edit"));
     QAction* undo = m_document.undoStack()->createUndoAction(this, tr("&Undo"));
+    undo->setIconText(tr("&Undo").remove(u'&')); // whatever step it takes back
     undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
     undo->setIcon(view::icon(QStringLiteral("undo")));
     undo->setStatusTip(tr("Take the last edit back"));
     QAction* redo = m_document.undoStack()->createRedoAction(this, tr("&Redo"));
+    redo->setIconText(tr("&Redo").remove(u'&'));
     redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
     redo->setIcon(view::icon(QStringLiteral("redo")));
     redo->setStatusTip(tr("Make the edit again that was taken back"));
@@ -354,14 +356,14 @@ void MainWindow::createHelpActions() {
     m_helpMenu = menuBar()->addMenu(tr("&Help"));
     command(m_helpMenu, QStringLiteral("search"), tr("&Find a Command…"), QKeySequence(tr("Ctrl+K")),
             tr("Find any command by typing what it does"), [this] {
-                auto* palette = new view::CommandPalette(view::actionsOf(menuBar()), this);
+                auto* palette = new view::CommandPalette(view::actionsOf(*this), this);
                 palette->setAttribute(Qt::WA_DeleteOnClose);
                 palette->move(mapToGlobal(QPoint((width() - palette->width()) / 2, height() / 6)));
                 palette->show();
             });
     command(m_helpMenu, QStringLiteral("help"), tr("&Keyboard and Mouse…"), QKeySequence(tr("Ctrl+/")),
             tr("Every shortcut and gesture"), [this] {
-                auto* dialog = new view::ShortcutsDialog(view::actionsOf(menuBar()), this);
+                auto* dialog = new view::ShortcutsDialog(view::actionsOf(*this), this);
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->show();
             });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dialogs/command_palette.h"
 #include "dialogs/paste_table_dialog.h"
 #include "dialogs/preferences_dialog.h"
 #include "main_window.h"
@@ -15,11 +16,13 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QHash>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScreen>
+#include <QSet>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -45,6 +48,7 @@ private slots:
     void windowsHaveTheirOwnDocuments();
     void whatOthersCopiedIsPasted();
     void theHintGoesWithAnotherTool();
+    void commandsOfThePanelsAreFound();
 
 private:
     static QList<MainWindow*> windows() { return session::windows(); }
@@ -329,6 +333,52 @@ void MainWindowTest::theHintGoesWithAnotherTool() {
         QVERIFY(canvas->hint().isEmpty());
         delete window;
     }
+}
+
+void MainWindowTest::commandsOfThePanelsAreFound() {
+    MainWindow* window = shown({});
+    QHash<QString, QAction*> found;
+    for (const view::NamedAction& action : view::actionsOf(*window)) {
+        QVERIFY2(!found.contains(action.path), qPrintable(action.path));
+        found.insert(action.path, action.action);
+    }
+    const std::pair<const char*, QKeySequence> wanted[] = {
+        {"Maps › Add", QKeySequence(QStringLiteral("Ctrl+Ins"))},
+        {"Maps › Duplicate", QKeySequence(Qt::Key_Insert)},
+        {"Maps › Delete", QKeySequence(Qt::Key_Delete)},
+        {"Maps › Move Up", QKeySequence(QStringLiteral("Alt+Up"))},
+        {"Maps › Copy Rows", QKeySequence(QKeySequence::Copy)},
+        {"Maps › Weights › By |Determinant|", {}},
+        {"Maps › Weights › Normalise", {}},
+        {"Entries › Add Entry", {}},
+        {"Entries › Duplicate", QKeySequence(Qt::Key_Insert)},
+        {"Entries › Rename", QKeySequence(Qt::Key_F2)},
+        {"Entries › Move Down", QKeySequence(QStringLiteral("Alt+Down"))},
+        {"Collection › Favourite", QKeySequence(QStringLiteral("Ctrl+D"))},
+        {"Collection › Add to This File", QKeySequence(QStringLiteral("Shift+Return"))},
+        {"Edit › Undo", QKeySequence(QStringLiteral("Ctrl+Z"))},
+    };
+    for (const auto& [path, keys] : wanted) {
+        QAction* action = found.value(QString::fromUtf8(path));
+        QVERIFY2(action, path);
+        QCOMPARE(action->shortcut(), keys);
+    }
+    // A key that two commands have is the window's in at most one of them.
+    QSet<QKeySequence> ofTheWindow;
+    for (const QAction* action : std::as_const(found))
+        for (const QKeySequence& keys : action->shortcuts()) {
+            if (action->shortcutContext() != Qt::WindowShortcut) continue;
+            QVERIFY2(!ofTheWindow.contains(keys), qPrintable(keys.toString()));
+            ofTheWindow.insert(keys);
+        }
+    // A step in the history does not change what the command is called.
+    auto* add = found.value(QStringLiteral("Maps › Add"));
+    add->trigger();
+    QVERIFY(found.value(QStringLiteral("Edit › Undo"))->text() != QStringLiteral("&Undo"));
+    bool named = false;
+    for (const view::NamedAction& action : view::actionsOf(*window))
+        named = named || action.path == QStringLiteral("Edit › Undo");
+    QVERIFY(named);
 }
 
 QTEST_MAIN(MainWindowTest)

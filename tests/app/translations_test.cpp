@@ -115,6 +115,7 @@ private slots:
     void oneIsSingular();
 
 private:
+    static QStringList textsFoundNowhere(const QSet<QString>& keys);
     static void languages() {
         QTest::addColumn<QString>("language");
         for (const char* language : {"de", "en", "es", "fr", "mk"})
@@ -150,6 +151,35 @@ void TranslationsTest::nothingIsMissing() {
         qInfo("%s: %lld texts are not translated yet", qPrintable(language), qlonglong(missing.size()));
 }
 
+// The texts between quotes that are marked to be translated, in the sources, without those that lupdate found
+// under any context.
+QStringList TranslationsTest::textsFoundNowhere(const QSet<QString>& keys) {
+    QSet<QString> known;
+    for (const QString& key : keys)
+        known.insert(key.section(u'|', 1, -2));
+    static const QRegularExpression marked(QStringLiteral(
+        "\\b(?:tr\\(|(?:QT_TRANSLATE_NOOP|QT_TRANSLATE_N_NOOP|translate)\\(\\s*\"[\\w:]+\",)\\s*"
+        "((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)"));
+    static const QRegularExpression joint(QStringLiteral("\"\\s*\""));
+    QStringList overlooked;
+    for (const char* folder : {"app/gui", "model", "view"})
+        for (QDirIterator files(support::sourcePath(QLatin1String(folder)), {QStringLiteral("*.cpp")},
+                                QDir::Files, QDirIterator::Subdirectories);
+             files.hasNext();) {
+            QFile file(files.next());
+            if (!file.open(QIODevice::ReadOnly)) return {file.fileName()};
+            const QString source = QString::fromUtf8(file.readAll());
+            for (auto it = marked.globalMatch(source); it.hasNext();) {
+                QString text = it.next().captured(1).trimmed().remove(joint);
+                text = text.mid(1, text.size() - 2);
+                for (const auto& [written, meant] : {std::pair{"\\n", "\n"}, {"\\t", "\t"}, {"\\\"", "\""}})
+                    text.replace(QLatin1String(written), QLatin1String(meant));
+                if (!known.contains(text)) overlooked << file.fileName() + QStringLiteral(": ") + text;
+            }
+        }
+    return overlooked;
+}
+
 // As lupdate finds them in the sources as they are now.
 void TranslationsTest::everyTextOfTheProgramIsInTheCatalogues() {
     QTemporaryDir folder;
@@ -175,6 +205,9 @@ void TranslationsTest::everyTextOfTheProgramIsInTheCatalogues() {
         if (message.counts) counting.insert(message.key());
     }
     QVERIFY(texts.size() > 800);
+    const QStringList overlooked = textsFoundNowhere(texts);
+    QVERIFY2(overlooked.isEmpty(),
+             qPrintable(QStringLiteral("lupdate does not collect:\n") + overlooked.join(u'\n')));
     for (const char* language : {"de", "en", "es", "fr", "mk"}) {
         const QString name = QString::fromLatin1(language);
         QSet<QString> lacking = name == QLatin1String("en") ? counting : texts;

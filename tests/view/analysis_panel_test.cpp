@@ -65,6 +65,47 @@ private slots:
                     .contains(QStringLiteral("no map takes part")));
     }
 
+    // A hundred thousand numbers in a label would hold up the window.
+    void longListsAreCutShortToReadAndCopiedWhole() {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        auto& maps = document::system2(fractal)->maps;
+        while (maps.size() < 300)
+            maps.push_back(maps[maps.size() % 3]);
+        const auto facts = factsOf(fractal);
+        for (const char* name : {"Contraction", "Fixed points"}) {
+            const auto fact = std::find_if(facts.begin(), facts.end(), [&](const auto& each) {
+                return each.name == QLatin1String(name);
+            });
+            QVERIFY(fact != facts.end());
+            QVERIFY2(fact->value.size() < 1000, name);
+            QVERIFY2(fact->value.endsWith(QStringLiteral("… and 276 more")), qPrintable(fact->value));
+            QCOMPARE(fact->exact.count(QStringLiteral("  ")), 299);
+        }
+    }
+
+    void aLineEndsBetweenPairsAndItsNameIsLevelWithTheFirst() {
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.resize(260, 900);
+        panel.show();
+        QTRY_VERIFY(!valueOf(panel.facts(), QStringLiteral("Fixed points")).isEmpty());
+        QLabel* value = nullptr;
+        QLabel* name = nullptr;
+        for (auto* label : panel.findChildren<QLabel*>()) {
+            if (label->accessibleName() == QStringLiteral("Fixed points")) value = label;
+            if (label->text() == QStringLiteral("Fixed points")) name = label;
+        }
+        QVERIFY(name && value);
+        QVERIFY(value->text().contains(QStringLiteral("(0.1795,\u00a05.0725)")));
+        QVERIFY(value->text().contains(u' ')); // between the pairs
+        QVERIFY(value->height() > 2 * value->fontMetrics().height());
+        QVERIFY(name->alignment() & Qt::AlignTop);
+        QVERIFY(value->alignment() & Qt::AlignTop);
+        QCOMPARE(name->y(), value->y());
+    }
+
     void computesOnlyWhenVisibleAndFollows() {
         document::Document document;
         document.setFile(document::fileOf(maple()));

@@ -52,6 +52,7 @@ private slots:
     void add();
     void removeSeveral();
     void removeAll();
+    void manyAtOnce();
     void duplicate();
     void renameByKeyboard();
     void badNameKeepsTheEditorOpen();
@@ -160,6 +161,31 @@ void EntriesPanelTest::removeSeveral() {
     QVERIFY(m_list->currentIndex().isValid());
     QCOMPARE(m_list->currentIndex().data().toString(), currentName());
     checkOneStep();
+}
+
+// Neighbours are selected as one range: of a hundred thousand entries, one by one would take minutes.
+void EntriesPanelTest::manyAtOnce() {
+    QStringList wanted;
+    for (int i = 0; i < 20'000; ++i)
+        wanted << QStringLiteral("n%1").arg(i);
+    m_document->setFile(fileOfNames(wanted));
+    m_list->selectAll();
+    m_panel->copySelected();
+    QCOMPARE(view::entriesIn(*QGuiApplication::clipboard()->mimeData()).entries.size(), wanted.size());
+    m_panel->duplicateSelected();
+    QCOMPARE(names().size(), 2 * wanted.size());
+    QCOMPARE(names()[1], wanted[1]);
+    QCOMPARE(m_list->selectionModel()->selection().size(), 1);
+    QCOMPARE(m_list->selectedIds().size(), wanted.size());
+    m_panel->moveUp();
+    QCOMPARE(names().last(), wanted.last());
+    QCOMPARE(m_list->selectionModel()->selection().size(), 1);
+    m_panel->removeSelected();
+    QCOMPARE(names(), wanted);
+    m_document->undoStack()->undo();
+    m_document->undoStack()->undo();
+    m_document->undoStack()->undo();
+    QCOMPARE(names(), wanted);
 }
 
 void EntriesPanelTest::removeAll() {

@@ -34,6 +34,19 @@ private slots:
         QCOMPARE(model.headerData(0, Qt::Vertical).toInt(), 1);
     }
 
+    // The header of the rows shows the warning, and asks for it again only when told to.
+    void warningsComeAndGoInTheRowHeader() {
+        MapsModel model(m_document.get());
+        QVERIFY(model.headerData(1, Qt::Vertical, MapsModel::WarningRole).toString().isEmpty());
+        QSignalSpy header(&model, &MapsModel::headerDataChanged);
+        QVERIFY(model.setData(model.index(1, MapsModel::A), 3.0));
+        QVERIFY(!model.headerData(1, Qt::Vertical, MapsModel::WarningRole).toString().isEmpty());
+        QCOMPARE(header.takeFirst(), (QVariantList{QVariant::fromValue(Qt::Vertical), 0, 3}));
+        m_document->undoStack()->undo();
+        QVERIFY(model.headerData(1, Qt::Vertical, MapsModel::WarningRole).toString().isEmpty());
+        QCOMPARE(header.size(), 1);
+    }
+
     void flagsSayWhatCanBeEdited() {
         const MapsModel model(m_document.get());
         for (int column = 0; column < MapsModel::ColumnCount; ++column) {

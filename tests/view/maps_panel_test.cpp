@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/paste_table_dialog.h"
+#include "document/edit_gesture.h"
 #include "panels/map_shape_editor.h"
 #include "panels/maps_panel.h"
 #include "panels/number_field.h"
@@ -46,6 +47,38 @@ private slots:
         QTRY_COMPARE(m_document->undoStack()->count(), 1);
         m_document->undoStack()->undo();
         QCOMPARE(coefficient(1, 0, 0), 0.61);
+    }
+
+    // The numbers of a drag have more digits and signs than those before it.
+    void columnsHaveRoomForTheNumbersOfADrag() {
+        document::EditGesture gesture(*m_document, QStringLiteral("drag"));
+        document::Fractal moved = m_document->fractal();
+        document::system2(moved)->maps[0].map.linear(0, 1) = -0.1234;
+        document::system2(moved)->maps[1].map.translation = {-1234.5678, -8.3333e-17};
+        gesture.preview(moved);
+        const QTableView* table = m_panel->table();
+        const QAbstractItemView* view = table; // where the hint is public
+        for (int column = 0; column < MapsModel::ColumnCount; ++column)
+            if (!table->isColumnHidden(column))
+                QVERIFY2(table->columnWidth(column) >= view->sizeHintForColumn(column),
+                         qPrintable(QString::number(column)));
+        const int wide = table->columnWidth(MapsModel::E);
+        document::system2(moved)->maps[1].map.translation = {1, 1};
+        gesture.preview(moved);
+        QCOMPARE(table->columnWidth(MapsModel::E), wide); // nothing moves to and fro
+        gesture.commit();
+        QVERIFY(table->columnWidth(MapsModel::E) < wide);
+    }
+
+    void anEditorDoesNotHideTheNumberBefore() {
+        const NumberField* editor = openEditor(1, MapsModel::B);
+        QTableView* table = m_panel->table();
+        const QRect cell = table->visualRect(table->model()->index(1, MapsModel::B));
+        QVERIFY(editor->width() > cell.width());
+        QCOMPARE(editor->x(), cell.x());
+        table->scrollTo(table->model()->index(1, MapsModel::Weight));
+        const NumberField* last = openEditor(1, MapsModel::Weight);
+        QVERIFY(last->geometry().right() < table->viewport()->width());
     }
 
     void aTypedKeyStartsTheEdit() {

@@ -2,13 +2,18 @@
 #include "dialogs/command_palette.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListView>
+#include <QMainWindow>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPixmap>
 #include <QRegularExpression>
+#include <QSet>
 #include <QStandardItemModel>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -19,20 +24,39 @@ namespace {
 
 constexpr int actionRole = Qt::UserRole;
 
-QString plain(QString text) {
-    return text.remove(u'&').remove(u'…');
+// The name of the command, which for Undo is not that of the step.
+QString nameOf(const QAction* action) {
+    return action->iconText().remove(u'&').remove(u'…');
 }
 
-void collect(const QList<QAction*>& actions, const QString& path, QList<NamedAction>& found) {
+QString below(const QString& path, const QString& name) {
+    return path.isEmpty() ? name : path + QStringLiteral(" › ") + name;
+}
+
+void collect(const QList<QAction*>& actions, const QString& path, QList<NamedAction>& found,
+             QWidget* panel = nullptr) {
     for (QAction* action : actions) {
-        if (action->isSeparator() || action->text().isEmpty()) continue;
-        const QString here =
-            path.isEmpty() ? plain(action->text()) : path + QStringLiteral(" › ") + plain(action->text());
+        const QString name = nameOf(action);
+        if (action->isSeparator() || !action->isVisible() || name.isEmpty()) continue;
         if (const QMenu* menu = action->menu())
-            collect(menu->actions(), here, found);
+            collect(menu->actions(), below(path, name), found, panel);
         else
-            found << NamedAction{action, here};
+            found << NamedAction{action, below(path, name), panel};
     }
+}
+
+// What the widgets of a panel have as actions of their own or in the menu of a button.
+QList<NamedAction> actionsIn(QDockWidget* panel) {
+    QList<NamedAction> found;
+    for (const QWidget* widget : panel->widget()->findChildren<QWidget*>()) {
+        if (qobject_cast<const QMenu*>(widget)) continue; // by its button
+        const auto* button = qobject_cast<const QToolButton*>(widget);
+        if (button && button->menu() && button->menu()->title().isEmpty())
+            collect(button->menu()->actions(), below(panel->windowTitle(), button->text()), found, panel);
+        else
+            collect(widget->actions(), panel->windowTitle(), found, panel);
+    }
+    return found;
 }
 
 } // namespace
@@ -53,6 +77,20 @@ bool matchesCommand(const QString& title, const QString& text) {
 QList<NamedAction> actionsOf(const QWidget* menuBar) {
     QList<NamedAction> found;
     collect(menuBar->actions(), {}, found);
+    return found;
+}
+
+QList<NamedAction> actionsOf(const QMainWindow& window) {
+    QList<NamedAction> found = actionsOf(window.menuWidget());
+    QSet<QString> known;
+    for (const NamedAction& action : std::as_const(found))
+        known.insert(action.path);
+    for (QDockWidget* panel : window.findChildren<QDockWidget*>())
+        for (const NamedAction& action : actionsIn(panel)) {
+            if (known.contains(action.path)) continue;
+            known.insert(action.path);
+            found << action;
+        }
     return found;
 }
 
@@ -97,7 +135,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
 void CommandPalette::filter(const QString& text) {
     m_model->clear();
     for (qsizetype i = 0; i < m_actions.size(); ++i) {
-        const auto& [action, title] = m_actions[i];
+        const auto& [action, title, panel] = m_actions[i];
         if (!action->isEnabled() || !matchesCommand(title, text)) continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QStandardItem(action->icon().isNull() ? m_noIcon : action->icon(),
@@ -112,8 +150,12 @@ void CommandPalette::filter(const QString& text) {
 void CommandPalette::run() {
     const QModelIndex index = m_list->currentIndex();
     if (!index.isValid()) return;
-    QAction* action = m_actions[index.data(actionRole).toInt()].action;
+    const auto [action, path, panel] = m_actions[index.data(actionRole).toInt()];
     accept();
+    if (panel) { // what it does is seen there
+        panel->show();
+        panel->raise();
+    }
     action->trigger();
 }
 

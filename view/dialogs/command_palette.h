@@ -8,16 +8,20 @@
 class QAction;
 class QLineEdit;
 class QListView;
+class QMainWindow;
 class QStandardItemModel;
 
 namespace view {
 
-// All actions that a menu bar offers, with their path through the menus ("View › Snap To › Grid").
+// An action and where it is found: through the menus ("View › Snap To › Grid") or in a panel ("Maps › Add").
 struct NamedAction {
     QAction* action;
     QString path;
+    QWidget* panel = nullptr; // that has it; null: the menu bar
 };
 QList<NamedAction> actionsOf(const QWidget* menuBar);
+// Those of the menu bar, then those of the panels that no menu has under the same path.
+QList<NamedAction> actionsOf(const QMainWindow& window);
 
 // Every command of a window, found by typing a few letters of what it does.
 class CommandPalette : public QDialog {

@@ -3,27 +3,37 @@
 
 #include <QAction>
 #include <QDialogButtonBox>
+#include <QHeaderView>
 #include <QLineEdit>
+#include <QScreen>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace view {
 
 namespace {
 
+// The one of this title, made when there is none.
 QTreeWidgetItem* group(QTreeWidget* tree, const QString& title) {
+    for (int i = 0; i < tree->topLevelItemCount(); ++i)
+        if (tree->topLevelItem(i)->text(0) == title) return tree->topLevelItem(i);
     auto* item = new QTreeWidgetItem(tree, {title});
     item->setFirstColumnSpanned(true);
     QFont bold = tree->font();
     bold.setBold(true);
     item->setFont(0, bold);
-    item->setExpanded(true);
     return item;
 }
 
+void addLine(QTreeWidget* tree, const QString& title, const QStringList& line) {
+    auto* item = new QTreeWidgetItem(group(tree, title), line);
+    item->setToolTip(0, line.front()); // cut off on a narrow screen
+}
+
 void addGestures(QTreeWidget* tree) {
-    auto* canvas = group(tree, ShortcutsDialog::tr("On the canvas"));
-    const QList<QStringList> gestures{
+    const QList<QStringList> onCanvas{
         {ShortcutsDialog::tr("Move a vertex, an edge, the whole cage"), ShortcutsDialog::tr("drag it")},
         {ShortcutsDialog::tr("Rotate about the pivot"),
          ShortcutsDialog::tr("Ctrl + drag, or the round handle")},
@@ -41,6 +51,8 @@ void addGestures(QTreeWidget* tree) {
          QKeySequence(Qt::Key_Delete).toString(QKeySequence::NativeText)},
         {ShortcutsDialog::tr("Insert a vertex on an edge, duplicate the selected maps"),
          QKeySequence(Qt::Key_Insert).toString(QKeySequence::NativeText)},
+        {ShortcutsDialog::tr("Take the last vertex back while a triangle is defined"),
+         ShortcutsDialog::tr("Backspace")},
         {ShortcutsDialog::tr("A deeper or a larger branch"),
          ShortcutsDialog::tr("Shift + wheel, Page Down, Page Up")},
         {ShortcutsDialog::tr("Next or previous handle"), ShortcutsDialog::tr("Tab, Shift+Tab")},
@@ -49,20 +61,30 @@ void addGestures(QTreeWidget* tree) {
         {ShortcutsDialog::tr("Zoom at the pointer"), ShortcutsDialog::tr("wheel")},
         {ShortcutsDialog::tr("Pan"), ShortcutsDialog::tr("middle drag, or Space + drag")},
     };
-    for (const QStringList& gesture : gestures)
-        new QTreeWidgetItem(canvas, gesture);
+    const QList<QStringList> onGradient{
+        {ShortcutsDialog::tr("Choose another stop"),
+         ShortcutsDialog::tr("Page Up, Page Down, Home, End, or Ctrl + Left, Right")},
+        {ShortcutsDialog::tr("Move the stop"), ShortcutsDialog::tr("Left, Right; Shift ×10")},
+        {ShortcutsDialog::tr("Add a stop"), ShortcutsDialog::tr("Ins or +, or double-click")},
+        {ShortcutsDialog::tr("Remove the stop"), ShortcutsDialog::tr("Del or Backspace")},
+        {ShortcutsDialog::tr("Change the colour of the stop"),
+         ShortcutsDialog::tr("Enter or Space, or double-click it")},
+        {ShortcutsDialog::tr("Take the change back"), ShortcutsDialog::tr("Esc")},
+    };
+    for (const QStringList& line : onCanvas)
+        addLine(tree, ShortcutsDialog::tr("On the canvas"), line);
+    for (const QStringList& line : onGradient)
+        addLine(tree, ShortcutsDialog::tr("On the strip of the gradient"), line);
 }
 
 void addActions(QTreeWidget* tree, const QList<NamedAction>& actions) {
-    QTreeWidgetItem* menu = nullptr;
-    for (const auto& [action, path] : actions) {
+    for (const auto& [action, path, panel] : actions) {
         QStringList keys;
         for (const QKeySequence& key : action->shortcuts())
             keys << key.toString(QKeySequence::NativeText);
         if (keys.isEmpty()) continue;
-        const QString title = path.section(QStringLiteral(" › "), 0, 0);
-        if (!menu || menu->text(0) != title) menu = group(tree, title);
-        new QTreeWidgetItem(menu, {path.section(QStringLiteral(" › "), 1), keys.join(QStringLiteral(", "))});
+        addLine(tree, path.section(QStringLiteral(" › "), 0, 0),
+                {path.section(QStringLiteral(" › "), 1), keys.join(QStringLiteral(", "))});
     }
 }
 
@@ -98,15 +120,21 @@ ShortcutsDialog::ShortcutsDialog(const QList<NamedAction>& actions, QWidget* par
     addGestures(tree);
     view::addActions(tree, actions);
     tree->expandAll();
-    tree->resizeColumnToContents(0);
-    tree->setColumnWidth(0, tree->columnWidth(0) + 2 * tree->indentation());
+    tree->header()->setStretchLastSection(false);
+    tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents); // the keys are always seen whole
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
 
     auto* column = new QVBoxLayout(this);
     column->addWidget(search);
     column->addWidget(tree);
     column->addWidget(buttons);
-    resize(620, 640);
+    const QAbstractItemView* view = tree; // where the hint is public
+    const int wanted = view->sizeHintForColumn(0) + view->sizeHintForColumn(1) + 3 * tree->indentation() +
+                       style()->pixelMetric(QStyle::PM_ScrollBarExtent) +
+                       style()->pixelMetric(QStyle::PM_LayoutLeftMargin) +
+                       style()->pixelMetric(QStyle::PM_LayoutRightMargin);
+    resize(std::min(wanted, screen()->availableSize().width()), 640);
     connect(search, &QLineEdit::textChanged, tree, [tree](const QString& text) { filter(tree, text); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }

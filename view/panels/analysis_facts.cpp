@@ -6,9 +6,13 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace view {
 
 namespace {
+
+constexpr std::size_t mostListed = 24; // maps of which a line says something
 
 class Facts {
     Q_DECLARE_TR_FUNCTIONS(Analysis)
@@ -27,6 +31,15 @@ private:
     }
     static QString pair(const ifs::Vector<2>& v, Format number) {
         return QStringLiteral("(%1, %2)").arg(number(v.x()), number(v.y()));
+    }
+    // All of them with all digits, to copy; to read, those of the first maps.
+    template <class Text> static QString list(std::size_t count, Format number, Text textOf) {
+        const std::size_t listed = number == &shortNumber ? std::min(count, mostListed) : count;
+        QStringList texts;
+        for (std::size_t i = 0; i < listed; ++i)
+            texts << textOf(i);
+        if (listed < count) texts << tr("… and %n more", nullptr, static_cast<int>(count - listed));
+        return texts.join(QStringLiteral("  "));
     }
     void addMaps();
     void addDimensions();
@@ -59,17 +72,14 @@ void Facts::addMaps() {
         true, [&](Format) { return verdict; });
     add(tr("Contraction"), tr("‖A‖ of each map that takes part: the most by which it stretches distances."),
         !m_facts.active.maps.empty(), [&](Format number) {
-            QStringList factors;
-            for (const auto& map : m_facts.active.maps)
-                factors << number(ifs::spectralNorm<2>(map.linear));
-            return factors.join(QStringLiteral("  "));
+            const auto& maps = m_facts.active.maps;
+            return list(maps.size(), number,
+                        [&](std::size_t i) { return number(ifs::spectralNorm<2>(maps[i].linear)); });
         });
     add(tr("Fixed points"), tr("The point that each map leaves where it is; it lies on the attractor."),
         !m_analysis.fixedPoints.empty(), [&](Format number) {
-            QStringList points;
-            for (const auto& point : m_analysis.fixedPoints)
-                points << pair(point, number);
-            return points.join(QStringLiteral("  "));
+            const auto& points = m_analysis.fixedPoints;
+            return list(points.size(), number, [&](std::size_t i) { return pair(points[i], number); });
         });
 }
 
@@ -151,25 +161,21 @@ QString word(const std::vector<int>& address, const std::vector<std::size_t>& ro
 } // namespace
 
 QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Analysis", text); };
     const QString factor = shortNumber(existence.contractivity);
     switch (existence.verdict) {
     case ifs::Verdict::Hyperbolic:
-        return tr(QT_TRANSLATE_NOOP("Analysis", "Yes: hyperbolic, every map contracts by %1 or less."))
-            .arg(factor);
+        return Facts::tr("Yes: hyperbolic, every map contracts by %1 or less.").arg(factor);
     case ifs::Verdict::EventuallyContractive:
-        return tr(QT_TRANSLATE_NOOP("Analysis",
-                                    "Yes: eventually contractive, every word of %1 maps contracts (%2 a "
-                                    "map)."))
+        return Facts::tr("Yes: eventually contractive, every word of %1 maps contracts (%2 a map).")
             .arg(existence.wordLength)
             .arg(factor);
     case ifs::Verdict::None:
-        return tr(QT_TRANSLATE_NOOP("Analysis", "None: the word %1 does not contract (%2 a map)."))
+        return Facts::tr("None: the word %1 does not contract (%2 a map).")
             .arg(word(existence.witness, rows), factor);
     case ifs::Verdict::Undecided:
-        return tr(QT_TRANSLATE_NOOP("Analysis", "Undecided: no proof either way was found."));
+        return Facts::tr("Undecided: no proof either way was found.");
     case ifs::Verdict::Empty:
-        return tr(QT_TRANSLATE_NOOP("Analysis", "None: no map takes part."));
+        return Facts::tr("None: no map takes part.");
     }
     return {};
 }

@@ -33,6 +33,17 @@ QIcon swatch(const QColor& colour) {
     return pixmap;
 }
 
+// No line ends inside the brackets of a pair.
+QString unbroken(QString text) {
+    int depth = 0;
+    for (QChar& c : text) {
+        if (c == u'(' || c == u'[') ++depth;
+        if (c == u')' || c == u']') --depth;
+        if (c == u' ' && depth > 0) c = QChar::Nbsp;
+    }
+    return text;
+}
+
 } // namespace
 
 AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridge, QWidget* parent)
@@ -191,8 +202,10 @@ void AnalysisPanel::makeLines(qsizetype count) {
     for (qsizetype i = 0; i < count; ++i) {
         auto* name = new QLabel(m_box);
         name->setForegroundRole(QPalette::PlaceholderText);
+        name->setAlignment(Qt::AlignLeading | Qt::AlignTop); // level with the first line of the value
         auto* value = new QLabel(m_box);
         value->setWordWrap(true);
+        value->setAlignment(Qt::AlignLeading | Qt::AlignTop);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         value->setContextMenuPolicy(Qt::CustomContextMenu);
         connect(value, &QWidget::customContextMenuRequested, this, [this, i, value](const QPoint& place) {
@@ -213,7 +226,7 @@ void AnalysisPanel::showLines() {
         auto* value = static_cast<QLabel*>(m_form->itemAt(row, QFormLayout::FieldRole)->widget());
         name->setText(fact.name);
         name->setToolTip(fact.definition);
-        value->setText(fact.value.isEmpty() ? QStringLiteral("–") : fact.value);
+        value->setText(fact.value.isEmpty() ? QStringLiteral("–") : unbroken(fact.value));
         value->setForegroundRole(fact.isPending ? QPalette::PlaceholderText : QPalette::WindowText);
         value->setToolTip(fact.definition);
         value->setAccessibleName(fact.name);

@@ -8,6 +8,7 @@
 #include <QDragEnterEvent>
 #include <QMimeData>
 #include <QPainter>
+#include <QSet>
 
 #include <algorithm>
 #include <utility>
@@ -40,9 +41,16 @@ QList<EntryId> EntriesList::selectedIds() const {
 }
 
 void EntriesList::select(const QList<EntryId>& ids) {
-    QItemSelection selection;
-    for (int row = 0; row < model()->rowCount(); ++row)
-        if (ids.contains(idAtRow(row))) selection.select(model()->index(row, 0), model()->index(row, 0));
+    const QSet<EntryId> wanted(ids.begin(), ids.end());
+    QItemSelection selection; // of as few ranges as there are
+    for (int first = 0; first < model()->rowCount(); ++first) {
+        int behind = first;
+        while (behind < model()->rowCount() && wanted.contains(idAtRow(behind)))
+            ++behind;
+        if (behind == first) continue;
+        selection.select(model()->index(first, 0), model()->index(behind - 1, 0));
+        first = behind;
+    }
     selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
 }
 

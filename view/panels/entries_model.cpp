@@ -173,9 +173,12 @@ void EntriesModel::reorder(const FractalFile& now) {
     if (sameOrder(sorted, m_shown)) return;
     emit layoutAboutToBeChanged({}, VerticalSortHint);
     const QModelIndexList from = persistentIndexList();
+    QHash<EntryId, int> rows;
+    for (int row = 0; row < sorted.entries.size(); ++row)
+        rows.insert(sorted.entries[row].id, row);
     QModelIndexList to;
     for (const QModelIndex& index : from)
-        to.append(this->index(static_cast<int>(document::indexOf(sorted, idAt(index)))));
+        to.append(this->index(rows.value(idAt(index))));
     m_shown = sorted;
     changePersistentIndexList(from, to);
     emit layoutChanged({}, VerticalSortHint);
@@ -190,8 +193,10 @@ void EntriesModel::insertNew(const FractalFile& now) {
         while (last + 1 < now.entries.size() && now.entries[last + 1].id != next)
             ++last;
         beginInsertRows({}, first, last);
-        for (int row = first; row <= last; ++row)
-            m_shown.entries.insert(row, now.entries[row]);
+        const QList<Entry> behind = m_shown.entries.mid(first);
+        m_shown.entries.resize(first);
+        m_shown.entries += now.entries.mid(first, last - first + 1);
+        m_shown.entries += behind;
         endInsertRows();
         first = last;
     }

@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QScopedValueRollback>
+#include <QSet>
 #include <QSortFilterProxyModel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -259,9 +260,10 @@ void EntriesPanel::paste() {
 }
 
 QList<Entry> EntriesPanel::entriesOf(const QList<EntryId>& ids) const {
+    const QSet<EntryId> wanted(ids.begin(), ids.end());
     QList<Entry> entries;
     for (const Entry& entry : m_document->file().entries)
-        if (ids.contains(entry.id)) entries.append(entry);
+        if (wanted.contains(entry.id)) entries.append(entry);
     return entries;
 }
 

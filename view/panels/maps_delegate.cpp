@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
+
 namespace view {
 
 namespace {
@@ -103,11 +105,11 @@ void MapsDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) cons
 
 void MapsDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                                         const QModelIndex&) const {
-    // Wide enough for what is typed, even over a narrow column.
+    // Wide enough for what is typed, even over a narrow column: over those that Tab comes to later.
     QRect area = option.rect;
-    const int wanted = editor->sizeHint().width();
-    if (area.width() < wanted) area.setLeft(area.right() - wanted + 1);
-    if (area.left() < 0) area.moveLeft(0);
+    area.setWidth(std::max(area.width(), editor->sizeHint().width()));
+    area.moveRight(std::min(area.right(), editor->parentWidget()->width() - 1));
+    area.moveLeft(std::max(area.left(), 0));
     editor->setGeometry(area);
 }
 

@@ -145,7 +145,9 @@ void MapsModel::follow(const document::Change& change) {
         return;
     }
     reload();
-    if (!m_maps.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    if (m_maps.empty()) return;
+    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1); // the warnings
 }
 
 void MapsModel::reload() {

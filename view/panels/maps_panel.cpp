@@ -124,7 +124,7 @@ QToolButton* MapsPanel::button(QAction* action) {
 }
 
 QToolButton* MapsPanel::weightsButton() {
-    auto* menu = new QMenu(this);
+    auto* menu = new QMenu(tr("Weights"), this);
     const auto add = [&](const char* iconName, const QString& text, const QString& tip, WeightRule rule) {
         QAction* rules = menu->addAction(icon(QString::fromLatin1(iconName)), text, this,
                                          [this, rule] { applyWeights(rule); });
@@ -321,6 +321,18 @@ void MapsPanel::fitColumns() {
     }
 }
 
+// In the middle of a gesture, for the rows in sight: no column becomes narrower under the hand.
+void MapsPanel::widenColumns() {
+    if (!m_table->isVisible()) return;
+    QHeaderView* header = m_table->horizontalHeader();
+    const int precision = header->resizeContentsPrecision();
+    header->setResizeContentsPrecision(0);
+    for (int column = MapsModel::A; column < MapsModel::ColumnCount; ++column)
+        if (!m_table->isColumnHidden(column))
+            m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), widthOf(column)));
+    header->setResizeContentsPrecision(precision);
+}
+
 // What the numbers need, and the letter over them.
 int MapsPanel::widthOf(int column) const {
     const QString name = m_model->headerData(column, Qt::Horizontal).toString();
@@ -333,7 +345,9 @@ void MapsPanel::follow(const document::Change& change) {
     using document::Change;
     if (change.parts & (Change::Current | Change::File | Change::Entries | Change::System)) updateNotice();
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) updateActions();
-    if (!change.live) // columns do not move under the typing hand
+    if (change.live)
+        widenColumns();
+    else
         fitColumns();
 }
 

@@ -67,6 +67,7 @@ private:
     void updateActions();
     void updateNotice();
     void fitColumns();
+    void widenColumns();
     int widthOf(int column) const;
     void applyEdit(const QString& text, MapsEdit edit);
     void paste(const Rows& rows);
