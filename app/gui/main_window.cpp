@@ -59,7 +59,7 @@ void addEntry(document::Document& document, const document::Fractal& fractal) {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
-      m_file(&m_document),
+      m_file(&m_document, this),
       m_recovery(&m_document, &m_file, nullptr),
       m_bridge(new view::RenderBridge(&m_document, this)),
       m_analysis(new view::AnalysisBridge(&m_document, this)),
@@ -410,7 +410,7 @@ void MainWindow::fail(const QString& title, const QString& sentence) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!maySpoil()) {
+    if (m_file.isReading() || !maySpoil()) {
         event->ignore();
         return;
     }

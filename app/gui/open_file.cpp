@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "open_file.h"
 
-#include "io/collection_reader.h"
 #include "io/fractint_reader.h"
 #include "io/fractint_writer.h"
+#include "reading.h"
 #include "recent_files.h"
 
 #include <QCryptographicHash>
@@ -30,7 +30,7 @@ void keepIds(document::FractalFile& recovered, const document::FractalFile& befo
 
 } // namespace
 
-OpenFile::OpenFile(document::Document* document, QObject* parent) : QObject(parent), m_document(document) {}
+OpenFile::OpenFile(document::Document* document, QWidget* window) : m_document(document), m_window(window) {}
 
 QString OpenFile::name() const {
     return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
@@ -46,9 +46,10 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
 }
 
 io::Failure OpenFile::open(const QString& path) {
-    io::Loaded loaded = io::loadFile(path);
+    m_isReading = true;
+    auto [loaded, collection] = readFile(path, m_window);
+    m_isReading = false;
     if (loaded.failure) return loaded.failure;
-    io::Collection collection = io::readCollection(loaded.bytes, path);
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;
     m_document->setFile(std::move(collection.file));

@@ -9,12 +9,14 @@
 #include <QObject>
 #include <QString>
 
+class QWidget;
+
 // Where a window's document comes from and goes to.
 class OpenFile : public QObject {
     Q_OBJECT
 
 public:
-    explicit OpenFile(document::Document* document, QObject* parent = nullptr);
+    OpenFile(document::Document* document, QWidget* window);
 
     QString path() const { return m_path; } // empty while it has none
     QString name() const;                   // for titles: file name, or "Untitled"
@@ -24,6 +26,9 @@ public:
     // Pictures that carry their system open as a file without path. The document is as before when this
     // fails.
     io::Failure open(const QString& path);
+    bool isReading() const {
+        return m_isReading;
+    } // open() waits for a large file, and handles events meanwhile
     // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
     // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
     io::Failure recover(const document::Snapshot& snapshot);
@@ -45,6 +50,8 @@ private:
     void remember(const QString& path, const QByteArray& bytes);
 
     document::Document* m_document;
+    QWidget* m_window;
+    bool m_isReading = false;
     QString m_path;
     QByteArray m_digest;
 };

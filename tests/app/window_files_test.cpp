@@ -94,6 +94,7 @@ private slots:
     void recoveredWorkKeepsThePathOfAFileThatIsGone();
     void unsavedWorkIsKeptWithinTwoSeconds();
     void aKilledEditorLeavesItsWork();
+    void aLargeFileIsReadBesideTheWindow();
     void aWindowMayCloseWhileItDrawsForPaper();
 
 private:
@@ -208,6 +209,35 @@ void WindowFilesTest::aKilledEditorLeavesItsWork() {
     QVERIFY(document::abandonedSnapshots(Recovery::folder()).isEmpty()); // it is offered once
     document::forget(found.first());
     QCOMPARE(contents(m_path), twoEntries);
+}
+
+// The window lives meanwhile, and does not close; reading can be cancelled, and then all is as before.
+void WindowFilesTest::aLargeFileIsReadBesideTheWindow() {
+    MainWindow* window = opened();
+    const QString large = m_folder->filePath(QStringLiteral("large.ifs"));
+    put(large, QByteArray("many { .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5 }\n").repeated(100'000));
+    int seen = 0;
+    bool cancelling = true;
+    QTimer looking;
+    connect(&looking, &QTimer::timeout, &looking, [&] {
+        auto* progress = window->findChild<QProgressDialog*>();
+        if (!progress) return;
+        ++seen;
+        QVERIFY(!window->close());
+        if (cancelling) emit progress->canceled();
+    });
+    looking.start(1);
+    QVERIFY(!window->openPath(large));
+    QVERIFY(seen > 0);
+    QCOMPARE(window->path(), m_path);
+    QCOMPARE(window->document().file().entries.size(), 2);
+    QCOMPARE(window->findChildren<QMessageBox*>().size(), 1); // it is said
+    window->findChildren<QMessageBox*>().first()->close();
+    cancelling = false;
+    seen = 0;
+    QVERIFY(window->openPath(large));
+    QVERIFY(seen > 0);
+    QCOMPARE(window->document().file().entries.size(), 100'000);
 }
 
 void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
