@@ -2,6 +2,7 @@
 #include "attractor/kernels.h"
 
 #include <bit>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -504,11 +505,15 @@ struct SimdSet {
 constexpr SimdSet simdSets[] = {{"avx512", HWY_AVX3}, {"avx3", HWY_AVX3}, {"avx2", HWY_AVX2},
                                 {"sse4", HWY_SSE4},   {"neon", HWY_NEON}, {"scalar", HWY_STATIC_TARGET}};
 
-// The environment decides once, before the first kernel runs.
+std::atomic<bool> isSelected = false;
+
+// The environment decides once, before the first kernel runs, unless somebody has selected.
 void heedEnvironment() {
     [[maybe_unused]] static const bool done = [] {
         const char* name = std::getenv("BARYCAGE_SIMD");
-        return name != nullptr && selectSimd(name);
+        if (name != nullptr && !isSelected && !selectSimd(name))
+            std::fprintf(stderr, "BARYCAGE_SIMD: this machine knows no “%s”\n", name);
+        return true;
     }();
 }
 
@@ -521,6 +526,7 @@ bool selectSimd(std::string_view name) {
         if ((hwy::SupportedTargets() & set.target) == 0) return false;
         hwy::SetSupportedTargetsForTest(set.target);
         hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        isSelected = true;
         return true;
     }
     return false;
