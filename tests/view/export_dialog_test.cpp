@@ -45,6 +45,7 @@ private slots:
     void lengthsFollowTheResolution();
     void clipboardHoldsBothForms();
     void pageHoldsNamePictureAndTable();
+    void manyMapsGoOnFurtherPages();
 
 private:
     attractor::Camera camera() const {
@@ -180,7 +181,9 @@ void ExportDialogTest::pageHoldsNamePictureAndTable() {
     QImage page(420, 594, QImage::Format_RGB32);
     page.fill(Qt::white);
     QPainter painter(&page);
-    paintPage(painter, page.rect(), document.fractal(), picture);
+    int more = 0;
+    paintPages(painter, page.rect(), document.fractal(), picture, [&] { ++more; });
+    QCOMPARE(more, 0);
     painter.end();
     keep(page, "page.png");
     QCOMPARE(page.pixelColor(210, 150), QColor(Qt::blue));
@@ -193,6 +196,31 @@ void ExportDialogTest::pageHoldsNamePictureAndTable() {
     };
     QVERIFY(ink(0, 20) > 20);     // the name
     QVERIFY(ink(355, 594) > 100); // the table
+}
+
+// A page takes as many maps as can be read; every page has some.
+void ExportDialogTest::manyMapsGoOnFurtherPages() {
+    document::Document document;
+    document::Fractal fractal = document.fractal();
+    auto* system = document::system2(fractal);
+    system->maps.resize(200, system->maps.front());
+    fractal.comments = {QStringLiteral(" by nobody")};
+    QImage page(420, 594, QImage::Format_RGB32);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    int more = 0;
+    int least = INT_MAX;
+    paintPages(painter, page.rect(), fractal, QImage(40, 30, QImage::Format_RGB32), [&] {
+        ++more;
+        int dark = 0;
+        for (int y = 0; y < page.height(); ++y)
+            for (int x = 0; x < page.width(); ++x)
+                dark += qGray(page.pixel(x, y)) < 128;
+        least = std::min(least, dark);
+        page.fill(Qt::white);
+    });
+    QCOMPARE(more, 4); // 200 maps, at most 59 on a page and fewer under the picture
+    QVERIFY(least > 500);
 }
 
 QTEST_MAIN(ExportDialogTest)

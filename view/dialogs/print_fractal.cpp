@@ -16,13 +16,16 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 
 namespace view {
 
 namespace {
 
-constexpr int columns = 7;
+constexpr int columns = 8;
 constexpr double largestShare = 0.62; // of the page for the picture
+constexpr int linesOnPage = 60;
+constexpr std::size_t mostMaps = 1000; // nobody reads more on paper
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
@@ -31,16 +34,18 @@ struct Text {
 using Row = std::array<QString, columns>;
 
 std::vector<Row> coefficientRows(const document::System2& system) {
-    std::vector<Row> rows{{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("d"),
-                           QStringLiteral("e"), QStringLiteral("f"), QStringLiteral("p")}};
+    std::vector<Row> rows;
     const auto number = [](double value) { return QString::number(value == 0 ? 0.0 : value, 'g', 8); };
     const auto probabilities = ifs::probabilities(system);
-    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(system.maps.size(), mostMaps); ++i) {
         const auto& map = system.maps[i].map;
-        rows.push_back({number(map.linear(0, 0)), number(map.linear(0, 1)), number(map.linear(1, 0)),
-                        number(map.linear(1, 1)), number(map.translation.x()), number(map.translation.y()),
-                        QString::number(probabilities[i], 'g', 4)});
+        rows.push_back({QString::number(i + 1), number(map.linear(0, 0)), number(map.linear(0, 1)),
+                        number(map.linear(1, 0)), number(map.linear(1, 1)), number(map.translation.x()),
+                        number(map.translation.y()), QString::number(probabilities[i], 'g', 4)});
     }
+    if (system.maps.size() > mostMaps)
+        rows.push_back(
+            {QStringLiteral("…"), Text::tr("%n more maps", nullptr, int(system.maps.size() - mostMaps))});
     return rows;
 }
 
@@ -51,10 +56,14 @@ QFont sized(const QPainter& painter, double pixels, bool bold) {
     return font;
 }
 
-// As large as the room allows, smaller when a number is long or the maps are many.
-void paintTable(QPainter& painter, const QRectF& room, const std::vector<Row>& rows) {
-    const double rowHeight = std::min(room.height() / double(rows.size()), room.width() / 32);
-    const double columnWidth = room.width() / columns;
+// As many rows as are legible in the room, under their names; returns how many.
+std::size_t paintTable(QPainter& painter, const QRectF& room, double leastHeight, std::span<const Row> rows) {
+    const Row names{QString(),           QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"),
+                    QStringLiteral("d"), QStringLiteral("e"), QStringLiteral("f"), QStringLiteral("p")};
+    rows = rows.first(std::min(rows.size(), std::size_t(std::max(0.0, room.height() / leastHeight - 1))));
+    const double rowHeight = std::min(room.height() / double(rows.size() + 1), room.width() / 32);
+    constexpr double narrow = 0.4; // the numbers of the maps
+    const double columnWidth = room.width() / (columns - 1 + narrow);
     double pixels = 0.7 * rowHeight;
     painter.setFont(sized(painter, pixels, false));
     double widest = 0;
@@ -62,16 +71,20 @@ void paintTable(QPainter& painter, const QRectF& room, const std::vector<Row>& r
         for (const QString& text : row)
             widest = std::max(widest, QFontMetricsF(painter.font()).horizontalAdvance(text));
     pixels *= std::min(1.0, 0.92 * columnWidth / std::max(widest, 1.0));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        painter.setFont(sized(painter, pixels, i == 0));
-        for (std::size_t j = 0; j < columns; ++j)
-            painter.drawText(QRectF(room.left() + columnWidth * double(j), room.top() + rowHeight * double(i),
-                                    0.96 * columnWidth, rowHeight),
-                             Qt::AlignRight | Qt::AlignVCenter, rows[i][j]);
+    for (std::size_t i = 0; i <= rows.size(); ++i) {
+        const Row& row = i == 0 ? names : rows[i - 1];
+        for (std::size_t j = 0; j < columns; ++j) {
+            const double left = j == 0 ? 0 : columnWidth * (double(j) - 1 + narrow);
+            painter.setFont(sized(painter, pixels, i == 0 || j == 0));
+            painter.drawText(QRectF(room.left() + left, room.top() + rowHeight * double(i),
+                                    0.96 * columnWidth * (j == 0 ? narrow : 1), rowHeight),
+                             Qt::AlignRight | Qt::AlignVCenter, row[j]);
+        }
     }
     painter.setPen(QPen(Qt::black, room.width() / 1500));
     painter.drawLine(QPointF(room.left(), room.top() + rowHeight),
                      QPointF(room.right(), room.top() + rowHeight));
+    return rows.size();
 }
 
 double lightness(const attractor::Rgba& colour) {
@@ -148,22 +161,39 @@ QImage drawn(const io::PngExport& picture, QWidget* parent) {
 
 } // namespace
 
-void paintPage(QPainter& painter, const QRectF& page, const document::Fractal& fractal,
-               const QImage& picture) {
+void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& fractal,
+                const QImage& picture, const std::function<void()>& newPage) {
     const double line = page.height() / 30;
     painter.setPen(Qt::black);
     painter.setFont(sized(painter, 0.7 * line, true));
     painter.drawText(QRectF(page.topLeft(), QSizeF(page.width(), line)), Qt::AlignLeft | Qt::AlignVCenter,
                      fractal.name);
+    double top = page.top() + 1.2 * line;
+    painter.setFont(sized(painter, 0.4 * line, false));
+    constexpr qsizetype mostComments = 3;
+    for (const QString& comment : fractal.comments.mid(0, mostComments)) {
+        const QRectF room(page.left(), top, page.width(), 0.6 * line);
+        painter.drawText(
+            room, Qt::AlignLeft | Qt::AlignVCenter,
+            QFontMetricsF(painter.font()).elidedText(comment.trimmed(), Qt::ElideRight, room.width()));
+        top = room.bottom();
+    }
+    if (!fractal.comments.isEmpty()) top += 0.3 * line;
     QSizeF size = picture.size();
     size.scale(page.width(), largestShare * page.height(), Qt::KeepAspectRatio);
-    const QRectF frame(QPointF(page.left() + (page.width() - size.width()) / 2, page.top() + 1.2 * line),
-                       size);
+    const QRectF frame(QPointF(page.left() + (page.width() - size.width()) / 2, top), size);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(frame, picture);
     if (const auto* system = document::system2(fractal)) {
-        const QRectF room(QPointF(page.left(), frame.bottom() + 0.7 * line), page.bottomRight());
-        paintTable(painter, room, coefficientRows(*system));
+        const std::vector<Row> rows = coefficientRows(*system);
+        QRectF room(QPointF(page.left(), frame.bottom() + 0.7 * line), page.bottomRight());
+        std::size_t done = 0;
+        while (true) {
+            done += paintTable(painter, room, page.height() / linesOnPage, std::span(rows).subspan(done));
+            if (done >= rows.size()) return;
+            newPage();
+            room = page;
+        }
     }
 }
 
@@ -182,7 +212,8 @@ void printFractal(document::Document* document, const attractor::Camera& camera,
                      [fractal, picture, printer](QPrinter* device) {
                          QPainter painter(device);
                          const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
-                         paintPage(painter, QRectF(QPointF(0, 0), size), fractal, picture);
+                         paintPages(painter, QRectF(QPointF(0, 0), size), fractal, picture,
+                                    [device] { device->newPage(); });
                      });
     preview->open();
 }
