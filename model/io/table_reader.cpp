@@ -327,6 +327,7 @@ private:
             m_table.rows.push_back(mapOf(m_columns, numbers));
         else
             m_table.spaceRows.push_back(spaceMapOf(numbers));
+        m_table.lines.push_back(cells.first().line);
         if (!m_table.rows.empty() && !m_table.spaceRows.empty())
             fail(cells.first(), Text::tr("The table has maps of the plane and maps of space."));
         else if (!m_table.spaceRows.empty())

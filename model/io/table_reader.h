@@ -19,6 +19,7 @@ namespace io {
 struct Table {
     std::vector<ifs::WeightedMap<2>> rows;      // without ids
     std::vector<ifs::WeightedMap<3>> spaceRows; // or these
+    std::vector<int> lines;                     // of the text, for every row
     document::Problems problems;                // any error: nothing is to be pasted
     bool isTable = false;                       // there was a row that could be read, or a header over one
     bool isOrdered = false; // the text itself says what its columns are, or the caller did
