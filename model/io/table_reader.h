@@ -47,5 +47,7 @@ QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows);
 enum class TableSeparator { Comma, Tab };
 QByteArray writeTable(const ifs::IteratedFunctionSystem<2>& system, const TableColumns& columns,
                       TableSeparator separator);
+// Columns a … i of the matrix, row by row, j k l of the vector, and p.
+QByteArray writeTable(const ifs::IteratedFunctionSystem<3>& system, TableSeparator separator);
 
 } // namespace io
