@@ -85,9 +85,12 @@ double marginArgument(const std::string& option, const std::string& text) {
 }
 
 attractor::Rgba colourArgument(const std::string& option, const std::string& text) {
-    const QColor colour(QString::fromStdString(text));
-    if (!colour.isValid())
-        refuse(option, text, tr("it takes a colour like #0d1017 or white, or transparent."));
+    QString name = QString::fromStdString(text);
+    if (name.startsWith(u'#') && name.size() == 9)
+        name = u'#' + name.last(2) + name.sliced(1, 6); // #rrggbbaa, as our files have it; Qt: #aarrggbb
+    const QColor colour(name);
+    if (!colour.isValid() || (name.startsWith(u'#') && name.size() > 9))
+        refuse(option, text, tr("it takes a colour like #0d1017, #0d101780 or white, or transparent."));
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue()),
             std::uint8_t(colour.alpha())};
 }

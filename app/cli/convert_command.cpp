@@ -147,11 +147,20 @@ bool isUnderMovedCage(const document::Fractal& fractal) {
     return document::system2(fractal) && fractal.cage && fractal.cage->rest != fractal.cage->current;
 }
 
+bool hasActiveMap(const document::Fractal& fractal) {
+    const auto* space = std::get_if<document::System3>(&fractal.system);
+    return space ? !ifs::activeMaps(*space).maps.empty()
+                 : !ifs::activeMaps(*document::system2(fractal)).maps.empty();
+}
+
 // Why the entry cannot be written in this form; the code takes up the cage where that is asked.
 std::optional<QString> obstacle(document::Entry& entry, const Arguments& arguments, const Plan& plan) {
     const document::Fractal& fractal = *entry.fractal;
-    if (!isFractint(plan.format) && !document::system2(fractal))
+    const auto* text = std::get_if<TextFormat>(&plan.format);
+    if (text ? !io::holds(*text, fractal) : !document::system2(fractal))
         return tr("“%1” is left out: the format holds plane systems only.").arg(fractal.name);
+    if (arguments.columns && !document::system2(fractal))
+        return tr("“%1” is left out: --columns names the columns of plane systems.").arg(fractal.name);
     if (arguments.bake && isUnderMovedCage(fractal)) {
         if (ifs::bends(*fractal.cage))
             return tr("“%1” is left out: its cage bends the picture, which no code can do.")
@@ -163,8 +172,7 @@ std::optional<QString> obstacle(document::Entry& entry, const Arguments& argumen
     }
     if (const auto* points = std::get_if<io::PointFormat>(&plan.format))
         return io::obstacle({*entry.fractal, plan.points, plan.seed, *points});
-    const document::System2* system = document::system2(*entry.fractal);
-    if (plan.format == Format(TextFormat::Aifs) && ifs::activeMaps(*system).maps.empty())
+    if (plan.format == Format(TextFormat::Aifs) && !hasActiveMap(fractal))
         return tr("“%1” is left out: no map takes part.").arg(fractal.name);
     return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "input.h"
 #include "messages.h"
+#include "progress_bar.h"
 #include "usage_error.h"
 
 #include "io/info_report.h"
@@ -20,6 +21,7 @@ struct Arguments {
     std::vector<std::string> entries;
     bool json = false;
     std::optional<std::string> hullTolerance;
+    std::string progress = "auto";
 };
 
 std::optional<double> tolerance(const Arguments& arguments) {
@@ -34,6 +36,7 @@ std::optional<double> tolerance(const Arguments& arguments) {
 }
 
 ExitStatus info(const Arguments& arguments) {
+    progressMode(arguments.progress); // taken for the sake of scripts: nothing here is long
     const auto hullTolerance = tolerance(arguments);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
@@ -65,6 +68,7 @@ void addInfoCommand(CLI::App& program, Run& run) {
     command->add_flag("--json", arguments->json, "One JSON object with every digit");
     command->add_option("--hull-tolerance", arguments->hullTolerance,
                         "Tolerance of the convex hull, in the system's units (1e-6 of the diagonal)");
+    command->add_option("--progress", arguments->progress, "always, never or auto");
     command->callback([arguments, &run] { run = [arguments] { return info(*arguments); }; });
 }
 

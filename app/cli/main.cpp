@@ -22,7 +22,10 @@ ExitStatus parse(CLI::App& program, int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == int(CLI::ExitCodes::Success)) {
             program.exit(error, std::cout, std::cerr);
-            return ExitStatus::Done;
+            if (std::cout.flush()) return ExitStatus::Done;
+            cli::reportError(QStringLiteral("-"),
+                             QCoreApplication::translate("cli", "It cannot be written to standard output."));
+            return ExitStatus::CannotReadOrWrite;
         }
         const auto called = program.get_subcommands();
         if (called.empty() && argc > 1 && argv[1][0] != '-') {

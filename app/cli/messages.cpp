@@ -30,15 +30,17 @@ document::Problem problem(document::Problem::Severity severity, const QString& s
 } // namespace
 
 void report(const document::Problem& found, const QString& fileName) {
-    line(document::toText(found, fileName));
+    document::Problem placed = found;
+    if (found.line == 0) placed.line = placed.column = 1; // the file as a whole
+    line(document::toText(placed, fileName));
 }
 
 void reportError(const QString& fileName, const QString& sentence) {
-    report(problem(document::Problem::Severity::Error, sentence), fileName);
+    line(document::toText(problem(document::Problem::Severity::Error, sentence), fileName));
 }
 
 void reportWarning(const QString& fileName, const QString& sentence) {
-    report(problem(document::Problem::Severity::Warning, sentence), fileName);
+    line(document::toText(problem(document::Problem::Severity::Warning, sentence), fileName));
 }
 
 void reportUsage(const QString& subcommand, const QString& sentence) {

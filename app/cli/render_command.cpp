@@ -359,7 +359,8 @@ void addPictureOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--colour", arguments.colour, "Colour by density, map, address or none");
     command.add_option("--gamma", arguments.gamma, "Gamma of the tone curve (2.2)");
     command.add_option("--brightness", arguments.brightness, "Brightness of the tone curve (20)");
-    command.add_option("--background", arguments.background, "Colour like #0d1017 or white, or transparent");
+    command.add_option("--background", arguments.background,
+                       "Colour like #0d1017, #0d101780 (the last two: opacity) or white, or transparent");
     command.add_option("--supersample", arguments.supersample, "Cells along the side of a pixel (1 to 4)")
         ->check(CLI::Range(1, 4));
     command.add_option("--bits", arguments.bits, "Bits a channel, PNG (8)")->check(CLI::IsMember({8, 16}));

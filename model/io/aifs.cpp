@@ -3,6 +3,9 @@
 
 #include "io/written_weights.h"
 
+#include <QSet>
+
+#include <array>
 #include <charconv>
 
 namespace io {
@@ -17,7 +20,7 @@ QByteArray plain(double value) {
     return {buffer.data(), end.ptr - buffer.data()};
 }
 
-QByteArray list(std::initializer_list<double> values) {
+template <typename Values> QByteArray list(const Values& values) {
     QByteArrayList texts;
     for (const double value : values)
         texts << plain(value);
@@ -27,16 +30,21 @@ QByteArray list(std::initializer_list<double> values) {
 QByteArray text(const RowStochastic& s) {
     QByteArrayList rows;
     for (int j = 0; j < 3; ++j)
-        rows << list({s(j, 0), s(j, 1), s(j, 2)});
+        rows << list(std::array{s(j, 0), s(j, 1), s(j, 2)});
     return '[' + rows.join(',') + ']';
 }
 
-// A letter, then letters, digits and underscores.
-QByteArray identifier(const QString& name) {
+// A letter, then letters, digits and underscores; that of no other block.
+QByteArray identifier(const QString& name, QSet<QByteArray>& taken) {
     QByteArray id;
     for (const QChar c : name)
         id += c.unicode() < 0x80 && c.isLetterOrNumber() ? c.toLatin1() : '_';
-    return id.isEmpty() || (id[0] >= '0' && id[0] <= '9') ? "s_" + id : id;
+    if (id.isEmpty() || (id[0] >= '0' && id[0] <= '9')) id.prepend("s_");
+    QByteArray unique = id;
+    for (int number = 2; taken.contains(unique); ++number)
+        unique = id + '_' + QByteArray::number(number);
+    taken.insert(unique);
+    return unique;
 }
 
 QByteArray oneLine(QString text) {
@@ -45,30 +53,40 @@ QByteArray oneLine(QString text) {
     return text.toUtf8();
 }
 
-QByteArray block(const document::Fractal& fractal, const document::System2& system) {
-    const std::vector<double> weights = writtenWeights(system);
-    QByteArray text = '@' + identifier(fractal.name) + ":\n$dim=2\n$n=" + oneLine(fractal.name) + '\n';
-    QByteArrayList names;
-    QByteArrayList shares;
-    for (std::size_t i = 0; i < system.maps.size(); ++i) {
-        if (!(weights[i] > 0)) continue;
-        const auto& [a, b] = system.maps[i].map;
-        names << 'f' + QByteArray::number(qulonglong(i) + 1);
-        shares << plain(weights[i]);
-        text += names.last() + '=' + list({b.x(), b.y()}) + '*' + list({a(0, 0), a(0, 1), a(1, 0), a(1, 1)}) +
-                '\n';
-    }
-    text += "A=(" + names.join('|') + ")*A\n# weights: " + shares.join(' ') + '\n';
+// In comments: the corners and the matrices of the affine invariant form, where a triangle holds the system.
+QByteArray invariantForm(const document::Fractal& fractal, const document::System2& system,
+                         const std::vector<double>& weights) {
     const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
-    if (cage.rest.size() != 3) return text;
+    if (cage.rest.size() != 3) return {};
     const auto form = affineInvariantForm(system, {cage.rest[0], cage.rest[1], cage.rest[2]});
-    text += "# control triangle at rest:";
+    QByteArray text = "# control triangle at rest:";
     for (const auto& vertex : form.simplex)
-        text += ' ' + list({vertex.x(), vertex.y()});
+        text += ' ' + list(std::array{vertex.x(), vertex.y()});
     text += "\n# row j of S: barycentric coordinates of the image of vertex j\n";
     for (std::size_t i = 0; i < form.maps.size(); ++i)
         if (weights[i] > 0)
             text += "# S" + QByteArray::number(qulonglong(i) + 1) + '=' + io::text(form.maps[i]) + '\n';
+    return text;
+}
+
+template <int Dim>
+QByteArray block(const document::Fractal& fractal, const ifs::IteratedFunctionSystem<Dim>& system,
+                 QSet<QByteArray>& taken) {
+    const std::vector<double> weights = writtenWeights(system);
+    QByteArray text = '@' + identifier(fractal.name, taken) + ":\n$dim=" + QByteArray::number(Dim) +
+                      "\n$n=" + oneLine(fractal.name) + '\n';
+    QByteArrayList names;
+    QByteArrayList shares;
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        if (!(weights[i] > 0)) continue;
+        const auto& [linear, translation] = system.maps[i].map;
+        names << 'f' + QByteArray::number(qulonglong(i) + 1);
+        shares << plain(weights[i]);
+        text += names.last() + '=' + list(translation) + '*' +
+                list(linear.template reshaped<Eigen::RowMajor>().eval()) + '\n';
+    }
+    text += "A=(" + names.join('|') + ")*A\n# weights: " + shares.join(' ') + '\n';
+    if constexpr (Dim == 2) text += invariantForm(fractal, system, weights);
     return text;
 }
 
@@ -83,10 +101,14 @@ AffineInvariantForm affineInvariantForm(const document::System2& system, const i
 
 QByteArray writeAifs(const QList<std::shared_ptr<const document::Fractal>>& fractals) {
     QByteArrayList blocks;
-    for (const auto& fractal : fractals)
-        if (const document::System2* system = document::system2(*fractal);
-            system && !ifs::activeMaps(*system).maps.empty())
-            blocks << block(*fractal, *system);
+    QSet<QByteArray> taken;
+    const auto add = [&](const document::Fractal& fractal, const auto* system) {
+        if (system && !ifs::activeMaps(*system).maps.empty()) blocks << block(fractal, *system, taken);
+    };
+    for (const auto& fractal : fractals) {
+        add(*fractal, std::get_if<document::System2>(&fractal->system));
+        add(*fractal, std::get_if<document::System3>(&fractal->system));
+    }
     return blocks.join('\n');
 }
 

@@ -6,6 +6,7 @@
 #include "io/svg_system.h"
 #include "io/table_reader.h"
 #include "io/unrelated_format.h"
+#include "io/written_weights.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -13,6 +14,8 @@
 namespace io {
 
 namespace {
+
+constexpr qsizetype mostRemarks = 10; // on the weights of a table
 
 document::Problem errorOf(const QString& sentence) {
     return {document::Problem::Severity::Error, {}, 0, 0, sentence};
@@ -52,6 +55,17 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
         result.isOrderAssumed = !table.isOrdered;
     }
     file.problems = std::move(table.problems);
+    for (document::Entry& entry : file.entries) {
+        const auto remark = [&](const auto& rows) {
+            for (std::size_t i = 0; i < rows.size() && entry.problems.size() < mostRemarks; ++i)
+                if (const auto sentence =
+                        rows[i].weight ? weightRemark(i + 1, *rows[i].weight) : std::nullopt)
+                    entry.problems << document::Problem{document::Problem::Severity::Warning,
+                                                        entry.fractal->name, table.lines[i], 1, *sentence};
+        };
+        remark(table.rows);
+        remark(table.spaceRows);
+    }
     return result;
 }
 

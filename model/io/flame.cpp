@@ -216,6 +216,7 @@ private:
         const QString name = m_xml.attributes().value(QLatin1String("name")).toString();
         document::System2 system;
         QString refusal;
+        m_remarks.clear();
         while (!m_xml.atEnd() && !(m_xml.isEndElement() && m_xml.name() == u"flame")) {
             m_xml.readNext();
             if (!m_xml.isStartElement() || !refusal.isEmpty()) continue;
@@ -242,6 +243,13 @@ private:
         const Xform xform = readXform(m_xml.attributes());
         if (!xform.refusal.isEmpty())
             return Text::tr("transform %1: %2").arg(system.maps.size() + 1).arg(xform.refusal);
+        if (const auto remark = weightRemark(system.maps.size() + 1, xform.weight);
+            remark && m_remarks.size() < 10)
+            m_remarks << Problem{Problem::Severity::Warning,
+                                 {},
+                                 int(m_xml.lineNumber()),
+                                 int(m_xml.columnNumber()) + 1,
+                                 *remark};
         system.maps.push_back({.id = static_cast<ifs::MapId>(system.maps.size() + 1),
                                .map = m_axis == FlameAxis::Flipped ? flipped(xform.map) : xform.map,
                                .weight = xform.weight});
@@ -259,6 +267,9 @@ private:
         fractal.system = std::move(system);
         document::Entry entry;
         entry.id = static_cast<document::EntryId>(m_file.entries.size() + 1);
+        for (Problem& remark : m_remarks)
+            remark.entry = fractal.name;
+        entry.problems = m_remarks;
         entry.fractal = std::make_shared<const document::Fractal>(std::move(fractal));
         m_file.entries << entry;
     }
@@ -267,6 +278,7 @@ private:
     FlameAxis m_axis;
     document::FractalFile m_file;
     document::UniqueNames m_names;
+    document::Problems m_remarks; // on the weights of the flame at hand
     qsizetype m_refused = 0;
 };
 

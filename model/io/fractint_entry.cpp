@@ -3,6 +3,7 @@
 
 #include "io/coefficient.h"
 #include "io/own_comments.h"
+#include "io/written_weights.h"
 
 #include <QCoreApplication>
 
@@ -599,13 +600,7 @@ void EntryParser::warnAboutWeights() {
             const Token& token = layout.numbers[i * rowLength + rowLength - 1];
             sum += token.value;
             if (!maps[i].enabled || !maps[i].weight) continue;
-            if (token.value < 0)
-                warn(
-                    token.span.begin,
-                    Text::tr("The weight of map %1 is negative; the map counts as switched off.").arg(i + 1));
-            else if (token.value == 0)
-                warn(token.span.begin,
-                     Text::tr("The weight of map %1 is 0; the map takes no part.").arg(i + 1));
+            if (const auto remark = weightRemark(i + 1, token.value)) warn(token.span.begin, *remark);
         }
         const bool allOn = std::all_of(maps.begin(), maps.end(), [](const auto& map) { return map.enabled; });
         if (!maps.empty() && allOn && !(std::abs(sum - 1) <= 0.02))

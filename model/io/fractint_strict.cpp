@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/unique_names.h"
+#include "io/fractint_entry.h"
 #include "io/fractint_rows.h"
 #include "io/fractint_writer.h"
 
@@ -41,8 +42,12 @@ QByteArray ascii(const QString& text, char replacement) {
 class StrictWriter {
 public:
     StrictText write(const FractalFile& file, const QList<document::EntryId>& only) && {
+        if (only.isEmpty()) addText(file.head);
+        if (!m_text.bytes.isEmpty())
+            m_text.bytes += '\n'; // what a blank line parts from an entry is the head
         for (const Entry& entry : file.entries)
-            if (only.isEmpty() || only.contains(entry.id)) append(*entry.fractal);
+            if (only.isEmpty() || only.contains(entry.id)) append(entry);
+        if (only.isEmpty()) addTail(file.tail);
         if (m_text.entries > mostEntries)
             warn({}, Text::tr("The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.")
                          .arg(m_text.entries));
@@ -50,7 +55,8 @@ public:
     }
 
 private:
-    void append(const document::Fractal& fractal) {
+    void append(const Entry& entry) {
+        const document::Fractal& fractal = *entry.fractal;
         const std::vector<Row> rows = activeRows(fractal);
         if (rows.empty())
             return m_text.problems.append(
@@ -58,15 +64,77 @@ private:
                  Text::tr("The entry has no map that takes part and is left out.")});
         const QByteArray name = strictName(fractal.name);
         ++m_text.entries;
-        if (!m_text.bytes.isEmpty()) m_text.bytes += '\n';
-        for (const QString& comment : fractal.comments) // before the entry: Fractint 16–18 accept none inside
-            m_text.bytes += "; " + ascii(fractint::storedComment(comment), '?').left(longestLine - 2) + '\n';
+        if (m_text.entries > 1) m_text.bytes += '\n';
+        // Before the entry: Fractint 16–18 accept no comment inside.
+        if (entry.source) addText(entry.source->before);
+        for (const QString& comment : fractal.comments)
+            addComment(comment);
+        if (entry.source) addCommentsOfRows(entry.source->text);
         m_text.bytes += name + (document::dimension(fractal) == 3 ? " (3D) {" : " {");
         if (const QByteArray comment = ascii(fractint::storedComment(fractal.headerComment), '?');
             !comment.isEmpty())
             m_text.bytes += " ; " + comment.left(100);
         m_text.bytes += '\n' + rowText(rows).join('\n') + "\n}\n";
         checkLimits(fractal, rows.size());
+        reportOwnLines(fractal);
+    }
+
+    void addComment(const QString& text) {
+        const QByteArray comment = ascii(fractint::storedComment(text), '?').left(longestLine - 2);
+        m_text.bytes += comment.isEmpty() ? QByteArray(";\n") : "; " + comment + '\n';
+    }
+
+    // Comments between entries stay, and other lines become comments. Blocks of parameters and formulas go.
+    void addText(const QByteArray& text) {
+        qsizetype lost = 0;
+        bool isBlock = false;
+        for (const QByteArray& line : linesOf(text)) {
+            const QByteArray code = line.left(line.indexOf(';') < 0 ? line.size() : line.indexOf(';'));
+            isBlock = isBlock || code.contains('{');
+            if (isBlock)
+                ++lost;
+            else
+                addComment(fractint::decoded(line.sliced(line.startsWith(';') ? 1 : 0)));
+            isBlock = isBlock && !code.contains('}');
+        }
+        if (lost > 0)
+            warn(
+                {},
+                Text::tr("%1 lines of blocks that are no iterated function systems are left out.").arg(lost));
+    }
+
+    void addTail(const QByteArray& tail) {
+        const qsizetype before = m_text.bytes.size();
+        addText(tail);
+        if (before > 0 && m_text.bytes.size() > before) m_text.bytes.insert(before, '\n');
+    }
+
+    // What stands behind the numbers of a row, or behind the closing brace.
+    void addCommentsOfRows(const QByteArray& text) {
+        bool isBody = false;
+        for (const QByteArray& line : linesOf(text)) {
+            const qsizetype semicolon = line.indexOf(';');
+            if (isBody && semicolon > 0) addComment(fractint::decoded(line.sliced(semicolon + 1)));
+            isBody = isBody || line.left(semicolon < 0 ? line.size() : semicolon).contains('{');
+        }
+    }
+
+    // Those that hold something, without blanks, a byte order mark and ^Z.
+    static QByteArrayList linesOf(QByteArray text) {
+        if (text.startsWith("\xef\xbb\xbf")) text.remove(0, 3);
+        QByteArrayList lines;
+        for (const QByteArray& line : text.replace('\r', '\n').replace('\x1a', '\n').split('\n'))
+            if (const QByteArray content = line.trimmed(); !content.isEmpty()) lines << content;
+        return lines;
+    }
+
+    void reportOwnLines(const document::Fractal& fractal) {
+        const bool isMoved = fractal.cage && fractal.cage->rest != fractal.cage->current;
+        if (isMoved || !document::movedBranches(fractal).empty())
+            warn(fractal.name, Text::tr("The code is written without its cage and moved branches: other "
+                                        "programs draw another picture."));
+        else if (fractal.cage || !(fractal.appearance == document::Fractal{}.appearance))
+            warn(fractal.name, Text::tr("The cage and the colours of the entry are left out."));
     }
 
     std::vector<Row> activeRows(const document::Fractal& fractal) {

@@ -327,6 +327,7 @@ private:
             m_table.rows.push_back(mapOf(m_columns, numbers));
         else
             m_table.spaceRows.push_back(spaceMapOf(numbers));
+        m_table.lines.push_back(cells.first().line);
         if (!m_table.rows.empty() && !m_table.spaceRows.empty())
             fail(cells.first(), Text::tr("The table has maps of the plane and maps of space."));
         else if (!m_table.spaceRows.empty())
@@ -452,20 +453,46 @@ QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows) {
     return QString::fromLatin1(text);
 }
 
+namespace {
+
+QByteArray mark(TableSeparator separator) {
+    return separator == TableSeparator::Comma ? "," : "\t";
+}
+
+template <typename Numbers> QByteArray line(const Numbers& numbers, TableSeparator separator) {
+    QByteArrayList cells;
+    for (const double number : numbers)
+        cells << formatNumber(number);
+    return cells.join(mark(separator)) + '\n';
+}
+
+} // namespace
+
 QByteArray writeTable(const ifs::IteratedFunctionSystem<2>& system, const TableColumns& columns,
                       TableSeparator separator) {
     const bool cumulative =
         std::find(columns.begin(), columns.end(), TableColumn::Cumulative) != columns.end();
-    const QByteArray between(1, separator == TableSeparator::Comma ? ',' : '\t');
-    QByteArray text = columnNames(columns).join(QString::fromLatin1(between)).toLatin1() + '\n';
+    QByteArray text = columnNames(columns).join(QString::fromLatin1(mark(separator))).toLatin1() + '\n';
     const std::vector<double> weights = writtenWeights(system);
     double sum = 0;
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         sum += weights[i];
-        QByteArrayList cells;
-        for (const double number : numbersOf(columns, system.maps[i].map, cumulative ? sum : weights[i]))
-            cells << formatNumber(number);
-        text += cells.join(between) + '\n';
+        text += line(numbersOf(columns, system.maps[i].map, cumulative ? sum : weights[i]), separator);
+    }
+    return text;
+}
+
+QByteArray writeTable(const ifs::IteratedFunctionSystem<3>& system, TableSeparator separator) {
+    QByteArray text = QByteArray("a b c d e f g h i j k l p\n").replace(" ", mark(separator));
+    const std::vector<double> weights = writtenWeights(system);
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const auto& [linear, translation] = system.maps[i].map;
+        std::vector<double> numbers;
+        for (const double number : linear.reshaped<Eigen::RowMajor>())
+            numbers.push_back(number);
+        for (const double number : {translation[0], translation[1], translation[2], weights[i]})
+            numbers.push_back(number);
+        text += line(numbers, separator);
     }
     return text;
 }

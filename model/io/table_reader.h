@@ -19,6 +19,7 @@ namespace io {
 struct Table {
     std::vector<ifs::WeightedMap<2>> rows;      // without ids
     std::vector<ifs::WeightedMap<3>> spaceRows; // or these
+    std::vector<int> lines;                     // of the text, for every row
     document::Problems problems;                // any error: nothing is to be pasted
     bool isTable = false;                       // there was a row that could be read, or a header over one
     bool isOrdered = false; // the text itself says what its columns are, or the caller did
@@ -46,5 +47,7 @@ QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows);
 enum class TableSeparator { Comma, Tab };
 QByteArray writeTable(const ifs::IteratedFunctionSystem<2>& system, const TableColumns& columns,
                       TableSeparator separator);
+// Columns a … i of the matrix, row by row, j k l of the vector, and p.
+QByteArray writeTable(const ifs::IteratedFunctionSystem<3>& system, TableSeparator separator);
 
 } // namespace io

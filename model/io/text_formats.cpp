@@ -40,27 +40,42 @@ bool holdsOneSystem(TextFormat format) {
     return format == TextFormat::Csv || format == TextFormat::Tsv;
 }
 
+bool holds(TextFormat format, const document::Fractal& fractal) {
+    const int dimension = document::dimension(fractal);
+    return dimension == 2 || (dimension == 3 && format != TextFormat::Flame);
+}
+
+namespace {
+
+QByteArray tableOf(const document::Fractal& fractal, const TableColumns& columns, TableSeparator separator) {
+    const auto* space = std::get_if<document::System3>(&fractal.system);
+    return space ? writeTable(*space, separator)
+                 : writeTable(*document::system2(fractal), columns, separator);
+}
+
+} // namespace
+
 QByteArray textOf(const QList<std::shared_ptr<const document::Fractal>>& fractals, TextFormat format,
                   const TextOptions& options) {
-    const auto first = std::find_if(fractals.begin(), fractals.end(), [](const auto& fractal) {
-        return document::system2(*fractal) != nullptr;
-    });
-    if (first == fractals.end()) return {};
+    QList<std::shared_ptr<const document::Fractal>> held;
+    for (const auto& fractal : fractals)
+        if (holds(format, *fractal)) held << fractal;
+    if (held.isEmpty()) return {};
     switch (format) {
     case TextFormat::Flame:
-        return writeFlame(fractals, options.axis);
+        return writeFlame(held, options.axis);
     case TextFormat::Aifs:
-        return writeAifs(fractals);
+        return writeAifs(held);
     case TextFormat::Csv:
-        return writeTable(*document::system2(**first), options.columns, TableSeparator::Comma);
+        return tableOf(*held.first(), options.columns, TableSeparator::Comma);
     case TextFormat::Tsv:
-        return writeTable(*document::system2(**first), options.columns, TableSeparator::Tab);
+        return tableOf(*held.first(), options.columns, TableSeparator::Tab);
     case TextFormat::Fractint:
         break;
     }
     QByteArrayList entries;
-    for (const auto& fractal : fractals)
-        if (document::system2(*fractal)) entries << writeEntry(*fractal);
+    for (const auto& fractal : std::as_const(held))
+        entries << writeEntry(*fractal);
     return entries.join('\n');
 }
 

@@ -26,7 +26,10 @@ struct TextOptions {
     TableColumns columns = fractintColumns();
 };
 
-// The plane systems among the fractals; of a format that holds one system, the first.
+// Flames lie in the plane; what could not be read nothing holds.
+bool holds(TextFormat format, const document::Fractal& fractal);
+
+// Those of the fractals that the format holds; of a format that holds one system, the first.
 QByteArray textOf(const QList<std::shared_ptr<const document::Fractal>>& fractals, TextFormat format,
                   const TextOptions& options = {});
 

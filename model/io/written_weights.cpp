@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "io/written_weights.h"
 
+#include <QCoreApplication>
+
 namespace io {
 
-std::vector<double> writtenWeights(const ifs::IteratedFunctionSystem<2>& system) {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+} // namespace
+
+template <int Dim> std::vector<double> writtenWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
     const auto active = ifs::activeMaps(system);
     bool allGiven = true;
     for (const std::size_t i : active.index)
@@ -14,6 +24,16 @@ std::vector<double> writtenWeights(const ifs::IteratedFunctionSystem<2>& system)
         weights[i] = allGiven ? *system.maps[i].weight : active.probabilities[k];
     }
     return weights;
+}
+
+template std::vector<double> writtenWeights(const ifs::IteratedFunctionSystem<2>&);
+template std::vector<double> writtenWeights(const ifs::IteratedFunctionSystem<3>&);
+
+std::optional<QString> weightRemark(std::size_t map, double weight) {
+    if (weight < 0)
+        return Text::tr("The weight of map %1 is negative; the map counts as switched off.").arg(map);
+    if (weight == 0) return Text::tr("The weight of map %1 is 0; the map takes no part.").arg(map);
+    return std::nullopt;
 }
 
 } // namespace io

@@ -31,7 +31,7 @@ _barycage_cli() {
     return
   fi
   case $subcommand in
-    info) options="--entry --json --hull-tolerance --help" ;;
+    info) options="--entry --json --hull-tolerance --progress --help" ;;
     render) options="--output --entry --size --points --seed --margin --cage --rest-cage --view --y-down --palette --colour
       --gamma --brightness --background --algorithm --iterations --supersample --threads --svg --depth --bits --dpi --simd
       --to --progress --help" ;;

@@ -8,6 +8,7 @@ complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a
 complete -c barycage-cli -n "__fish_seen_subcommand_from info render convert" -l entry -x -d "Name of an entry"
 complete -c barycage-cli -l help -d "Help"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l json -d "One JSON object"
+complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l hull-tolerance -x -d "Length"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l bake -d "Make what the cage shows the code"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l strict -d "What every reader takes"

@@ -23,6 +23,8 @@ private slots:
     void aBrokenEntryStopsNoOther();
     void refusedFlamesAreLeftOut();
     void cagesThatCannotBeBaked();
+    void systemsInSpaceGoToTablesAndBack_data();
+    void systemsInSpaceGoToTablesAndBack();
     void filesOfOneNameGetNumbers();
     void writesToStandardOutput();
 };
@@ -145,7 +147,7 @@ void CliConvertTest::aBrokenEntryStopsNoOther_data() {
         QTest::newRow(output) << QByteArray(arguments) << QByteArray(output) << QByteArray(first) << written;
     };
     row("", "rest.flame", "<flame name=\"one\"", 2);
-    row("", "rest.aifs", "@one:", 2);
+    row("", "rest.aifs", "@one:", 3);
     row("", "rest.pdf", "%PDF", 2);
     row("--strict", "strict.ifs", "one {\n", 3);
     row("--bake", "baked.ifs", "one {\n", 3);
@@ -237,6 +239,37 @@ void CliConvertTest::cagesThatCannotBeBaked() {
     QVERIFY2(baked.err.contains("“bent” is left out: its cage bends"), baked.err.constData());
     QVERIFY2(baked.err.contains("“flat” is left out: its cage is too flat"), baked.err.constData());
     QVERIFY(!QFile::exists(path("baked-cages.ifs")));
+}
+
+void CliConvertTest::systemsInSpaceGoToTablesAndBack_data() {
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("header");
+    QTest::newRow("csv") << QByteArray("space-fern.csv") << QByteArray("a,b,c,d,e,f,g,h,i,j,k,l,p\n");
+    QTest::newRow("tsv") << QByteArray("space-fern.tsv")
+                         << QByteArray("a\tb\tc\td\te\tf\tg\th\ti\tj\tk\tl\tp\n");
+}
+
+// .ifs → table → .ifs: the same numbers, to the last digit.
+void CliConvertTest::systemsInSpaceGoToTablesAndBack() {
+    QFETCH(QByteArray, name);
+    QFETCH(QByteArray, header);
+    write("space-fern.ifs", "fern3 (3D) {\n .11 .12 .13 .21 .22 .23 .31 .32 .33 1 2 3 .25\n"
+                            " .333333333333333314 0 -1e-9 0 .5 0 0 0 .5 0 1e12 -1 .75\n}\n");
+    QCOMPARE(run("convert space-fern.ifs " + name).status, 0);
+    QVERIFY2(read(name).startsWith(header), read(name).constData());
+    QCOMPARE(run("convert " + name + " space-back.ifs").status, 0);
+    const auto maps = [this](const char* file) {
+        return run(QByteArray("info --json ") + file).entry()[QLatin1String("maps")].toArray();
+    };
+    const QJsonArray before = maps("space-fern.ifs");
+    const QJsonArray after = maps("space-back.ifs");
+    QCOMPARE(before.size(), 2);
+    QCOMPARE(after.size(), 2);
+    for (int i = 0; i < 2; ++i)
+        for (const char* key : {"linear", "translation", "weight_in_file"})
+            QVERIFY2(before[i][QLatin1String(key)] == after[i][QLatin1String(key)], key);
+    QCOMPARE(run("convert space-fern.ifs x.csv --columns abecdfp").status, 1);
+    QVERIFY(!QFile::exists(path("x.csv")));
 }
 
 void CliConvertTest::filesOfOneNameGetNumbers() {

@@ -12,6 +12,7 @@ class CliRenderTest : public CommandLineTest {
     Q_OBJECT
 
 private slots:
+    void opacityIsTheEndOfAColour();
     void writesToStandardOutput();
     void entriesInSpaceArePassedOver();
     void aPointIsInTheMiddle();
@@ -260,6 +261,21 @@ void CliRenderTest::pictureOptionsCount() {
     QCOMPARE(draw("--bits 16 --dpi 254").status, 0);
     QCOMPARE(pictures.back().depth(), 64);
     QCOMPARE(pictures.back().dotsPerMeterX(), 10000);
+}
+
+// #rrggbbaa, the order of our files.
+void CliRenderTest::opacityIsTheEndOfAColour() {
+    for (const auto& [text, colour] :
+         {std::pair("#ff000080", qRgba(255, 0, 0, 128)), std::pair("#00ff00", qRgba(0, 255, 0, 255)),
+          std::pair("#00ffff40", qRgba(0, 255, 255, 0x40)), std::pair("transparent", qRgba(0, 0, 0, 0))}) {
+        QCOMPARE(
+            run(QByteArray("render systems.ifs -o back.png --size 40x30 --view 100,100,1 --background ") +
+                text)
+                .status,
+            0);
+        const QRgb found = QImage(path("back.png")).pixel(0, 0);
+        QVERIFY2(found == colour, qPrintable(QString::number(found, 16)));
+    }
 }
 
 void CliRenderTest::writesToStandardOutput() {

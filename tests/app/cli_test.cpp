@@ -24,7 +24,10 @@ private slots:
     void brokenEntries();
     void standardInput();
     void standardInputHasALimit();
+    void fullOutputIsSaid_data();
     void fullOutputIsSaid();
+    void problemsOfAWholeFileHaveAPlace();
+    void everyCommandTakesProgress();
     void onlyOrdinaryFilesAreReplaced_data();
     void onlyOrdinaryFilesAreReplaced();
     void interruptLeavesNothing();
@@ -56,6 +59,7 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --size 0x9");
     row("render systems.ifs -o x.png --palette no-such-palette");
     row("render systems.ifs -o x.png --background colourless");
+    row("render systems.ifs -o x.png --background #ff0000800000");
     row("render systems.ifs -o x.png --gamma -1");
     row("render systems.ifs -o x.png --gamma 2,2");
     row("render systems.ifs -o x.png --bits 12");
@@ -164,14 +168,48 @@ void CliTest::standardInputHasALimit() {
     large.remove();
 }
 
+void CliTest::fullOutputIsSaid_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("facts") << QByteArray("info systems.ifs") << QByteArray("systems.ifs: error: ");
+    QTest::newRow("help") << QByteArray("--help") << QByteArray("-: error: ");
+    QTest::newRow("help of a command") << QByteArray("render --help") << QByteArray("-: error: ");
+    QTest::newRow("version") << QByteArray("--version") << QByteArray("-: error: ");
+    QTest::newRow("table") << QByteArray("convert systems.ifs - --to csv --entry fern")
+                           << QByteArray("-: error: ");
+    QTest::newRow("picture") << QByteArray("render systems.ifs -o - --to png --size 9x9")
+                             << QByteArray("-: error: ");
+}
+
 void CliTest::fullOutputIsSaid() {
+    QFETCH(QByteArray, arguments);
+    QFETCH(QByteArray, said);
     if (!QFile::exists(QStringLiteral("/dev/full"))) QSKIP("needs /dev/full");
     QProcess process;
     process.setStandardOutputFile(QStringLiteral("/dev/full"));
-    start(process, "info systems.ifs");
+    start(process, arguments);
     QVERIFY(process.waitForFinished(60'000));
     QCOMPARE(process.exitCode(), 3);
-    QVERIFY(process.readAllStandardError().contains("systems.ifs: error: "));
+    QVERIFY(process.readAllStandardError().contains(said));
+}
+
+void CliTest::problemsOfAWholeFileHaveAPlace() {
+    write("empty.ifs", "");
+    write("prose.ifs", "Once upon a time\n");
+    for (const QByteArray name : {"empty.ifs", "prose.ifs"}) {
+        const Result result = run("info " + name);
+        QCOMPARE(result.status, 1);
+        QVERIFY2(result.err.startsWith(name + ":1:1: error: "), result.err.constData());
+    }
+}
+
+void CliTest::everyCommandTakesProgress() {
+    for (const char* command : {"info systems.ifs", "render systems.ifs -o progress.svg",
+                                "convert systems.ifs progress.ifs", "gallery systems.ifs -o progress.png"}) {
+        for (const char* when : {"never", "auto", "always"})
+            QCOMPARE(run(QByteArray(command) + " --progress=" + when).status, 0);
+        QCOMPARE(run(QByteArray(command) + " --progress=sometimes").status, 2);
+    }
 }
 
 void CliTest::onlyOrdinaryFilesAreReplaced_data() {

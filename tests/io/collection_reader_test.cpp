@@ -15,6 +15,8 @@ private slots:
     void parameterFilesGiveTheirSystems();
     void ambiguousTablesAsk();
     void chosenColumnsAreTaken();
+    void weightsWithoutAPartAreSaid_data();
+    void weightsWithoutAPartAreSaid();
     void roundTrips_data();
     void roundTrips();
 };
@@ -119,6 +121,39 @@ void CollectionReaderTest::chosenColumnsAreTaken() {
     QCOMPARE(firstSystem(collection.file).maps.size(), std::size_t(1));
     QVERIFY(firstSystem(collection.file).maps[0].map == ifs::affineMap(.5, .1, .2, .4, 1, 2));
     QVERIFY(!firstSystem(collection.file).maps[0].weight);
+}
+
+void CollectionReaderTest::weightsWithoutAPartAreSaid_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("table") << QByteArray(
+        "a,b,c,d,e,f,p\n.5,0,0,.4,1,2,-.5\n.5,0,0,.5,0,0,0\n.5,0,0,.5,0,1,1\n");
+    QTest::newRow("cumulative weights")
+        << QByteArray("a,b,c,d,e,f,cumulative\n.5,0,0,.4,1,2,-1\n.5,0,0,.5,0,0,-1\n.5,0,0,.5,0,1,4\n");
+    QTest::newRow("space") << QByteArray("a,b,c,d,e,f,g,h,i,j,k,l,p\n.5,0,0,0,.5,0,0,0,.5,0,0,0,-1\n"
+                                         ".5,0,0,0,.5,0,0,0,.5,0,0,0,0\n.5,0,0,0,.5,0,0,0,.5,1,0,0,1\n");
+    QTest::newRow("flame") << QByteArray(
+        "<flame>\n<xform weight=\"-1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/>\n"
+        "<xform linear=\"1\" coefs=\".5 0 0 .5 0 0\"/>\n"
+        "<xform weight=\"2\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame>");
+    QTest::newRow("collection") << QByteArray(
+        "x {\n.5 0 0 .5 0 0 -.5\n.5 0 0 .5 1 0 0\n.5 0 0 .5 1 0 1\n}\n");
+}
+
+// As for a Fractint collection: where, and which map.
+void CollectionReaderTest::weightsWithoutAPartAreSaid() {
+    QFETCH(QByteArray, bytes);
+    const io::Collection collection = io::readCollection(bytes);
+    QCOMPARE(collection.file.entries.size(), 1);
+    const document::Entry& entry = collection.file.entries.first();
+    const document::Problems problems = entry.problems;
+    QVERIFY(problems.size() >= 2);
+    QCOMPARE(problems[0].severity, document::Problem::Severity::Warning);
+    QCOMPARE(problems[0].entry, entry.fractal->name);
+    QCOMPARE(problems[0].line, 2);
+    QVERIFY2(problems[0].message.startsWith(QStringLiteral("The weight of map 1 is negative")),
+             qPrintable(problems[0].message));
+    QCOMPARE(problems[1].line, 3);
+    QVERIFY(problems[1].message.startsWith(QStringLiteral("The weight of map 2 is 0")));
 }
 
 void CollectionReaderTest::roundTrips_data() {

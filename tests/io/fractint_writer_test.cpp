@@ -69,6 +69,8 @@ private slots:
     void ownLinesGoWhenEverythingIsStandard();
     void strictForm();
     void strictFormLimits();
+    void strictFormKeepsComments();
+    void strictFormSaysWhatGoes();
     void dataFilesKeepTheirBytes();
     void randomEditsKeepTheRest();
     void aShorterTextIsStillACollection_data();
@@ -355,6 +357,38 @@ void FractintWriterTest::strictForm() {
     const FractalFile reread = io::readFractint(strict.bytes);
     for (const Entry& entry : reread.entries)
         QVERIFY(entry.problems.isEmpty());
+}
+
+void FractintWriterTest::strictFormKeepsComments() {
+    const io::StrictText strict = io::writeStrict(
+        io::readFractint("\xef\xbb\xbf; a book of leaves\n by hand\n\n; above\r\nleaf { ; maple\n"
+                         "  ; inside\n .5 0 0 .5 0 0 .5 ; the stem\n .5 0 0 .5 1 0 .5\n} ; behind\n"
+                         "; between\n\ncomment {\n ; in a block\n}\n"
+                         "twig {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n; the end\n\x1a"));
+    QCOMPARE(strict.bytes,
+             QByteArray(
+                 "; a book of leaves\n; by hand\n\n; above\n; inside\n; the stem\n; behind\nleaf { ; maple\n"
+                 "  0.5 0 0 0.5 0 0 0.5\n  0.5 0 0 0.5 1 0 0.5\n}\n\n; between\n"
+                 "twig {\n  0.5 0 0 0.5 0 0 0.5\n  0.5 0 0 0.5 1 0 0.5\n}\n\n; the end\n"));
+    QCOMPARE(strict.problems.size(), 1); // the lines of the block
+    QVERIFY(strict.problems[0].message.startsWith(QLatin1String("3 lines of blocks")));
+    // Nothing more is lost a second time.
+    const io::StrictText again = io::writeStrict(io::readFractint(strict.bytes));
+    QCOMPARE(again.bytes, strict.bytes);
+    QVERIFY(again.problems.isEmpty());
+}
+
+void FractintWriterTest::strictFormSaysWhatGoes() {
+    const QByteArray rows = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n";
+    const QByteArray cage = "; barycage: rest 0 0\n; barycage: rest 1 0\n; barycage: rest 0 1\n"
+                            "; barycage: current 1 2\n; barycage: current 2 2\n; barycage: current 1 3\n";
+    const io::StrictText strict = io::writeStrict(io::readFractint(
+        "moved {\n" + cage + rows + "coloured {\n; barycage: gamma 3\n" + rows + "plain {\n" + rows));
+    QVERIFY(!strict.bytes.contains("barycage"));
+    QCOMPARE(strict.problems.size(), 2);
+    QCOMPARE(strict.problems[0].entry, QStringLiteral("moved"));
+    QVERIFY(strict.problems[0].message.contains(QLatin1String("cage")));
+    QCOMPARE(strict.problems[1].entry, QStringLiteral("coloured"));
 }
 
 void FractintWriterTest::strictFormLimits() {

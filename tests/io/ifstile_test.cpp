@@ -17,6 +17,8 @@ private slots:
     void sameMatricesWhereverTheSimplexIs();
     void writesWhatIFStileReads();
     void namesAndSwitchedOffMaps();
+    void everyBlockHasAName();
+    void systemsInSpace();
 };
 
 namespace {
@@ -126,6 +128,42 @@ void IfstileTest::namesAndSwitchedOffMaps() {
     system.maps[1].enabled = false;
     fractal.system = system;
     QVERIFY(text(fractal).isEmpty());
+}
+
+// Names that differ in signs only, or are numbered already.
+void IfstileTest::everyBlockHasAName() {
+    QList<std::shared_ptr<const document::Fractal>> fractals;
+    for (const char* name : {"a!b", "a?b", "a_b", "a_b_2", "A_b", "1", "s_1", "é"}) {
+        document::Fractal fractal;
+        fractal.name = QString::fromUtf8(name);
+        fractal.system = ::flower();
+        fractals << std::make_shared<const document::Fractal>(fractal);
+    }
+    const QByteArray text = io::writeAifs(fractals);
+    QStringList ids;
+    const QRegularExpression block(QStringLiteral("^@([A-Za-z_][A-Za-z0-9_]*):$"),
+                                   QRegularExpression::MultilineOption);
+    for (auto it = block.globalMatch(QString::fromUtf8(text)); it.hasNext();)
+        ids << it.next().captured(1);
+    QCOMPARE(ids.size(), fractals.size());
+    QCOMPARE(ids.first(), QStringLiteral("a_b"));
+    QCOMPARE(ids.removeDuplicates(), 0);
+    QVERIFY(text.contains("$n=a?b\n"));
+}
+
+// Vector first, then the matrix row by row.
+void IfstileTest::systemsInSpace() {
+    document::System3 system;
+    ifs::AffineMap<3> map;
+    map.linear << .1, .2, .3, .4, .5, .6, .7, .8, .9;
+    map.translation << 1, 2, 3;
+    ifs::append(system, map, 1.0);
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("cube");
+    fractal.system = system;
+    QCOMPARE(text(fractal),
+             QByteArray("@cube:\n$dim=3\n$n=cube\nf1=[1,2,3]*[0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9]\n"
+                        "A=(f1)*A\n# weights: 1\n"));
 }
 
 QTEST_APPLESS_MAIN(IfstileTest)
