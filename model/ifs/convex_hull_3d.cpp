@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
@@ -20,7 +21,8 @@ namespace {
 using Points = std::vector<Vector<3>>;
 using Facet = std::array<int, 3>;
 
-constexpr std::size_t MostPoints = 2'000;
+// The error falls with their number, if the set is round: so many are used only to reach the tolerance.
+constexpr std::size_t MostPoints = 20'000, ManyPoints = 2'000;
 constexpr int NodesPerFacet = 4'000;
 
 Vector<3> outward(const Points& points, const Facet& facet) {
@@ -56,7 +58,8 @@ struct Face {
     Facet corners{};
     Vector<3> normal;
     double height = 0;
-    double gap = 0; // how far the attractor reaches beyond it at most
+    double gap = 0;   // how far the attractor reaches beyond it at most
+    double reach = 0; // how far it may therefore reach outside the hull
 };
 
 // None when the points do not span space.
@@ -93,32 +96,47 @@ std::vector<Face> facesOf(const Points& points) {
     return faces;
 }
 
-// How far the attractor may reach outside the hull. The nearest point of the hull to one outside lies in a
-// vertex v, and the unit vector u between them is Σ λ_f n_f, λ_f ≥ 0, over the faces around v; their distance
-// is then at most Σ λ_f gap_f, and Σ λ_f ⟨n_f,a⟩ = ⟨u,a⟩ ≤ 1 for any unit a, here the mean of the n_f.
-double certificate(const std::vector<Face>& faces, std::size_t pointCount) {
-    std::vector<Vector<3>> axes(pointCount, Vector<3>::Zero());
-    std::vector<double> gaps(pointCount, 0), cosines(pointCount, 1);
-    for (const Face& face : faces)
-        for (const int corner : face.corners) {
-            axes[std::size_t(corner)] += face.normal;
-            gaps[std::size_t(corner)] = std::max(gaps[std::size_t(corner)], face.gap);
-        }
-    for (const Face& face : faces)
-        for (const int corner : face.corners) {
-            const Vector<3> axis = axes[std::size_t(corner)].normalized();
-            cosines[std::size_t(corner)] = std::min(cosines[std::size_t(corner)], face.normal.dot(axis));
-        }
-    double widest = faces.empty() ? std::numeric_limits<double>::infinity() : 0;
-    for (std::size_t k = 0; k < pointCount; ++k)
-        if (gaps[k] > 0)
-            widest = std::max(widest, cosines[k] > 0 ? gaps[k] / cosines[k]
-                                                     : std::numeric_limits<double>::infinity());
-    return widest;
+// The least cosine between the normals around a vertex and an axis in their middle: the point nearest to the
+// origin in their hull, by steps towards the normal that it serves worst (Frank and Wolfe).
+double leastCosine(const Points& normals) {
+    if (normals.empty()) return 1;
+    constexpr int Steps = 64;
+    Vector<3> axis = meanOf(normals);
+    double best = -1;
+    for (int n = 0; n < Steps; ++n) {
+        const auto worst = std::ranges::min_element(
+            normals, {}, [&axis](const Vector<3>& normal) { return normal.dot(axis); });
+        best = std::max(best, worst->dot(axis) / axis.norm());
+        axis += (*worst - axis) / (n + 2);
+    }
+    return best;
 }
 
-// Extreme points, refined over the facets until none has one farther out than the tolerance, or none that
-// lies apart from the points already there.
+// How far the attractor may reach outside the hull, and what each face does for it. The nearest point of the
+// hull to one outside lies in a vertex v, and the unit vector u between them is Σ λ_f n_f, λ_f ≥ 0, over the
+// faces around v; their distance is then at most Σ λ_f gap_f, and Σ λ_f ⟨n_f,a⟩ = ⟨u,a⟩ ≤ 1 for any unit a.
+double certify(std::vector<Face>& faces, std::size_t pointCount) {
+    std::vector<Points> normals(pointCount);
+    for (const Face& face : faces)
+        for (const int corner : face.corners)
+            normals[std::size_t(corner)].push_back(face.normal);
+    std::vector<double> cosines;
+    for (const Points& around : normals)
+        cosines.push_back(leastCosine(around));
+    double farthest = faces.empty() ? std::numeric_limits<double>::infinity() : 0;
+    for (Face& face : faces) {
+        double cosine = 1;
+        for (const int corner : face.corners)
+            cosine = std::min(cosine, cosines[std::size_t(corner)]);
+        if (face.gap > 0)
+            face.reach = cosine > 0 ? face.gap / cosine : std::numeric_limits<double>::infinity();
+        farthest = std::max(farthest, face.reach);
+    }
+    return farthest;
+}
+
+// Extreme points, refined over the facets until none lets the attractor farther out than the tolerance, or
+// none has a point that lies apart from those already there.
 struct Refined {
     Points points;
     std::vector<Face> faces;
@@ -127,30 +145,58 @@ struct Refined {
 Refined refine(const SupportFunction<3>& support, double tolerance) {
     Refined hull;
     const double apart = 1e-13 * (support.radius() + support.centre().norm());
-    const auto ask = [&](const Vector<3>& normal, double accuracy) {
-        const auto h = support(normal, accuracy, NodesPerFacet);
+    const auto add = [&](const Vector<3>& point) {
         const bool isNew = std::ranges::none_of(
-            hull.points, [&](const Vector<3>& known) { return (known - h.point).norm() <= apart; });
-        if (isNew) hull.points.push_back(h.point);
-        return h.value + h.error;
+            hull.points, [&](const Vector<3>& known) { return (known - point).norm() <= apart; });
+        if (isNew) hull.points.push_back(point);
     };
     for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
             for (int z = -1; z <= 1; ++z)
-                if (x != 0 || y != 0 || z != 0) ask(Vector<3>(x, y, z).normalized(), 0);
-    std::vector<std::pair<Vector<3>, double>> asked; // normals and heights of earlier rounds
+                if (x != 0 || y != 0 || z != 0)
+                    add(support(Vector<3>(x, y, z).normalized(), 0, NodesPerFacet).point);
+    struct Farthest {
+        double height = std::numeric_limits<double>::infinity(); // the attractor reaches no farther
+        Vector<3> point;
+        double accuracy = std::numeric_limits<double>::infinity();
+    };
+    std::map<Facet, Farthest> asked; // by the corners
+    double accuracy = tolerance / 8;
+    const auto farthest = [&](const Face& face, double wanted) -> const Farthest& {
+        Facet key = face.corners;
+        std::ranges::sort(key);
+        Farthest& known = asked[key];
+        if (wanted < known.accuracy) {
+            const auto h = support(face.normal, wanted, NodesPerFacet);
+            const bool isFarther = std::isinf(known.height) || h.value > face.normal.dot(known.point);
+            known = {std::min(known.height, h.value + h.error), isFarther ? h.point : known.point, wanted};
+        }
+        return known;
+    };
     for (;;) {
         hull.faces = facesOf(hull.points);
         const std::size_t known = hull.points.size();
-        for (Face& face : hull.faces) {
-            const auto again = std::ranges::find_if(
-                asked, [&](const auto& earlier) { return (earlier.first - face.normal).norm() < 1e-12; });
-            const double height = again != asked.end() ? again->second : ask(face.normal, tolerance / 8);
-            if (again == asked.end()) asked.emplace_back(face.normal, height);
-            face.gap = std::max(height - face.height, 0.0) + apart; // of rounding in the plane of the face
+        const auto addBeyond = [&](double reach) {
+            for (const Face& face : hull.faces) {
+                const Vector<3>& point = farthest(face, tolerance / 8).point;
+                const double beyond = face.normal.dot(point) - face.height;
+                if (face.reach > reach && beyond > face.gap / 2) add(point);
+            }
+            return hull.points.size() > known;
+        };
+        // The worst faces first, while they have something to tell; where that is not clear, more closely.
+        for (;; accuracy /= 64) {
+            for (Face& face : hull.faces) {
+                const double wanted = face.reach > tolerance ? accuracy : tolerance / 8;
+                const double height = farthest(face, wanted).height;
+                face.gap = std::max(height - face.height, 0.0) + apart; // rounding in the plane of the face
+            }
+            hull.error = certify(hull.faces, known);
+            const bool isHopeless =
+                known >= ManyPoints && hull.error * double(known) > tolerance * double(MostPoints);
+            if (hull.error <= tolerance || isHopeless || known >= MostPoints || accuracy < apart) return hull;
+            if (addBeyond(std::max(tolerance, hull.error / 8)) || addBeyond(tolerance)) break;
         }
-        hull.error = certificate(hull.faces, known);
-        if (hull.points.size() == known || hull.error <= tolerance || known >= MostPoints) return hull;
     }
 }
 

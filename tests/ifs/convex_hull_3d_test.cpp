@@ -76,6 +76,21 @@ private slots:
         QVERIFY(std::abs(highest - 7.997725100771707) < 1e-9);
     }
 
+    // What is asked for is reached, with no more corners than it takes.
+    void theToleranceIsMet() {
+        for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
+            const auto hull = hullOf(fern3(), tolerance);
+            QVERIFY(isClosed(hull) && hull.error <= tolerance);
+            QVERIFY(hull.vertices.size() < std::size_t(150 / std::sqrt(tolerance)));
+            Random random(3);
+            for (const auto& x : orbit<3>(fern3(), 2000, random))
+                QVERIFY(outside(hull, x) <= hull.error);
+        }
+        // A tolerance beyond reach ends as well, and the error says so.
+        const auto hull = hullOf(fern3(), 1e-9);
+        QVERIFY(hull.error > 1e-9 && hull.error < 1e-3);
+    }
+
     void certificateHoldsForTheOrbit() {
         Random random(2);
         for (int n = 0; n < 30; ++n) {
