@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/renderer.h"
 #include "canvas/attractor_item.h"
+#include "canvas/canvas_geometry.h"
 #include "canvas/canvas_scene.h"
 #include "canvas/overlay_style.h"
 #include "support/contrast.h"
@@ -59,6 +60,47 @@ double contrastAt(const QImage& over, const QImage& under, const QPointF& at, in
     return best;
 }
 
+std::vector<QPointF> placesOn(const QPolygonF& outline) {
+    std::vector<QPointF> places;
+    for (int i = 0; i < outline.size(); ++i) {
+        const QLineF edge(outline[i], outline[(i + 1) % outline.size()]);
+        for (double t = 0.15; t < 0.86; t += 0.05)
+            places.push_back(edge.pointAt(t));
+    }
+    return places;
+}
+
+// On the darkest to the lightest, the worst closely, on colours, and on all of them side by side.
+std::vector<std::shared_ptr<attractor::Frame>> pictures() {
+    std::vector<std::shared_ptr<attractor::Frame>> pictures;
+    for (int grey = 0; grey < 256; grey += (grey > 90 && grey < 150 ? 3 : 15))
+        pictures.push_back(pictureOf([grey](int, int) { return qRgb(grey, grey, grey); }));
+    for (const QRgb colour : {qRgb(255, 0, 0), qRgb(0, 200, 0), qRgb(0, 0, 255), qRgb(255, 190, 70),
+                              qRgb(214, 96, 0), qRgb(90, 120, 160)})
+        pictures.push_back(pictureOf([colour](int, int) { return colour; }));
+    pictures.push_back(
+        pictureOf([](int x, int y) { return qRgb(x * 37 % 256, y * 53 % 256, (x + y) * 11 % 256); }));
+    return pictures;
+}
+
+void standsOut(CanvasScene& scene, const std::vector<QPointF>& edges, const std::vector<QPointF>& handles) {
+    std::vector<QPointF> places = edges;
+    places.insert(places.end(), handles.begin(), handles.end());
+    for (const auto& picture : pictures()) {
+        scene.setFrame(picture);
+        const QImage under = view::imageOf(*picture);
+        const QImage over = painted(scene);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double contrast = contrastAt(over, under, places[i], i < edges.size() ? 6 : 12);
+            QVERIFY2(contrast >= enough, qPrintable(QStringLiteral("%1 at %2, %3 on %4")
+                                                        .arg(contrast)
+                                                        .arg(places[i].x())
+                                                        .arg(places[i].y())
+                                                        .arg(under.pixelColor(places[i].toPoint()).name())));
+        }
+    }
+}
+
 } // namespace
 
 // Whatever the picture, every handle and every piece of an outline stands out from it by 4.5 to 1, as
@@ -69,6 +111,8 @@ class OverlayContrastTest : public QObject {
 private slots:
     void onEveryPicture_data();
     void onEveryPicture();
+    void mapsOnEveryPicture_data();
+    void mapsOnEveryPicture();
     void sentencesAreReadable();
 };
 
@@ -98,41 +142,62 @@ void OverlayContrastTest::onEveryPicture() {
     scene.setHovered({Kind(part), part == int(Kind::Edge) ? 1 : 0});
     scene.setFocused(scene.hovered());
 
-    std::vector<std::shared_ptr<attractor::Frame>> pictures;
-    for (int grey = 0;
-         grey<256; grey += grey> 90 && grey < 150 ? 3 : 15) // the darkest to the lightest, the worst closely
-        pictures.push_back(pictureOf([grey](int, int) { return qRgb(grey, grey, grey); }));
-    for (const QRgb colour : {qRgb(255, 0, 0), qRgb(0, 200, 0), qRgb(0, 0, 255), qRgb(255, 190, 70),
-                              qRgb(214, 96, 0), qRgb(90, 120, 160)})
-        pictures.push_back(pictureOf([colour](int, int) { return colour; }));
-    pictures.push_back(
-        pictureOf([](int x, int y) { return qRgb(x * 37 % 256, y * 53 % 256, (x + y) * 11 % 256); }));
-
-    std::vector<QPointF> places;
-    const QPolygonF cage = scene.cagePolygon();
-    for (int i = 0; i < cage.size(); ++i) {
-        const QLineF edge(cage[i], cage[(i + 1) % cage.size()]);
-        for (double t = 0.15; t < 0.86; t += 0.05)
-            places.push_back(edge.pointAt(t));
-    }
-    const std::size_t onEdges = places.size();
+    const std::vector<QPointF> edges = placesOn(scene.cagePolygon());
+    std::vector<QPointF> handles;
     for (const Kind handle : {Kind::Vertex, Kind::Pivot, Kind::Rotate, Kind::Scale})
-        for (int i = 0; i < (handle == Kind::Vertex ? cage.size() : 1); ++i)
-            places.push_back(scene.positionOf({handle, i}));
+        for (int i = 0; i < (handle == Kind::Vertex ? scene.cagePolygon().size() : 1); ++i)
+            handles.push_back(scene.positionOf({handle, i}));
+    standsOut(scene, edges, handles);
+}
 
-    for (const auto& picture : pictures) {
-        scene.setFrame(picture);
-        const QImage under = view::imageOf(*picture);
-        const QImage over = painted(scene);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const double contrast = contrastAt(over, under, places[i], i < onEdges ? 6 : 12);
-            QVERIFY2(contrast >= enough, qPrintable(QStringLiteral("%1 at %2, %3 on %4")
-                                                        .arg(contrast)
-                                                        .arg(places[i].x())
-                                                        .arg(places[i].y())
-                                                        .arg(under.pixelColor(places[i].toPoint()).name())));
-        }
+void OverlayContrastTest::mapsOnEveryPicture_data() {
+    QTest::addColumn<bool>("dark");
+    QTest::addColumn<int>("taken");
+    QTest::addColumn<bool>("takesPart");
+    for (const bool dark : {true, false})
+        for (const bool takesPart : {true, false})
+            for (const auto taken :
+                 {CanvasScene::Taken::Cage, CanvasScene::Taken::Maps, CanvasScene::Taken::Branch})
+                QTest::addRow("%s background, tool %d, map %s", dark ? "dark" : "light", int(taken),
+                              takesPart ? "on" : "off")
+                    << dark << int(taken) << takesPart;
+}
+
+// The first map is selected, the second is not; the third may be switched off.
+void OverlayContrastTest::mapsOnEveryPicture() {
+    QFETCH(bool, dark);
+    QFETCH(int, taken);
+    QFETCH(bool, takesPart);
+    document::Fractal fractal = document::sierpinskiTriangle();
+    fractal.appearance.background =
+        dark ? attractor::Rgba{13, 17, 23, 255} : attractor::Rgba{250, 250, 248, 255};
+    auto& maps = document::system2(fractal)->maps;
+    maps[0].map.translation = {0.1, 0.15}; // away from the edges of the cage
+    maps[0].enabled = taken != int(CanvasScene::Taken::Cage) || takesPart;
+    maps[2].enabled = takesPart;
+    document::Document document;
+    document.setFile(document::fileOf(fractal));
+    CanvasScene scene(&document);
+    scene.setDesktop(QPalette(), QFont());
+    scene.setGridVisible(false);
+    scene.setAxesVisible(false);
+    scene.setView(camera(), 1);
+    scene.setTaken(CanvasScene::Taken(taken));
+    scene.setSelectedPlaces({0});
+    if (taken == int(CanvasScene::Taken::Branch)) scene.setBranch({0});
+
+    std::vector<QPointF> edges;
+    std::vector<QPointF> handles;
+    for (std::size_t place = 0; place < (taken == int(CanvasScene::Taken::Maps) ? maps.size() : 1); ++place) {
+        QPolygonF frame;
+        for (const QPointF& corner : scene.cagePolygon())
+            frame << view::pixelOf(camera(), maps[place].map(view::worldAt(camera(), corner)));
+        QVERIFY(frame.size() == 3);
+        const std::vector<QPointF> onFrame = placesOn(frame);
+        edges.insert(edges.end(), onFrame.begin(), onFrame.end());
+        if (taken != int(CanvasScene::Taken::Cage)) handles.insert(handles.end(), frame.begin(), frame.end());
     }
+    standsOut(scene, edges, handles);
 }
 
 // The ground of the sentences on the canvas lets a little of the picture through, and stays readable.

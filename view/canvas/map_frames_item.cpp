@@ -95,16 +95,17 @@ QRectF MapFramesItem::boundingRect() const {
     return all;
 }
 
+bool MapFramesItem::isHovered(const MapFrame& frame) const {
+    return m_hovered.map == frame.place && m_pressed.kind == Kind::None;
+}
+
 void MapFramesItem::paintFrame(QPainter& painter, const MapFrame& frame) const {
-    const bool hovered = m_hovered.map == frame.place && m_pressed.kind == Kind::None;
-    const QPainterPath path = closed(frame.outline);
-    painter.fillPath(path, withOpacity(frame.colour, frame.selected || hovered ? 0.16 : 0.05));
     const double width = m_style.lineWidth + (frame.selected ? 0.75 : 0);
-    strokeWithHalo(painter, path, m_style,
-                   hovered && !frame.selected ? frame.colour.lighter(115) : frame.colour, width,
-                   frame.takesPart ? Qt::SolidLine : Qt::DashLine);
+    strokeOutline(painter, frame.outline, m_style,
+                  isHovered(frame) && !frame.selected ? frame.colour.lighter(115) : frame.colour, width,
+                  frame.takesPart ? Qt::SolidLine : Qt::DashLine);
     if (m_focused == CanvasPart{Kind::Inside, 0, frame.place})
-        strokeLit(painter, path, m_style, width, Qt::DashLine);
+        strokeLit(painter, closed(frame.outline), m_style, width, Qt::DashLine);
 }
 
 void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const {
@@ -135,14 +136,14 @@ void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const
 void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->setRenderHint(QPainter::Antialiasing);
     if (m_mode == Mode::Hint) {
-        painter->setOpacity(0.7);
         for (const MapFrame& frame : m_frames)
             if (frame.selected)
-                strokeWithHalo(*painter, closed(frame.outline), m_style, frame.colour, m_style.lineWidth,
-                               Qt::DotLine);
-        painter->setOpacity(1);
+                strokeOutline(*painter, frame.outline, m_style, frame.colour, m_style.lineWidth, Qt::DotLine);
         return;
     }
+    for (const MapFrame& frame : m_frames) // below all lines, which they would make fainter
+        painter->fillPath(closed(frame.outline),
+                          withOpacity(frame.colour, frame.selected || isHovered(frame) ? 0.16 : 0.05));
     for (const bool selected : {false, true}) {
         for (const MapFrame& frame : m_frames)
             if (frame.selected == selected) paintFrame(*painter, frame);

@@ -37,6 +37,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
 private:
+    bool isHovered(const MapFrame& frame) const;
     void paintFrame(QPainter& painter, const MapFrame& frame) const;
     void paintCorners(QPainter& painter, const MapFrame& frame) const;
 

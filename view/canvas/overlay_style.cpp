@@ -105,12 +105,54 @@ void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlaySt
     stroke(painter, path, colour, width, pattern);
 }
 
-void strokeLit(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, double width,
-               Qt::PenStyle pattern) {
+void strokeSeen(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, const QColor& colour,
+                double width, Qt::PenStyle pattern) {
     // Between dashes the line is seen; beside a solid one it takes room of its own.
     strokeWithHalo(painter, path, style, style.line,
                    pattern == Qt::SolidLine ? width + 2 * haloWidth : width);
-    stroke(painter, path, style.accent, width, pattern);
+    stroke(painter, path, colour, width, pattern);
+}
+
+void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlayStyle& style,
+                   const QColor& colour, double width, Qt::PenStyle pattern) {
+    constexpr double beside = 2; // so wide, and some pixel is covered wholly at every slope
+    double doubledArea = 0;
+    double length = 0;
+    QList<QLineF> edges;
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+        const QLineF edge(outline[i], outline[(i + 1) % outline.size()]);
+        if (edge.p1() == edge.p2()) continue;
+        doubledArea += edge.x1() * edge.y2() - edge.x2() * edge.y1();
+        length += edge.length();
+        edges.append(edge);
+    }
+    QPainterPath path;
+    path.addPolygon(outline);
+    path.closeSubpath();
+    if (std::abs(doubledArea) < 2 * beside * length) { // too flat to have an inside
+        strokeSeen(painter, path, style, colour, width, pattern);
+        return;
+    }
+    const double outwards = std::copysign((width + beside) / 2, -doubledArea);
+    const auto shifted = [&edges](double by) {
+        QList<QLineF> lines;
+        for (const QLineF& edge : edges) {
+            const QLineF normal = edge.unitVector().normalVector(); // anticlockwise as seen, y being down
+            lines.append(edge.translated(-by * normal.dx(), -by * normal.dy()));
+        }
+        return lines;
+    };
+    painter.setPen(QPen(style.line, beside, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(shifted(-outwards));
+    painter.setPen(QPen(style.halo, beside, Qt::SolidLine, Qt::SquareCap));
+    painter.drawLines(shifted(outwards));
+    if (pattern != Qt::SolidLine) stroke(painter, path, style.halo, width);
+    stroke(painter, path, colour, width, pattern);
+}
+
+void strokeLit(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, double width,
+               Qt::PenStyle pattern) {
+    strokeSeen(painter, path, style, style.accent, width, pattern);
 }
 
 void strokeFocusRing(QPainter& painter, const QPointF& centre, double radius, const OverlayStyle& style) {

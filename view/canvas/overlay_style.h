@@ -6,6 +6,7 @@
 #include <QColor>
 #include <QPalette>
 #include <QPointF>
+#include <QPolygonF>
 
 class QPainter;
 class QPainterPath;
@@ -39,7 +40,15 @@ OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& pal
 void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
                     const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
 
-// A line that is seen on any picture though it has the accent colour: it lies on a line in the halo.
+// A line that is seen on any picture whatever its colour: it lies on a line in the halo.
+void strokeSeen(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, const QColor& colour,
+                double width, Qt::PenStyle pattern = Qt::SolidLine);
+
+// The same for a closed outline, and thinner: the halo is outside, the colour of lines inside.
+void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlayStyle& style,
+                   const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
+
+// A line that is seen on any picture, in the accent colour.
 void strokeLit(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, double width,
                Qt::PenStyle pattern = Qt::SolidLine);
 
