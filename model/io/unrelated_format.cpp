@@ -139,6 +139,10 @@ std::optional<QString> byLines(const QByteArrayList& lines) {
             "This table has 5 numbers per map (scales, shifts and a rotation in pixels). It is not a "
             "Fractint "
             "collection.");
+    const auto isFileName = [](const QByteArray& line) { return line.endsWith(".ifs"); };
+    if (std::count_if(lines.begin(), lines.end(), isFileName) * 3 > lines.size())
+        return Text::tr(
+            "This is a list of other files, as the program Fraktale has one, not a Fractint collection.");
     const auto isExpression = [](const QByteArray& line) {
         const qsizetype semicolon = line.indexOf(';');
         return semicolon > 0 && line.first(semicolon).contains(',') &&

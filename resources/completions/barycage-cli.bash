@@ -20,7 +20,7 @@ _barycage_cli() {
     --to) [ "$subcommand" = render ] && values="png svg pdf" || values="fractint flame aifs csv tsv ply pdf" ;;
     --paper) values="dark light" ;;
     --columns|--in-columns) values="abcdefp abecdfp acbdefp pabcdef" ;;
-    -o|--output) COMPREPLY=($(compgen -f -- "$current")); return ;;
+    -o|--output) COMPREPLY=($(compgen -f -W - -- "$current")); return ;;
   esac
   if [ -n "$values" ]; then
     COMPREPLY=($(compgen -W "$values" -- "$current"))

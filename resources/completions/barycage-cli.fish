@@ -20,7 +20,7 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l seed -x -d 
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l y-as-written -d "Leave the y of flames as it is"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l progress -x -a "always never auto" -d "Progress bar"
 set -l render "__fish_seen_subcommand_from render"
-complete -c barycage-cli -n $render -s o -l output -r -d "Picture to write"
+complete -c barycage-cli -n $render -s o -l output -r -a - -d "Picture to write"
 complete -c barycage-cli -n $render -l colour -x -a "density map address none" -d "What colours mean"
 complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deterministic" -d "How it is drawn"
 complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of scalable picture"
@@ -37,7 +37,7 @@ for option in size points seed margin cage view gamma brightness iterations thre
   complete -c barycage-cli -n $render -l $option -x
 end
 set -l gallery "__fish_seen_subcommand_from gallery"
-complete -c barycage-cli -n $gallery -s o -l output -r -d "Sheet to write"
+complete -c barycage-cli -n $gallery -s o -l output -r -a - -d "Sheet to write"
 complete -c barycage-cli -n $gallery -l columns -x -d "Pictures side by side"
 complete -c barycage-cli -n $gallery -l tile -x -d "Width and height of a picture"
 complete -c barycage-cli -n $gallery -l paper -x -a "dark light" -d "Background"

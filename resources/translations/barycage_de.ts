@@ -1206,13 +1206,6 @@
     </message>
 </context>
 <context>
-    <name>PngExport</name>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1 kann nicht geschrieben werden: %2</translation>
-    </message>
-</context>
-<context>
     <name>PngSystem</name>
     <message>
         <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
@@ -2037,6 +2030,42 @@
     <message>
         <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
         <translation>Ein gespeicherter Ort eines Astes ist nicht brauchbar (seine Abbildung ist unvollständig, seine Adresse nennt Abbildungen, die es nicht gibt, oder kommt zweimal vor, oder es sind zu viele) und wird nicht angewandt.</translation>
+    </message>
+    <message>
+        <source>%1 lines of blocks that are no iterated function systems are left out.</source>
+        <translation>%1 Zeilen von Blöcken, die keine iterierten Funktionensysteme sind, werden weggelassen.</translation>
+    </message>
+    <message>
+        <source>A cell of this row is empty.</source>
+        <translation>Eine Zelle dieser Zeile ist leer.</translation>
+    </message>
+    <message>
+        <source>A comma can be read as a decimal point or between two numbers here, and both give whole rows. Write decimal points.</source>
+        <translation>Ein Komma kann hier als Dezimalzeichen oder zwischen zwei Zahlen gelesen werden, und beides ergibt ganze Zeilen. Schreiben Sie Dezimalpunkte.</translation>
+    </message>
+    <message>
+        <source>The cage and the colours of the entry are left out.</source>
+        <translation>Der Käfig und die Farben des Eintrags werden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The code is written without its cage and moved branches: other programs draw another picture.</source>
+        <translation>Der Code wird ohne seinen Käfig und verschobene Äste geschrieben: andere Programme zeichnen ein anderes Bild.</translation>
+    </message>
+    <message>
+        <source>The table has maps of the plane and maps of space.</source>
+        <translation>Die Tabelle hat Abbildungen der Ebene und Abbildungen des Raums.</translation>
+    </message>
+    <message>
+        <source>This is a list of other files, as the program Fraktale has one, not a Fractint collection.</source>
+        <translation>Dies ist eine Liste anderer Dateien, wie das Programm Fraktale sie hat, keine Fractint-Sammlung.</translation>
+    </message>
+    <message>
+        <source>This row has %1 numbers, and the header names %2 columns.</source>
+        <translation>Diese Zeile hat %1 Zahlen, und die Überschrift nennt %2 Spalten.</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
     </message>
 </context>
 <context>

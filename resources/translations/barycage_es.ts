@@ -1206,13 +1206,6 @@
     </message>
 </context>
 <context>
-    <name>PngExport</name>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>No se puede escribir %1: %2</translation>
-    </message>
-</context>
-<context>
     <name>PngSystem</name>
     <message>
         <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
@@ -2037,6 +2030,42 @@
     <message>
         <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
         <translation>Un lugar guardado de una rama no es utilizable (su aplicación está incompleta, su dirección nombra aplicaciones que no existen o aparece dos veces, o hay demasiados) y no se aplica.</translation>
+    </message>
+    <message>
+        <source>%1 lines of blocks that are no iterated function systems are left out.</source>
+        <translation>Se omiten %1 líneas de bloques que no son sistemas de funciones iteradas.</translation>
+    </message>
+    <message>
+        <source>A cell of this row is empty.</source>
+        <translation>Una celda de esta fila está vacía.</translation>
+    </message>
+    <message>
+        <source>A comma can be read as a decimal point or between two numbers here, and both give whole rows. Write decimal points.</source>
+        <translation>Aquí la coma se puede leer como signo decimal o como separador de números, y en ambos casos salen filas completas. Escriba puntos decimales.</translation>
+    </message>
+    <message>
+        <source>The cage and the colours of the entry are left out.</source>
+        <translation>Se omiten la jaula y los colores de la entrada.</translation>
+    </message>
+    <message>
+        <source>The code is written without its cage and moved branches: other programs draw another picture.</source>
+        <translation>El código se escribe sin su jaula ni sus ramas desplazadas: otros programas dibujan otra imagen.</translation>
+    </message>
+    <message>
+        <source>The table has maps of the plane and maps of space.</source>
+        <translation>La tabla tiene aplicaciones del plano y aplicaciones del espacio.</translation>
+    </message>
+    <message>
+        <source>This is a list of other files, as the program Fraktale has one, not a Fractint collection.</source>
+        <translation>Esto es una lista de otros archivos, como la del programa Fraktale, no una colección de Fractint.</translation>
+    </message>
+    <message>
+        <source>This row has %1 numbers, and the header names %2 columns.</source>
+        <translation>Esta fila tiene %1 números, y el encabezado nombra %2 columnas.</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>motivo</translation>
     </message>
 </context>
 <context>

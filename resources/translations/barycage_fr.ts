@@ -1206,13 +1206,6 @@
     </message>
 </context>
 <context>
-    <name>PngExport</name>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>Impossible d’écrire %1&#x202f;: %2</translation>
-    </message>
-</context>
-<context>
     <name>PngSystem</name>
     <message>
         <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
@@ -2037,6 +2030,42 @@
     <message>
         <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
         <translation>Une place enregistrée d’une branche n’est pas utilisable (son application est incomplète, son adresse nomme des applications qui n’existent pas ou apparaît deux fois, ou il y en a trop) et n’est pas appliquée.</translation>
+    </message>
+    <message>
+        <source>%1 lines of blocks that are no iterated function systems are left out.</source>
+        <translation>%1 lignes de blocs qui ne sont pas des systèmes de fonctions itérées sont omises.</translation>
+    </message>
+    <message>
+        <source>A cell of this row is empty.</source>
+        <translation>Une cellule de cette ligne est vide.</translation>
+    </message>
+    <message>
+        <source>A comma can be read as a decimal point or between two numbers here, and both give whole rows. Write decimal points.</source>
+        <translation>La virgule peut ici être décimale ou séparer deux nombres, et les deux lectures donnent des lignes complètes. Écrivez des points décimaux.</translation>
+    </message>
+    <message>
+        <source>The cage and the colours of the entry are left out.</source>
+        <translation>La cage et les couleurs de l’entrée sont omises.</translation>
+    </message>
+    <message>
+        <source>The code is written without its cage and moved branches: other programs draw another picture.</source>
+        <translation>Le code est écrit sans sa cage ni ses branches déplacées : d’autres programmes dessinent une autre image.</translation>
+    </message>
+    <message>
+        <source>The table has maps of the plane and maps of space.</source>
+        <translation>Le tableau a des applications du plan et des applications de l’espace.</translation>
+    </message>
+    <message>
+        <source>This is a list of other files, as the program Fraktale has one, not a Fractint collection.</source>
+        <translation>C’est une liste d’autres fichiers, comme celle du programme Fraktale, et non une collection Fractint.</translation>
+    </message>
+    <message>
+        <source>This row has %1 numbers, and the header names %2 columns.</source>
+        <translation>Cette ligne a %1 nombres, et l’en-tête nomme %2 colonnes.</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>raison</translation>
     </message>
 </context>
 <context>

@@ -1209,13 +1209,6 @@
     </message>
 </context>
 <context>
-    <name>PngExport</name>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>„%1“ не може да се запише: %2</translation>
-    </message>
-</context>
-<context>
     <name>PngSystem</name>
     <message>
         <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
@@ -2040,6 +2033,42 @@
     <message>
         <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
         <translation>Зачувано место на гранка не е употребливо (нејзиното пресликување е нецелосно, нејзината адреса именува пресликувања што ги нема или се јавува двапати, или ги има премногу) и не се применува.</translation>
+    </message>
+    <message>
+        <source>%1 lines of blocks that are no iterated function systems are left out.</source>
+        <translation>Се изоставуваат %1 редови од блокови што не се итерирани функциски системи.</translation>
+    </message>
+    <message>
+        <source>A cell of this row is empty.</source>
+        <translation>Една ќелија во оваа редица е празна.</translation>
+    </message>
+    <message>
+        <source>A comma can be read as a decimal point or between two numbers here, and both give whole rows. Write decimal points.</source>
+        <translation>Тука запирката може да се чита како децимална или како запирка меѓу два броја, и во двата случаи се добиваат цели редици. Пишувајте децимални точки.</translation>
+    </message>
+    <message>
+        <source>The cage and the colours of the entry are left out.</source>
+        <translation>Кафезот и боите на записот се изоставуваат.</translation>
+    </message>
+    <message>
+        <source>The code is written without its cage and moved branches: other programs draw another picture.</source>
+        <translation>Кодот се запишува без кафезот и без поместените гранки: другите програми цртаат друга слика.</translation>
+    </message>
+    <message>
+        <source>The table has maps of the plane and maps of space.</source>
+        <translation>Табелата има пресликувања на рамнината и пресликувања на просторот.</translation>
+    </message>
+    <message>
+        <source>This is a list of other files, as the program Fraktale has one, not a Fractint collection.</source>
+        <translation>Ова е список на други датотеки, каков што има програмата Fraktale, а не збирка на Fractint.</translation>
+    </message>
+    <message>
+        <source>This row has %1 numbers, and the header names %2 columns.</source>
+        <translation>Оваа редица има %1 броја, а заглавието именува %2 колони.</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>причина</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@ private slots:
     void completionsAndManualKnowEveryOption();
     void nothingElseIsOffered();
     void everySubcommandIsOffered();
+    void manualsSayWhatEveryoneAsks();
 #ifdef BARYCAGE_EDITOR
     void theEditorSaysItsVersionWithoutADisplay();
 #endif
@@ -95,6 +96,10 @@ void CliOptionsTest::completionsAndManualKnowEveryOption() {
     const QString section = part(manual, QStringLiteral(".SS ") + subcommand, QStringLiteral("\n.SS "))
                                 .section(QStringLiteral("\n.PP\n"), 0, 0);
     QCOMPARE(found(section, QStringLiteral("^\\.BI? --([a-z][a-z-]*)")), options);
+    for (const QString& option : options)
+        QVERIFY2(section.count(QRegularExpression(QStringLiteral("^\\.BI? --%1( |$)").arg(option),
+                                                  QRegularExpression::MultilineOption)) == 1,
+                 qPrintable(option));
 
     const QString zsh = read("completions/_barycage-cli");
     const QString fish = read("completions/barycage-cli.fish");
@@ -136,6 +141,17 @@ void CliOptionsTest::everySubcommandIsOffered() {
         QVERIFY2(read("linux/barycage-cli.1.in").contains(QStringLiteral(".B barycage-cli ") + name),
                  qPrintable(name));
     }
+}
+
+void CliOptionsTest::manualsSayWhatEveryoneAsks() {
+    const QString statuses =
+        part(read("linux/barycage-cli.1.in"), QStringLiteral(".SH EXIT STATUS"), QStringLiteral("\n.SH "));
+    QCOMPARE(found(statuses, QStringLiteral("^\\.B ([0-9]+)$")),
+             (QSet<QString>{QStringLiteral("0"), QStringLiteral("1"), QStringLiteral("2"),
+                            QStringLiteral("3"), QStringLiteral("130")}));
+    const QString editor = read("linux/barycage.1.in").replace(QStringLiteral("\\-"), QStringLiteral("-"));
+    for (const char* word : {"--help", "--version", ".ifs", ".par", ".flame", ".csv", ".svg"})
+        QVERIFY2(editor.contains(QLatin1String(word)), word);
 }
 
 #ifdef BARYCAGE_EDITOR

@@ -270,6 +270,9 @@ void FractintReaderTest::unrelatedFormats_data() {
     QTest::addColumn<QString>("name");
     QTest::newRow("Racket") << QByteArray("(((3) 0 () (f affine-transformation 1 2)))")
                             << QStringLiteral("Racket");
+    QTest::newRow("list of files") << QByteArray(
+                                          "2 Total Anzahl IFS's\nThe Fern\nfarn.ifs\nMaple\nahorn.ifs\n")
+                                   << QStringLiteral("list of other files");
     QTest::newRow("Fraktale") << QByteArray("2\n.5 0 0 .5 0 0 50\n.5 0 0 .5 .5 0 100\n1 1 0 0\n")
                               << QStringLiteral("Fraktale");
     QTest::newRow("five numbers") << QByteArray("2 400 600\n.9 .9 10 50 -2\n.2 .3 9 -9 55\n")
