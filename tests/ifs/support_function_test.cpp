@@ -216,18 +216,6 @@ private slots:
         QVERIFY(near(value.value, 2e6, value.error));
     }
 
-    // Of many maps few nodes are enough, as long as each may look at all its children.
-    void fewNodesOfManyMaps() {
-        Random random(6);
-        Maps2 maps;
-        for (int i = 0; i < 390; ++i)
-            maps.push_back(similarity(0.5, uniform(random, 0, 6), uniform(random), uniform(random)));
-        const auto h = supportOf<2>(maps);
-        constexpr int Nodes = 4000;
-        for (double angle = 0.1; angle < 6; angle += 0.7)
-            QVERIFY(h({std::cos(angle), std::sin(angle)}, 0, Nodes).error <= 1e-9 * h.radius());
-    }
-
     void badSystems2() { badSystems<2>(); }
     void badSystems3() { badSystems<3>(); }
 };
