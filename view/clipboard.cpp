@@ -66,6 +66,10 @@ FoundEntries entriesIn(const QMimeData& mimeData) {
     return entriesIn(mimeData.text().toUtf8());
 }
 
+bool holdsText(const QMimeData& mimeData) {
+    return mimeData.hasFormat(ifsType) || !mimeData.text().trimmed().isEmpty();
+}
+
 bool mayHoldEntries(const QMimeData& mimeData) {
     // The text of files is their path: opening them is not pasting.
     return mimeData.hasFormat(ifsType) || (mimeData.hasText() && !mimeData.hasUrls());

@@ -30,6 +30,7 @@ struct FoundEntries {
 };
 FoundEntries entriesIn(const QByteArray& text);
 FoundEntries entriesIn(const QMimeData& mimeData);
+bool holdsText(const QMimeData& mimeData);      // not only blanks
 bool mayHoldEntries(const QMimeData& mimeData); // cheap; for enabling actions and accepting a drag
 
 } // namespace view

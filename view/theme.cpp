@@ -2,6 +2,7 @@
 #include "theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleOptionButton>
@@ -56,13 +57,18 @@ QPalette paletteOf(Preferences::Theme theme) {
 const QString fusion = QStringLiteral("fusion");
 
 // Fusion draws the frames of boxes and circles to be checked a shade darker than the window, which is hardly
-// seen in light themes and not at all in dark ones. Here they stand out from it at least by 3 to 1.
+// seen in light themes and not at all in dark ones; so it does with buttons that are on. Here they stand out
+// at least by 3 to 1.
 class ClearFusion : public QProxyStyle {
 public:
     ClearFusion() : QProxyStyle(fusion) {}
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
+        if ((element == PE_PanelButtonCommand || element == PE_PanelButtonTool) && option->state & State_On) {
+            paintOn(*option, *painter);
+            return;
+        }
         const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
         if (!button || (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton)) {
             QProxyStyle::drawPrimitive(element, option, painter, widget);
@@ -84,6 +90,20 @@ public:
     }
 
 private:
+    // A button that is on: Fusion makes it a shade darker, which is not seen beside one that is off.
+    static void paintOn(const QStyleOption& option, QPainter& painter) {
+        const QColor button = option.palette.color(QPalette::Button);
+        const QColor highlight = option.palette.color(QPalette::Highlight);
+        const bool pointedAt = option.state & State_MouseOver && option.state & State_Enabled;
+        const QColor frame = mixed(highlight, option.palette.color(QPalette::ButtonText), 0.5);
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(frame);
+        painter.setBrush(mixed(button, highlight, pointedAt ? 0.45 : 0.35));
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+        painter.restore();
+    }
+
     static constexpr int fusionDarkens = 127; // percent: from the window to the frame
 
     static QColor mixed(const QColor& from, const QColor& to, float share) {

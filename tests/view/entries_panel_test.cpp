@@ -62,6 +62,7 @@ private slots:
     void dropFromElsewhere();
     void copyAndPasteBetweenDocuments();
     void pasteNonsense();
+    void pasteNothing();
     void aBareTableIsAskedAbout();
     void comment();
     void filterHidesAndKeepsCurrent();
@@ -317,6 +318,20 @@ void EntriesPanelTest::pasteNonsense() {
     QCOMPARE(messages.count(), 1);
     QVERIFY(m_document->file() == m_before);
     QCOMPARE(m_document->undoStack()->count(), 0);
+}
+
+void EntriesPanelTest::pasteNothing() {
+    QSignalSpy messages(m_panel.get(), &EntriesPanel::message);
+    for (const QString& text : {QString(), u" \n"_s}) {
+        QGuiApplication::clipboard()->setText(text);
+        m_panel->paste();
+        QVERIFY(messages.takeLast().front().toString().contains(u"clipboard"_s));
+    }
+    QGuiApplication::clipboard()->clear();
+    m_panel->paste();
+    const QString said = messages.takeLast().front().toString();
+    QVERIFY2(said.contains(u"clipboard"_s) && !said.contains(u"file"_s), qPrintable(said));
+    QVERIFY(m_document->file() == m_before);
 }
 
 void EntriesPanelTest::aBareTableIsAskedAbout() {

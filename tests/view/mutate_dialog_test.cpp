@@ -14,6 +14,7 @@ class MutateDialogTest : public QObject {
 
 private slots:
     void everyTileShowsAPicture();
+    void theChosenOneIsSeen();
     void thePickedOneIsOneStep();
     void chanceAddsAnEntry();
     void variesWhatIsChosen();
@@ -44,6 +45,35 @@ void MutateDialogTest::everyTileShowsAPicture() {
     const auto* grid = dialog.findChild<QListWidget*>();
     QVERIFY(grid->item(0)->icon().pixmap(64).toImage() != grid->item(1)->icon().pixmap(64).toImage());
     QVERIFY(!button(dialog, QStringLiteral("Use"))->isEnabled());
+}
+
+// What the keyboard stands on is not chosen yet; what is chosen is seen.
+void MutateDialogTest::theChosenOneIsSeen() {
+    document::Document document;
+    MutateDialog dialog(&document, MutateDialog::Source::Current);
+    dialog.show();
+    dialog.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&dialog));
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+    auto* grid = dialog.findChild<QListWidget*>();
+    grid->setFocus();
+    QCOMPARE(grid->currentRow(), 0);
+    QVERIFY(!button(dialog, QStringLiteral("Use"))->isEnabled());
+    QVERIFY(!button(dialog, QStringLiteral("Vary"))->isEnabled());
+    QTest::keyClick(grid, Qt::Key_Right);
+    QVERIFY(button(dialog, QStringLiteral("Use"))->isEnabled());
+
+    const QImage seen = grid->viewport()->grab().toImage();
+    const auto stripBelow = [&](int row) {
+        const QRect tile = grid->visualItemRect(grid->item(row));
+        return seen.copy(tile.left() + 8, tile.bottom() - 3, tile.width() - 16, 1);
+    };
+    for (int row = 0; row < MutateDialog::count; ++row) {
+        const QImage strip = stripBelow(row);
+        const QColor wanted = grid->palette().color(row == 1 ? QPalette::Highlight : QPalette::Base);
+        for (int x = 0; x < strip.width(); ++x)
+            QCOMPARE(strip.pixelColor(x, 0).name(), wanted.name());
+    }
 }
 
 void MutateDialogTest::thePickedOneIsOneStep() {

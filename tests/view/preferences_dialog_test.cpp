@@ -17,6 +17,9 @@
 #include <QSignalSpy>
 #include <QStyle>
 #include <QTest>
+#include <QToolButton>
+
+#include <array>
 
 using view::Preferences;
 using view::PreferencesDialog;
@@ -35,6 +38,7 @@ private slots:
     void everyLanguageHasItsCatalogue();
     void themesAreWornAndTakenOff();
     void whatIsNotCheckedIsSeen();
+    void aButtonThatIsOnIsSeen();
 
 private:
     static QComboBox* box(const PreferencesDialog& dialog, const QString& name) {
@@ -148,6 +152,42 @@ void PreferencesDialogTest::whatIsNotCheckedIsSeen() {
                                                .arg(QLatin1String(button->metaObject()->className()))
                                                .arg(int(theme))
                                                .arg(best)));
+        }
+    }
+}
+
+// So does the frame of a button that is on, to the window and to a button that is off; its text is readable.
+void PreferencesDialogTest::aButtonThatIsOnIsSeen() {
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
+        view::wear(theme);
+        QWidget window;
+        window.resize(120, 60);
+        std::array<QAbstractButton*, 6> buttons{new QToolButton(&window), new QToolButton(&window),
+                                                new QToolButton(&window), new QToolButton(&window),
+                                                new QPushButton(&window), new QPushButton(&window)};
+        static_cast<QToolButton*>(buttons[2])->setAutoRaise(true);
+        static_cast<QToolButton*>(buttons[3])->setAutoRaise(true);
+        for (std::size_t i = 0; i < buttons.size(); ++i) {
+            buttons[i]->setCheckable(true);
+            buttons[i]->setChecked(i % 2 == 0);
+            buttons[i]->setFixedSize(40, 24);
+            buttons[i]->setFocusPolicy(Qt::NoFocus);
+        }
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        for (std::size_t i = 0; i < buttons.size(); i += 2) {
+            const QImage on = buttons[i]->grab().toImage();
+            const QImage off = buttons[i + 1]->grab().toImage();
+            const QRgb around = window.palette().color(QPalette::Window).rgb();
+            double best = 0; // of the smaller of both contrasts
+            for (int x = 0; x < 20; ++x)
+                best = std::max(best, std::min(support::contrast(on.pixel(x, 12), around),
+                                               support::contrast(on.pixel(x, 12), off.pixel(20, 12))));
+            const QRgb text = window.palette().color(QPalette::ButtonText).rgb();
+            const QString which =
+                QStringLiteral("button %1 in theme %2: %3").arg(i).arg(int(theme)).arg(best);
+            QVERIFY2(best >= 3, qPrintable(which));
+            QVERIFY2(support::contrast(on.pixel(20, 12), text) >= 4.5, qPrintable(which));
         }
     }
 }

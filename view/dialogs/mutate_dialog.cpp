@@ -3,15 +3,18 @@
 
 #include "document/variations.h"
 #include "panels/entries_edits.h"
+#include "panels/thumbnail_tile.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStyle>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 namespace view {
@@ -21,6 +24,30 @@ namespace {
 constexpr int side = 132; // of a picture
 constexpr int columns = 4;
 constexpr int strengthSteps = 100;
+
+// Pictures without a text; the chosen one lies on a tile of the colour of selections.
+class Tiles : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        const QRect tile = option.rect.adjusted(1, 1, -1, -1);
+        QRect picture(0, 0, side, side);
+        picture.moveCenter(tile.center());
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        const QColor highlight = option.palette.color(QPalette::Highlight);
+        painter->setPen(option.state & QStyle::State_HasFocus ? QPen(highlight, 1) : QPen(Qt::NoPen));
+        painter->setBrush(option.state & QStyle::State_Selected ? QBrush(highlight) : QBrush(Qt::NoBrush));
+        painter->drawRoundedRect(QRectF(tile).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+        painter->restore();
+        const QPixmap pixmap = index.data(Qt::DecorationRole)
+                                   .value<QIcon>()
+                                   .pixmap({side, side}, painter->device()->devicePixelRatioF());
+        paintThumbnail(*painter, picture, {Thumbnail::State::Pending, pixmap}, option.palette);
+    }
+};
 
 } // namespace
 
@@ -40,6 +67,7 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     m_grid->setAccessibleName(tr("Variations"));
     m_grid->setWhatsThis(tr("Choose one and press OK, or double-click it: it takes the place of the fractal, "
                             "as one step that can be undone."));
+    m_grid->setItemDelegate(new Tiles(m_grid));
     m_grid->setViewMode(QListView::IconMode);
     m_grid->setMovement(QListView::Static);
     m_grid->setResizeMode(QListView::Adjust);
@@ -62,7 +90,7 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     connect(buttons, &QDialogButtonBox::rejected, this, &MutateDialog::reject);
     connect(m_vary, &QPushButton::clicked, this, &MutateDialog::varyChosen);
     connect(m_grid, &QListWidget::itemDoubleClicked, this, &MutateDialog::accept);
-    connect(m_grid, &QListWidget::currentRowChanged, this, &MutateDialog::updateButtons);
+    connect(m_grid, &QListWidget::itemSelectionChanged, this, &MutateDialog::updateButtons);
     connect(&m_timer, &QTimer::timeout, this, &MutateDialog::makeNext);
     makeAll();
 }
@@ -135,7 +163,8 @@ void MutateDialog::showPicture(int index) {
 }
 
 int MutateDialog::chosen() const {
-    const int row = m_grid->currentRow();
+    const QModelIndexList selected = m_grid->selectionModel()->selectedIndexes();
+    const int row = selected.isEmpty() ? -1 : selected.front().row();
     return row < int(m_fractals.size()) ? row : -1;
 }
 

@@ -44,21 +44,21 @@ TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
     form->setHorizontalSpacing(16);
     layout->addLayout(form);
 
-    form->addRow(tr("Change"), makeMode());
-    form->addRow(tr("About"), makeAbout());
+    form->addRow(tr("Change:"), makeMode());
+    form->addRow(tr("About:"), makeAbout());
     form->addRow(QString(), pair(addField(AboutX, tr("x of the fixed point"), 0, 0.1),
                                  addField(AboutY, tr("y of the fixed point"), 0, 0.1)));
-    form->addRow(tr("Reflect"), makeReflection());
-    form->addRow(tr("Shear"), addField(Shear, tr("Shear along x"), 0, 0.05));
-    form->addRow(tr("Scale"), pair(addField(ScaleX, tr("Scale in x"), 1, 0.05),
-                                   addField(ScaleY, tr("Scale in y"), 1, 0.05)));
+    form->addRow(tr("Reflect:"), makeReflection());
+    form->addRow(tr("Shear:"), addField(Shear, tr("Shear along x"), 0, 0.05));
+    form->addRow(tr("Scale:"), pair(addField(ScaleX, tr("Scale in x"), 1, 0.05),
+                                    addField(ScaleY, tr("Scale in y"), 1, 0.05)));
     m_sameScale = new QCheckBox(tr("Same in x and y"), this);
     m_sameScale->setChecked(true);
     m_sameScale->setWhatsThis(tr("Keeps the factor in y equal to that in x."));
     form->addRow(QString(), m_sameScale);
-    form->addRow(tr("Rotate °"), addField(Rotation, tr("Rotation in degrees, counter-clockwise"), 0, 5));
-    form->addRow(tr("Translate"), pair(addField(ShiftX, tr("Translation in x"), 0, 0.1),
-                                       addField(ShiftY, tr("Translation in y"), 0, 0.1)));
+    form->addRow(tr("Rotate °:"), addField(Rotation, tr("Rotation in degrees, counter-clockwise"), 0, 5));
+    form->addRow(tr("Translate:"), pair(addField(ShiftX, tr("Translation in x"), 0, 0.1),
+                                        addField(ShiftY, tr("Translation in y"), 0, 0.1)));
 
     auto* order = new QLabel(tr("Done in this order, from top to bottom."), this);
     order->setForegroundRole(QPalette::PlaceholderText);
@@ -115,7 +115,7 @@ QWidget* TransformDialog::makeAbout() {
     m_about->setWhatsThis(
         tr("About which point the fractal is turned, scaled and reflected: it stays where it is."));
     m_about->addItem(tr("the origin"), static_cast<int>(About::Origin));
-    m_about->addItem(tr("the middle of the picture's box"), static_cast<int>(About::BoxMiddle));
+    m_about->addItem(tr("the middle of the picture’s box"), static_cast<int>(About::BoxMiddle));
     m_about->addItem(tr("the mean of the invariant measure"), static_cast<int>(About::Mean));
     m_about->addItem(tr("a typed point"), static_cast<int>(About::Typed));
     const bool hasBox = middleOfBox(m_document->fractal()).has_value();

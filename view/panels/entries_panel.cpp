@@ -255,8 +255,11 @@ void EntriesPanel::copySelected() {
 }
 
 void EntriesPanel::paste() {
-    if (const QMimeData* mimeData = QGuiApplication::clipboard()->mimeData())
+    const QMimeData* mimeData = QGuiApplication::clipboard()->mimeData();
+    if (mimeData && holdsText(*mimeData))
         insertFrom(*mimeData, m_document->currentId());
+    else
+        emit message(tr("Nothing was pasted: there is no text on the clipboard."));
 }
 
 QList<Entry> EntriesPanel::entriesOf(const QList<EntryId>& ids) const {
