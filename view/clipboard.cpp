@@ -22,8 +22,7 @@ bool areColumnsOpen(const io::Collection& collection, const QByteArray& text) {
     if (collection.isOrderAssumed) return true;
     if (collection.format != u"fractint" || collection.file.entries.isEmpty() || text.contains('{'))
         return false;
-    const io::Table table = io::readTable(QString::fromUtf8(text));
-    return table.isTable && !table.isOrdered;
+    return io::isOrderOpen(QString::fromUtf8(text));
 }
 
 } // namespace

@@ -85,16 +85,16 @@ void writeExistence(JsonWriter& json, const ifs::Existence& existence) {
     json.endObject();
 }
 
-template <int Dim> void writeMoments(JsonWriter& json, const std::optional<ifs::Moments<Dim>>& moments) {
-    if (!moments) {
+template <int Dim> void writeMoments(JsonWriter& json, const ifs::Facts<Dim>& facts) {
+    if (!facts.mean)
         writeNull(json, "mean");
-        writeNull(json, "covariance");
-        return;
+    else {
+        json.key("mean");
+        writeVector<Dim>(json, *facts.mean);
     }
-    json.key("mean");
-    writeVector<Dim>(json, moments->mean);
+    if (!facts.moments) return writeNull(json, "covariance");
     json.key("covariance");
-    writeMatrix<Dim>(json, moments->covariance);
+    writeMatrix<Dim>(json, facts.moments->covariance);
 }
 
 template <int Dim> void writeBox(JsonWriter& json, const std::optional<ifs::BoundingBox<Dim>>& box) {
@@ -204,7 +204,7 @@ void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& syste
         writeMap(json, system.maps[i], facts.probabilities[i]);
     json.endArray();
     writeExistence(json, facts.existence);
-    writeMoments<Dim>(json, facts.moments);
+    writeMoments<Dim>(json, facts);
     writeBox<Dim>(json, facts.box);
     writeSimplex<Dim>(json, facts.simplex);
     writeHull<Dim>(json, facts);

@@ -93,10 +93,8 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
     for (std::size_t i = 0; i < system.maps.size(); ++i)
         lines.add(Text::tr("map %1").arg(i + 1), mapLine(system.maps[i], facts.probabilities[i]));
     lines.add(Text::tr("attractor"), verdictSentence(facts.existence));
-    if (facts.moments) {
-        lines.add(Text::tr("mean"), tuple(facts.moments->mean));
-        lines.add(Text::tr("covariance"), rows(facts.moments->covariance));
-    }
+    if (facts.mean) lines.add(Text::tr("mean"), tuple(*facts.mean));
+    if (facts.moments) lines.add(Text::tr("covariance"), rows(facts.moments->covariance));
     if (facts.box)
         lines.add(Text::tr("bounding box"),
                   tuple(facts.box->min) + QStringLiteral(" ") + tuple(facts.box->max));

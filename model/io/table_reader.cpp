@@ -422,6 +422,11 @@ template <int Dim> ifs::IteratedFunctionSystem<Dim> numbered(const std::vector<i
 
 } // namespace
 
+bool isOrderOpen(const QString& text) {
+    const Table table = readTable(text);
+    return table.isTable && !table.isOrdered && !hasErrors(readTable(text, fractintColumns()));
+}
+
 ifs::IteratedFunctionSystem<2> systemOf(const Table& table) {
     return numbered(table.rows);
 }

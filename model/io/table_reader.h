@@ -28,6 +28,8 @@ enum class TableMaps { Plane, PlaneOrSpace }; // which are wanted; others are an
 Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt,
                 TableMaps wanted = TableMaps::Plane);
 bool hasErrors(const Table& table);
+// Whether the text is a table that does not say what its columns are, and could be read if one said it.
+bool isOrderOpen(const QString& text);
 
 // The rows as a system, numbered from 1.
 ifs::IteratedFunctionSystem<2> systemOf(const Table& table);

@@ -506,7 +506,7 @@ void MapsPanel::paste(const Rows& rows) {
     const QString text = copied ? copied->text() : QString();
     const bool own = copied && copied->hasFormat(rowsType);
     const io::Table table = own ? io::readTable(text, io::fractintColumns()) : io::readTable(text);
-    if (table.isTable && !table.isOrdered) {
+    if (!own && io::isOrderOpen(text)) {
         auto* dialog = new PasteTableDialog(m_document, rows, text, this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &PasteTableDialog::pasted, this,
