@@ -320,7 +320,7 @@ private:
             return fail(
                 cells.first(),
                 Text::tr("A number of this row is larger than a coefficient can be (3.4e38 in size)."));
-        if (static_cast<qsizetype>(m_table.rows.size() + m_table.spaceRows.size()) >= maxRows)
+        if (m_table.rows.size() + m_table.spaceRows.size() >= std::size_t(maxRows))
             return fail(cells.first(),
                         Text::tr("The table has more than %1 rows, which is the limit.").arg(maxRows));
         if (cells.size() < spaceNumbers)
