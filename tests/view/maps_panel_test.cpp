@@ -70,6 +70,20 @@ private slots:
         QVERIFY(table->columnWidth(MapsModel::E) < wide);
     }
 
+    // As wide as it takes in fractions of a pixel.
+    void kindsAreNotCutOff() {
+        QTableView* table = m_panel->table();
+        for (double size = 6; size < 16; size += 0.25) {
+            QFont font = table->font();
+            font.setPointSizeF(size);
+            table->setFont(font);
+            m_panel->showColumns(MapsPanel::Columns::Facts, true);
+            const QString kind = m_panel->model()->index(0, MapsModel::Kind).data().toString();
+            const int room = table->columnWidth(MapsModel::Kind) - 8;
+            QCOMPARE(QFontMetrics(font).elidedText(kind, Qt::ElideRight, room), kind);
+        }
+    }
+
     void anEditorDoesNotHideTheNumberBefore() {
         const NumberField* editor = openEditor(1, MapsModel::B);
         QTableView* table = m_panel->table();

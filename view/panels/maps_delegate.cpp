@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QtMath>
 
 #include <algorithm>
 
@@ -178,7 +179,8 @@ QSize MapsDelegate::sizeHint(const QStyleOptionViewItem& given, const QModelInde
     const QString text = option.text;
     if (!MapsModel::isNumber(index.column())) {
         const bool warned = !index.data(MapsModel::WarningRole).toString().isEmpty();
-        return {option.fontMetrics.horizontalAdvance(text) + 2 * margin + (warned ? 18 : 0), height};
+        const int wide = qCeil(QFontMetricsF(option.font).horizontalAdvance(text)); // or it would be cut off
+        return {wide + 2 * margin + (warned ? 18 : 0), height};
     }
     const int fraction = fractionWidth(option.fontMetrics, index.data(MapsModel::DecimalsRole).toInt());
     return {option.fontMetrics.horizontalAdvance(split(text).whole) + fraction + 2 * margin, height};
