@@ -175,6 +175,10 @@ Refined refine(const SupportFunction<3>& support, double tolerance) {
     };
     for (;;) {
         hull.faces = facesOf(hull.points);
+        if (hull.faces.empty()) { // flat: nothing to refine
+            hull.error = std::numeric_limits<double>::infinity();
+            return hull;
+        }
         const std::size_t known = hull.points.size();
         const auto addBeyond = [&](double reach) {
             for (const Face& face : hull.faces) {
@@ -194,7 +198,7 @@ Refined refine(const SupportFunction<3>& support, double tolerance) {
             hull.error = certify(hull.faces, known);
             const bool isHopeless =
                 known >= ManyPoints && hull.error * double(known) > tolerance * double(MostPoints);
-            if (hull.error <= tolerance || isHopeless || known >= MostPoints || accuracy < apart) return hull;
+            if (hull.error <= tolerance || isHopeless || known >= MostPoints || accuracy <= apart) return hull;
             if (addBeyond(std::max(tolerance, hull.error / 8)) || addBeyond(tolerance)) break;
         }
     }

@@ -110,6 +110,8 @@ private slots:
         const auto point = hullOf({map3(half, {1, 2, 3})}, 1e-9);
         QCOMPARE(point.vertices.size(), std::size_t(1));
         QVERIFY(hasVertex(point, {2, 4, 6}, 1e-12) && point.facets.empty() && point.volume == 0);
+        const auto origin = hullOf({map3(half, {0, 0, 0})}, 0); // of no size, at no distance
+        QVERIFY(origin.vertices.size() == 1 && origin.error == 0);
         const auto segment = hullOf({map3(half, {0, 0, 0}), map3(half, {1, 1, 1})}, 1e-9);
         QCOMPARE(segment.vertices.size(), std::size_t(2));
         QVERIFY(hasVertex(segment, {0, 0, 0}, 1e-12) && hasVertex(segment, {2, 2, 2}, 1e-12));
