@@ -130,6 +130,33 @@
         <source>The attractor reaches at most this far beyond the polygon; certified.</source>
         <translation>Der Attraktor reicht höchstens so weit über das Vieleck hinaus; bewiesen.</translation>
     </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… und %n weitere</numerusform>
+            <numerusform>… und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, every map contracts by %1 or less.</source>
+        <translation>Ja: hyperbolisch, jede Abbildung kontrahiert mit Faktor %1 oder weniger.</translation>
+    </message>
+    <message>
+        <source>Yes: eventually contractive, every word of %1 maps contracts (%2 a map).</source>
+        <translation>Ja: schließlich kontrahierend, jedes Wort aus %1 Abbildungen kontrahiert (%2 je Abbildung).</translation>
+    </message>
+    <message>
+        <source>None: the word %1 does not contract (%2 a map).</source>
+        <translation>Keiner: das Wort %1 kontrahiert nicht (%2 je Abbildung).</translation>
+    </message>
+    <message>
+        <source>Undecided: no proof either way was found.</source>
+        <translation>Unentschieden: es wurde weder für das eine noch für das andere ein Beweis gefunden.</translation>
+    </message>
+    <message>
+        <source>None: no map takes part.</source>
+        <translation>Keiner: keine Abbildung nimmt teil.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -140,6 +167,18 @@
     <message>
         <source>.ifs files to open, a window each</source>
         <translation>.ifs-Dateien, die geöffnet werden, jede in einem Fenster</translation>
+    </message>
+    <message>
+        <source>a window with the maple, whatever was open before</source>
+        <translation>ein Fenster mit dem Ahorn, was auch immer zuvor offen war</translation>
+    </message>
+    <message>
+        <source>a window that shows the collection</source>
+        <translation>ein Fenster, das die Sammlung zeigt</translation>
+    </message>
+    <message>
+        <source>a window with fractals made by chance to pick from</source>
+        <translation>ein Fenster mit zufälligen Fraktalen zur Auswahl</translation>
     </message>
 </context>
 <context>
@@ -1107,6 +1146,10 @@
         <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
         <translation>Die Fraktale aus der Zwischenablage zur Datei hinzufügen: Einträge einer .ifs-Datei, Flames oder eine Zahlentabelle</translation>
     </message>
+    <message>
+        <source>The unsaved work is here all the same.</source>
+        <translation>Die ungespeicherte Arbeit ist trotzdem hier.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1225,6 +1268,21 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>Das Bild kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Reading</name>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>Das Lesen von „%1“ wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -2067,6 +2125,13 @@
         <source>reason</source>
         <translation>Grund</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more maps</source>
+        <translation>
+            <numerusform>%n weitere Abbildung</numerusform>
+            <numerusform>%n weitere Abbildungen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2184,6 +2249,14 @@
     <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>A file, or the collection.</source>
+        <translation>Eine Datei oder die Sammlung.</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Beginnen mit</translation>
     </message>
 </context>
 <context>
@@ -2788,6 +2861,10 @@
         <source>Scale branch %1</source>
         <translation>Ast %1 skalieren</translation>
     </message>
+    <message>
+        <source>This branch is map 1 now. Numbers in the table change it further.</source>
+        <translation>Dieser Ast ist jetzt Abbildung 1. Zahlen in der Tabelle ändern ihn weiter.</translation>
+    </message>
 </context>
 <context>
     <name>view::CageActions</name>
@@ -3226,6 +3303,14 @@
     <message>
         <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
         <translation>Angehalten: Weiter steht nicht fest, ob es einen Attraktor gäbe (Abbildung %1 hat den größten Singulärwert, %2).</translation>
+    </message>
+    <message>
+        <source>One map alone: nothing is left but its fixed point.</source>
+        <translation>Eine Abbildung allein: nichts bleibt als ihr Fixpunkt.</translation>
+    </message>
+    <message>
+        <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
+        <translation>Eine Abbildung allein: nichts bleibt als ihr Fixpunkt (%1, %2).</translation>
     </message>
 </context>
 <context>
@@ -4047,6 +4132,10 @@
     <message>
         <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
         <translation>Die Fraktale der Datei. Klicken Sie auf eines, um es zu bearbeiten, ziehen Sie es an einen anderen Platz, drücken Sie F2, um es umzubenennen.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: there is no text on the clipboard.</source>
+        <translation>Nichts wurde eingefügt: In der Zwischenablage ist kein Text.</translation>
     </message>
 </context>
 <context>
@@ -5730,6 +5819,66 @@ Der Eintrag bleibt, wie er ist.</translation>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
         <translation>Eine Ecke auf einer Kante einfügen, die gewählten Abbildungen verdoppeln</translation>
     </message>
+    <message>
+        <source>Take the last vertex back while a triangle is defined</source>
+        <translation>Die letzte Ecke zurücknehmen, während ein Dreieck festgelegt wird</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Choose another stop</source>
+        <translation>Eine andere Marke wählen</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down, Home, End, or Ctrl + Left, Right</source>
+        <translation>Bild auf, Bild ab, Pos1, Ende oder Strg + Links, Rechts</translation>
+    </message>
+    <message>
+        <source>Move the stop</source>
+        <translation>Die Marke verschieben</translation>
+    </message>
+    <message>
+        <source>Left, Right; Shift ×10</source>
+        <translation>Links, Rechts; Umschalt ×10</translation>
+    </message>
+    <message>
+        <source>Add a stop</source>
+        <translation>Eine Marke hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ins or +, or double-click</source>
+        <translation>Einfg oder +, oder Doppelklick</translation>
+    </message>
+    <message>
+        <source>Remove the stop</source>
+        <translation>Die Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Del or Backspace</source>
+        <translation>Entf oder Rücktaste</translation>
+    </message>
+    <message>
+        <source>Change the colour of the stop</source>
+        <translation>Die Farbe der Marke ändern</translation>
+    </message>
+    <message>
+        <source>Enter or Space, or double-click it</source>
+        <translation>Eingabe oder Leertaste, oder Doppelklick darauf</translation>
+    </message>
+    <message>
+        <source>Take the change back</source>
+        <translation>Die Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>On the strip of the gradient</source>
+        <translation>Auf dem Streifen des Verlaufs</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformDialog</name>
@@ -5746,14 +5895,6 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Nach Zahlen transformieren</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Ändern</translation>
-    </message>
-    <message>
-        <source>About</source>
-        <translation>Um</translation>
-    </message>
-    <message>
         <source>x of the fixed point</source>
         <translation>x des Fixpunkts</translation>
     </message>
@@ -5766,16 +5907,8 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Spiegeln</translation>
     </message>
     <message>
-        <source>Shear</source>
-        <translation>Scherung</translation>
-    </message>
-    <message>
         <source>Shear along x</source>
         <translation>Scherung längs x</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Skalieren</translation>
     </message>
     <message>
         <source>Scale in x</source>
@@ -5790,16 +5923,8 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Gleich in x und y</translation>
     </message>
     <message>
-        <source>Rotate °</source>
-        <translation>Drehen °</translation>
-    </message>
-    <message>
         <source>Rotation in degrees, counter-clockwise</source>
         <translation>Drehung in Grad, gegen den Uhrzeigersinn</translation>
-    </message>
-    <message>
-        <source>Translate</source>
-        <translation>Verschieben</translation>
     </message>
     <message>
         <source>Translation in x</source>
@@ -5850,10 +5975,6 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>den Ursprung</translation>
     </message>
     <message>
-        <source>the middle of the picture&apos;s box</source>
-        <translation>die Mitte des Rechtecks um das Bild</translation>
-    </message>
-    <message>
         <source>the mean of the invariant measure</source>
         <translation>den Mittelwert des invarianten Maßes</translation>
     </message>
@@ -5896,6 +6017,38 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
         <translation>Spiegelt an einer Geraden durch den Punkt, der bleibt; der Winkel zählt von der x-Achse.</translation>
+    </message>
+    <message>
+        <source>Change:</source>
+        <translation>Ändern:</translation>
+    </message>
+    <message>
+        <source>About:</source>
+        <translation>Um:</translation>
+    </message>
+    <message>
+        <source>Reflect:</source>
+        <translation>Spiegeln:</translation>
+    </message>
+    <message>
+        <source>Shear:</source>
+        <translation>Scherung:</translation>
+    </message>
+    <message>
+        <source>Scale:</source>
+        <translation>Skalieren:</translation>
+    </message>
+    <message>
+        <source>Rotate °:</source>
+        <translation>Drehen °:</translation>
+    </message>
+    <message>
+        <source>Translate:</source>
+        <translation>Verschieben:</translation>
+    </message>
+    <message>
+        <source>the middle of the picture’s box</source>
+        <translation>die Mitte des Rechtecks um das Bild</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>Analysis</name>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… and %n more</numerusform>
+            <numerusform>… and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message numerus="yes">
         <source>%n entries</source>
@@ -22,6 +32,16 @@
         <translation>
             <numerusform>, %n read with a remark</numerusform>
             <numerusform>, %n read with a remark</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message numerus="yes">
+        <source>%n more maps</source>
+        <translation>
+            <numerusform>%n more map</numerusform>
+            <numerusform>%n more maps</numerusform>
         </translation>
     </message>
 </context>

@@ -130,6 +130,33 @@
         <source>The attractor reaches at most this far beyond the polygon; certified.</source>
         <translation>El atractor sobresale del polígono a lo sumo esta distancia; certificado.</translation>
     </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… y %n más</numerusform>
+            <numerusform>… y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, every map contracts by %1 or less.</source>
+        <translation>Sí: hiperbólico, cada aplicación contrae con factor %1 o menos.</translation>
+    </message>
+    <message>
+        <source>Yes: eventually contractive, every word of %1 maps contracts (%2 a map).</source>
+        <translation>Sí: finalmente contractivo, cada palabra de %1 aplicaciones contrae (%2 por aplicación).</translation>
+    </message>
+    <message>
+        <source>None: the word %1 does not contract (%2 a map).</source>
+        <translation>Ninguno: la palabra %1 no contrae (%2 por aplicación).</translation>
+    </message>
+    <message>
+        <source>Undecided: no proof either way was found.</source>
+        <translation>Sin decidir: no se halló prueba en ningún sentido.</translation>
+    </message>
+    <message>
+        <source>None: no map takes part.</source>
+        <translation>Ninguno: no participa ninguna aplicación.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -140,6 +167,18 @@
     <message>
         <source>.ifs files to open, a window each</source>
         <translation>archivos .ifs que se abren, cada uno en una ventana</translation>
+    </message>
+    <message>
+        <source>a window with the maple, whatever was open before</source>
+        <translation>una ventana con el arce, sin importar lo que estuviera abierto</translation>
+    </message>
+    <message>
+        <source>a window that shows the collection</source>
+        <translation>una ventana que muestra la colección</translation>
+    </message>
+    <message>
+        <source>a window with fractals made by chance to pick from</source>
+        <translation>una ventana con fractales al azar para elegir</translation>
     </message>
 </context>
 <context>
@@ -1107,6 +1146,10 @@
         <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
         <translation>Añadir al archivo los fractales del portapapeles: entradas de un archivo .ifs, flames o una tabla de números</translation>
     </message>
+    <message>
+        <source>The unsaved work is here all the same.</source>
+        <translation>El trabajo no guardado está aquí de todos modos.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1225,6 +1268,21 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>No se puede escribir la imagen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Reading</name>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>Se canceló la lectura de «%1».</translation>
     </message>
 </context>
 <context>
@@ -2067,6 +2125,13 @@
         <source>reason</source>
         <translation>motivo</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more maps</source>
+        <translation>
+            <numerusform>%n aplicación más</numerusform>
+            <numerusform>%n aplicaciones más</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2184,6 +2249,14 @@
     <message>
         <source>&amp;Open…</source>
         <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>A file, or the collection.</source>
+        <translation>Un archivo o la colección.</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Empezar con</translation>
     </message>
 </context>
 <context>
@@ -2788,6 +2861,10 @@
         <source>Scale branch %1</source>
         <translation>Escalar la rama %1</translation>
     </message>
+    <message>
+        <source>This branch is map 1 now. Numbers in the table change it further.</source>
+        <translation>Esta rama es ahora la aplicación 1. Los números de la tabla la siguen cambiando.</translation>
+    </message>
 </context>
 <context>
     <name>view::CageActions</name>
@@ -3226,6 +3303,14 @@
     <message>
         <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
         <translation>Detenido: más allá, no está resuelto si habría atractor (la aplicación %1 tiene el mayor valor singular, %2).</translation>
+    </message>
+    <message>
+        <source>One map alone: nothing is left but its fixed point.</source>
+        <translation>Una sola aplicación: no queda más que su punto fijo.</translation>
+    </message>
+    <message>
+        <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
+        <translation>Una sola aplicación: no queda más que su punto fijo (%1, %2).</translation>
     </message>
 </context>
 <context>
@@ -4047,6 +4132,10 @@
     <message>
         <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
         <translation>Los fractales del archivo. Haga clic en uno para editarlo, arrástrelo a otro lugar, pulse F2 para darle otro nombre.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: there is no text on the clipboard.</source>
+        <translation>No se pegó nada: no hay texto en el portapapeles.</translation>
     </message>
 </context>
 <context>
@@ -5730,6 +5819,66 @@ La entrada se conserva tal cual.</translation>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
         <translation>Insertar un vértice en una arista, duplicar las aplicaciones elegidas</translation>
     </message>
+    <message>
+        <source>Take the last vertex back while a triangle is defined</source>
+        <translation>Retirar el último vértice mientras se define un triángulo</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retroceso</translation>
+    </message>
+    <message>
+        <source>Choose another stop</source>
+        <translation>Elegir otra parada</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down, Home, End, or Ctrl + Left, Right</source>
+        <translation>Re Pág, Av Pág, Inicio, Fin, o Ctrl + Izquierda, Derecha</translation>
+    </message>
+    <message>
+        <source>Move the stop</source>
+        <translation>Mover la parada</translation>
+    </message>
+    <message>
+        <source>Left, Right; Shift ×10</source>
+        <translation>Izquierda, Derecha; Mayús ×10</translation>
+    </message>
+    <message>
+        <source>Add a stop</source>
+        <translation>Añadir una parada</translation>
+    </message>
+    <message>
+        <source>Ins or +, or double-click</source>
+        <translation>Ins o +, o doble clic</translation>
+    </message>
+    <message>
+        <source>Remove the stop</source>
+        <translation>Quitar la parada</translation>
+    </message>
+    <message>
+        <source>Del or Backspace</source>
+        <translation>Supr o Retroceso</translation>
+    </message>
+    <message>
+        <source>Change the colour of the stop</source>
+        <translation>Cambiar el color de la parada</translation>
+    </message>
+    <message>
+        <source>Enter or Space, or double-click it</source>
+        <translation>Intro o Espacio, o doble clic en ella</translation>
+    </message>
+    <message>
+        <source>Take the change back</source>
+        <translation>Deshacer el cambio</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>On the strip of the gradient</source>
+        <translation>En la tira del degradado</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformDialog</name>
@@ -5746,14 +5895,6 @@ La entrada se conserva tal cual.</translation>
         <translation>Transformar con números</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Efecto</translation>
-    </message>
-    <message>
-        <source>About</source>
-        <translation>Respecto de</translation>
-    </message>
-    <message>
         <source>x of the fixed point</source>
         <translation>x del punto fijo</translation>
     </message>
@@ -5766,16 +5907,8 @@ La entrada se conserva tal cual.</translation>
         <translation>Reflejar</translation>
     </message>
     <message>
-        <source>Shear</source>
-        <translation>Cizallar</translation>
-    </message>
-    <message>
         <source>Shear along x</source>
         <translation>Cizalladura a lo largo de x</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Escalar</translation>
     </message>
     <message>
         <source>Scale in x</source>
@@ -5790,16 +5923,8 @@ La entrada se conserva tal cual.</translation>
         <translation>Igual en x y en y</translation>
     </message>
     <message>
-        <source>Rotate °</source>
-        <translation>Girar °</translation>
-    </message>
-    <message>
         <source>Rotation in degrees, counter-clockwise</source>
         <translation>Giro en grados, en sentido antihorario</translation>
-    </message>
-    <message>
-        <source>Translate</source>
-        <translation>Trasladar</translation>
     </message>
     <message>
         <source>Translation in x</source>
@@ -5850,10 +5975,6 @@ La entrada se conserva tal cual.</translation>
         <translation>el origen</translation>
     </message>
     <message>
-        <source>the middle of the picture&apos;s box</source>
-        <translation>el centro del rectángulo de la imagen</translation>
-    </message>
-    <message>
         <source>the mean of the invariant measure</source>
         <translation>la media de la medida invariante</translation>
     </message>
@@ -5896,6 +6017,38 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
         <translation>Refleja en una recta que pasa por el punto que no se mueve; el ángulo se mide desde el eje x.</translation>
+    </message>
+    <message>
+        <source>Change:</source>
+        <translation>Efecto:</translation>
+    </message>
+    <message>
+        <source>About:</source>
+        <translation>Respecto de:</translation>
+    </message>
+    <message>
+        <source>Reflect:</source>
+        <translation>Reflejar:</translation>
+    </message>
+    <message>
+        <source>Shear:</source>
+        <translation>Cizallar:</translation>
+    </message>
+    <message>
+        <source>Scale:</source>
+        <translation>Escalar:</translation>
+    </message>
+    <message>
+        <source>Rotate °:</source>
+        <translation>Girar °:</translation>
+    </message>
+    <message>
+        <source>Translate:</source>
+        <translation>Trasladar:</translation>
+    </message>
+    <message>
+        <source>the middle of the picture’s box</source>
+        <translation>el centro del rectángulo de la imagen</translation>
     </message>
 </context>
 <context>

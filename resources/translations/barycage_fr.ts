@@ -130,6 +130,33 @@
         <source>The attractor reaches at most this far beyond the polygon; certified.</source>
         <translation>L’attracteur dépasse le polygone d’au plus cette distance ; certifié.</translation>
     </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… et %n autre</numerusform>
+            <numerusform>… et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, every map contracts by %1 or less.</source>
+        <translation>Oui : hyperbolique, chaque application contracte d’un facteur %1 ou moins.</translation>
+    </message>
+    <message>
+        <source>Yes: eventually contractive, every word of %1 maps contracts (%2 a map).</source>
+        <translation>Oui : finalement contractant, chaque mot de %1 applications contracte (%2 par application).</translation>
+    </message>
+    <message>
+        <source>None: the word %1 does not contract (%2 a map).</source>
+        <translation>Aucun : le mot %1 ne contracte pas (%2 par application).</translation>
+    </message>
+    <message>
+        <source>Undecided: no proof either way was found.</source>
+        <translation>Indécis : aucune preuve n’a été trouvée, ni dans un sens ni dans l’autre.</translation>
+    </message>
+    <message>
+        <source>None: no map takes part.</source>
+        <translation>Aucun : aucune application ne participe.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -140,6 +167,18 @@
     <message>
         <source>.ifs files to open, a window each</source>
         <translation>Fichiers .ifs à ouvrir, chacun dans sa fenêtre</translation>
+    </message>
+    <message>
+        <source>a window with the maple, whatever was open before</source>
+        <translation>une fenêtre avec l’érable, quoi qui ait été ouvert auparavant</translation>
+    </message>
+    <message>
+        <source>a window that shows the collection</source>
+        <translation>une fenêtre qui montre la collection</translation>
+    </message>
+    <message>
+        <source>a window with fractals made by chance to pick from</source>
+        <translation>une fenêtre avec des fractales au hasard à choisir</translation>
     </message>
 </context>
 <context>
@@ -1107,6 +1146,10 @@
         <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
         <translation>Ajouter au fichier les fractales du presse-papiers : entrées d’un fichier .ifs, flames ou tableau de nombres</translation>
     </message>
+    <message>
+        <source>The unsaved work is here all the same.</source>
+        <translation>Le travail non enregistré est ici malgré tout.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1225,6 +1268,21 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Reading</name>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>La lecture de « %1 » a été annulée.</translation>
     </message>
 </context>
 <context>
@@ -2067,6 +2125,13 @@
         <source>reason</source>
         <translation>raison</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more maps</source>
+        <translation>
+            <numerusform>%n autre application</numerusform>
+            <numerusform>%n autres applications</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2184,6 +2249,14 @@
     <message>
         <source>&amp;Open…</source>
         <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <source>A file, or the collection.</source>
+        <translation>Un fichier ou la collection.</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Commencer par</translation>
     </message>
 </context>
 <context>
@@ -2788,6 +2861,10 @@
         <source>Scale branch %1</source>
         <translation>Mettre à l’échelle la branche %1</translation>
     </message>
+    <message>
+        <source>This branch is map 1 now. Numbers in the table change it further.</source>
+        <translation>Cette branche est maintenant l’application 1. Les nombres du tableau continuent de la modifier.</translation>
+    </message>
 </context>
 <context>
     <name>view::CageActions</name>
@@ -3226,6 +3303,14 @@
     <message>
         <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
         <translation>Arrêté : plus loin, il n’est pas établi qu’il y aurait un attracteur (l’application %1 a la plus grande valeur singulière, %2).</translation>
+    </message>
+    <message>
+        <source>One map alone: nothing is left but its fixed point.</source>
+        <translation>Une seule application : il ne reste que son point fixe.</translation>
+    </message>
+    <message>
+        <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
+        <translation>Une seule application : il ne reste que son point fixe (%1, %2).</translation>
     </message>
 </context>
 <context>
@@ -4047,6 +4132,10 @@
     <message>
         <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
         <translation>Les fractales du fichier. Cliquez sur l’une d’elles pour la modifier, faites-la glisser pour la changer de place, appuyez sur F2 pour la renommer.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: there is no text on the clipboard.</source>
+        <translation>Rien n’a été collé : il n’y a pas de texte dans le presse-papiers.</translation>
     </message>
 </context>
 <context>
@@ -5730,6 +5819,66 @@ L’entrée est conservée telle quelle.</translation>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
         <translation>Insérer un sommet sur une arête, dupliquer les applications choisies</translation>
     </message>
+    <message>
+        <source>Take the last vertex back while a triangle is defined</source>
+        <translation>Reprendre le dernier sommet pendant la définition d’un triangle</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
+    </message>
+    <message>
+        <source>Choose another stop</source>
+        <translation>Choisir un autre repère</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down, Home, End, or Ctrl + Left, Right</source>
+        <translation>Page préc., Page suiv., Début, Fin, ou Ctrl + Gauche, Droite</translation>
+    </message>
+    <message>
+        <source>Move the stop</source>
+        <translation>Déplacer le repère</translation>
+    </message>
+    <message>
+        <source>Left, Right; Shift ×10</source>
+        <translation>Gauche, Droite ; Maj ×10</translation>
+    </message>
+    <message>
+        <source>Add a stop</source>
+        <translation>Ajouter un repère</translation>
+    </message>
+    <message>
+        <source>Ins or +, or double-click</source>
+        <translation>Inser ou +, ou double-clic</translation>
+    </message>
+    <message>
+        <source>Remove the stop</source>
+        <translation>Retirer le repère</translation>
+    </message>
+    <message>
+        <source>Del or Backspace</source>
+        <translation>Suppr ou Retour arrière</translation>
+    </message>
+    <message>
+        <source>Change the colour of the stop</source>
+        <translation>Changer la couleur du repère</translation>
+    </message>
+    <message>
+        <source>Enter or Space, or double-click it</source>
+        <translation>Entrée ou Espace, ou double-clic dessus</translation>
+    </message>
+    <message>
+        <source>Take the change back</source>
+        <translation>Annuler la modification</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>On the strip of the gradient</source>
+        <translation>Sur la bande du dégradé</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformDialog</name>
@@ -5746,14 +5895,6 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Transformer par valeurs numériques</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Effet</translation>
-    </message>
-    <message>
-        <source>About</source>
-        <translation>Autour de</translation>
-    </message>
-    <message>
         <source>x of the fixed point</source>
         <translation>x du point fixe</translation>
     </message>
@@ -5766,16 +5907,8 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Symétrie</translation>
     </message>
     <message>
-        <source>Shear</source>
-        <translation>Cisaillement</translation>
-    </message>
-    <message>
         <source>Shear along x</source>
         <translation>Cisaillement selon x</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Échelle</translation>
     </message>
     <message>
         <source>Scale in x</source>
@@ -5790,16 +5923,8 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Identique en x et en y</translation>
     </message>
     <message>
-        <source>Rotate °</source>
-        <translation>Rotation °</translation>
-    </message>
-    <message>
         <source>Rotation in degrees, counter-clockwise</source>
         <translation>Rotation en degrés, dans le sens direct</translation>
-    </message>
-    <message>
-        <source>Translate</source>
-        <translation>Translation</translation>
     </message>
     <message>
         <source>Translation in x</source>
@@ -5850,10 +5975,6 @@ L’entrée est conservée telle quelle.</translation>
         <translation>l’origine</translation>
     </message>
     <message>
-        <source>the middle of the picture&apos;s box</source>
-        <translation>le centre de la boîte englobante de l’image</translation>
-    </message>
-    <message>
         <source>the mean of the invariant measure</source>
         <translation>la moyenne de la mesure invariante</translation>
     </message>
@@ -5896,6 +6017,38 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
         <translation>Symétrie par rapport à une droite passant par le point fixe&#x202f;; l’angle se compte depuis l’axe des x.</translation>
+    </message>
+    <message>
+        <source>Change:</source>
+        <translation>Effet :</translation>
+    </message>
+    <message>
+        <source>About:</source>
+        <translation>Autour de :</translation>
+    </message>
+    <message>
+        <source>Reflect:</source>
+        <translation>Symétrie :</translation>
+    </message>
+    <message>
+        <source>Shear:</source>
+        <translation>Cisaillement :</translation>
+    </message>
+    <message>
+        <source>Scale:</source>
+        <translation>Échelle :</translation>
+    </message>
+    <message>
+        <source>Rotate °:</source>
+        <translation>Rotation ° :</translation>
+    </message>
+    <message>
+        <source>Translate:</source>
+        <translation>Translation :</translation>
+    </message>
+    <message>
+        <source>the middle of the picture’s box</source>
+        <translation>le centre de la boîte englobante de l’image</translation>
     </message>
 </context>
 <context>

@@ -130,6 +130,34 @@
         <source>The attractor reaches at most this far beyond the polygon; certified.</source>
         <translation>Атракторот излегува од многуаголникот најмногу за толку; докажано.</translation>
     </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… и уште %n</numerusform>
+            <numerusform>… и уште %n</numerusform>
+            <numerusform>… и уште %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, every map contracts by %1 or less.</source>
+        <translation>Да: хиперболичен, секое пресликување контрахира со фактор %1 или помалку.</translation>
+    </message>
+    <message>
+        <source>Yes: eventually contractive, every word of %1 maps contracts (%2 a map).</source>
+        <translation>Да: на крајот контрактивен, секој збор од %1 пресликувања контрахира (%2 по пресликување).</translation>
+    </message>
+    <message>
+        <source>None: the word %1 does not contract (%2 a map).</source>
+        <translation>Нема: зборот %1 не контрахира (%2 по пресликување).</translation>
+    </message>
+    <message>
+        <source>Undecided: no proof either way was found.</source>
+        <translation>Неодлучено: не е најден доказ ниту за едното ниту за другото.</translation>
+    </message>
+    <message>
+        <source>None: no map takes part.</source>
+        <translation>Нема: ниту едно пресликување не учествува.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -140,6 +168,18 @@
     <message>
         <source>.ifs files to open, a window each</source>
         <translation>.ifs-датотеки за отворање, секоја во свој прозорец</translation>
+    </message>
+    <message>
+        <source>a window with the maple, whatever was open before</source>
+        <translation>прозорец со јаворот, што и да било отворено претходно</translation>
+    </message>
+    <message>
+        <source>a window that shows the collection</source>
+        <translation>прозорец што ја покажува збирката</translation>
+    </message>
+    <message>
+        <source>a window with fractals made by chance to pick from</source>
+        <translation>прозорец со случајни фрактали за избор</translation>
     </message>
 </context>
 <context>
@@ -1110,6 +1150,10 @@
         <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
         <translation>Додај ги во датотеката фракталите од таблата со исечоци: записи од датотека .ifs, flame-фрактали или табела со броеви</translation>
     </message>
+    <message>
+        <source>The unsaved work is here all the same.</source>
+        <translation>Незачуваната работа е сепак тука.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1228,6 +1272,21 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>Сликата не може да се запише: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Reading</name>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Откажи</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>Читањето на „%1“ е откажано.</translation>
     </message>
 </context>
 <context>
@@ -2070,6 +2129,14 @@
         <source>reason</source>
         <translation>причина</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more maps</source>
+        <translation>
+            <numerusform>уште %n пресликување</numerusform>
+            <numerusform>уште %n пресликувања</numerusform>
+            <numerusform>уште %n пресликувања</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2187,6 +2254,14 @@
     <message>
         <source>&amp;Open…</source>
         <translation>&amp;Отвори…</translation>
+    </message>
+    <message>
+        <source>A file, or the collection.</source>
+        <translation>Датотека или збирката.</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Почни со</translation>
     </message>
 </context>
 <context>
@@ -2791,6 +2866,10 @@
         <source>Scale branch %1</source>
         <translation>Скалирај ја гранката %1</translation>
     </message>
+    <message>
+        <source>This branch is map 1 now. Numbers in the table change it further.</source>
+        <translation>Оваа гранка сега е пресликување 1. Броевите во табелата ја менуваат понатаму.</translation>
+    </message>
 </context>
 <context>
     <name>view::CageActions</name>
@@ -3230,6 +3309,14 @@
     <message>
         <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
         <translation>Запрено: понатаму не е решено дали би имало атрактор (пресликувањето %1 има најголема сингуларна вредност, %2).</translation>
+    </message>
+    <message>
+        <source>One map alone: nothing is left but its fixed point.</source>
+        <translation>Само едно пресликување: останува единствено неговата неподвижна точка.</translation>
+    </message>
+    <message>
+        <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
+        <translation>Само едно пресликување: останува единствено неговата неподвижна точка (%1, %2).</translation>
     </message>
 </context>
 <context>
@@ -4057,6 +4144,10 @@
     <message>
         <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
         <translation>Фракталите во датотеката. Кликнете на некој за да го уредувате, повлечете го на друго место, притиснете F2 за да му дадете друго име.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: there is no text on the clipboard.</source>
+        <translation>Ништо не е вметнато: нема текст на таблата со исечоци.</translation>
     </message>
 </context>
 <context>
@@ -5741,6 +5832,66 @@ The entry is kept as it is.</source>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
         <translation>Вметни теме на страна, удвој ги избраните пресликувања</translation>
     </message>
+    <message>
+        <source>Take the last vertex back while a triangle is defined</source>
+        <translation>Врати го последното теме додека се задава триаголник</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backspace</translation>
+    </message>
+    <message>
+        <source>Choose another stop</source>
+        <translation>Избери друг маркер</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down, Home, End, or Ctrl + Left, Right</source>
+        <translation>Page Up, Page Down, Home, End или Ctrl + лево, десно</translation>
+    </message>
+    <message>
+        <source>Move the stop</source>
+        <translation>Помести го маркерот</translation>
+    </message>
+    <message>
+        <source>Left, Right; Shift ×10</source>
+        <translation>Лево, десно; Shift ×10</translation>
+    </message>
+    <message>
+        <source>Add a stop</source>
+        <translation>Додај маркер</translation>
+    </message>
+    <message>
+        <source>Ins or +, or double-click</source>
+        <translation>Ins или +, или двоен клик</translation>
+    </message>
+    <message>
+        <source>Remove the stop</source>
+        <translation>Отстрани го маркерот</translation>
+    </message>
+    <message>
+        <source>Del or Backspace</source>
+        <translation>Del или Backspace</translation>
+    </message>
+    <message>
+        <source>Change the colour of the stop</source>
+        <translation>Смени ја бојата на маркерот</translation>
+    </message>
+    <message>
+        <source>Enter or Space, or double-click it</source>
+        <translation>Enter или Space, или двоен клик на него</translation>
+    </message>
+    <message>
+        <source>Take the change back</source>
+        <translation>Врати ја промената</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>On the strip of the gradient</source>
+        <translation>На лентата на преливот</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformDialog</name>
@@ -5757,14 +5908,6 @@ The entry is kept as it is.</source>
         <translation>Трансформирање со броеви</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Измена</translation>
-    </message>
-    <message>
-        <source>About</source>
-        <translation>Околу</translation>
-    </message>
-    <message>
         <source>x of the fixed point</source>
         <translation>x на неподвижната точка</translation>
     </message>
@@ -5777,16 +5920,8 @@ The entry is kept as it is.</source>
         <translation>Отсликај</translation>
     </message>
     <message>
-        <source>Shear</source>
-        <translation>Искоси</translation>
-    </message>
-    <message>
         <source>Shear along x</source>
         <translation>Искосување по x</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Скалирај</translation>
     </message>
     <message>
         <source>Scale in x</source>
@@ -5801,16 +5936,8 @@ The entry is kept as it is.</source>
         <translation>Исто по x и y</translation>
     </message>
     <message>
-        <source>Rotate °</source>
-        <translation>Ротирај °</translation>
-    </message>
-    <message>
         <source>Rotation in degrees, counter-clockwise</source>
         <translation>Ротација во степени, спротивно од стрелките на часовникот</translation>
-    </message>
-    <message>
-        <source>Translate</source>
-        <translation>Транслирај</translation>
     </message>
     <message>
         <source>Translation in x</source>
@@ -5861,10 +5988,6 @@ The entry is kept as it is.</source>
         <translation>координатниот почеток</translation>
     </message>
     <message>
-        <source>the middle of the picture&apos;s box</source>
-        <translation>средината на правоаголникот на сликата</translation>
-    </message>
-    <message>
         <source>the mean of the invariant measure</source>
         <translation>средната вредност на инваријантната мера</translation>
     </message>
@@ -5907,6 +6030,38 @@ The entry is kept as it is.</source>
     <message>
         <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
         <translation>Осна симетрија во однос на права низ точката што останува на место; аголот се мери од x-оската.</translation>
+    </message>
+    <message>
+        <source>Change:</source>
+        <translation>Измена:</translation>
+    </message>
+    <message>
+        <source>About:</source>
+        <translation>Околу:</translation>
+    </message>
+    <message>
+        <source>Reflect:</source>
+        <translation>Отсликај:</translation>
+    </message>
+    <message>
+        <source>Shear:</source>
+        <translation>Искоси:</translation>
+    </message>
+    <message>
+        <source>Scale:</source>
+        <translation>Скалирај:</translation>
+    </message>
+    <message>
+        <source>Rotate °:</source>
+        <translation>Ротирај °:</translation>
+    </message>
+    <message>
+        <source>Translate:</source>
+        <translation>Транслирај:</translation>
+    </message>
+    <message>
+        <source>the middle of the picture’s box</source>
+        <translation>средината на правоаголникот на сликата</translation>
     </message>
 </context>
 <context>
