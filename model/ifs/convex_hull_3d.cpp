@@ -198,7 +198,8 @@ Refined refine(const SupportFunction<3>& support, double tolerance) {
             hull.error = certify(hull.faces, known);
             const bool isHopeless =
                 known >= ManyPoints && hull.error * double(known) > tolerance * double(MostPoints);
-            if (hull.error <= tolerance || isHopeless || known >= MostPoints || accuracy <= apart) return hull;
+            if (hull.error <= tolerance || isHopeless || known >= MostPoints || accuracy <= apart)
+                return hull;
             if (addBeyond(std::max(tolerance, hull.error / 8)) || addBeyond(tolerance)) break;
         }
     }

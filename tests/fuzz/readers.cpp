@@ -202,8 +202,12 @@ void readJournal(const QByteArray& bytes) {
         promise(document::snapshotIn(document::recoveryFile(*snapshot)) == snapshot,
                 "a recovery file is what it says");
     // The digest in front keeps changed bytes out; these are what a window might have kept.
-    const document::Snapshot kept{QString::fromLatin1(bytes.left(20)), QString::fromUtf8(bytes.left(40)), 1,
-                                  QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC), bytes, {}};
+    const document::Snapshot kept{QString::fromLatin1(bytes.left(20)),
+                                  QString::fromUtf8(bytes.left(40)),
+                                  1,
+                                  QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC),
+                                  bytes,
+                                  {}};
     const auto back = document::snapshotIn(document::recoveryFile(kept));
     promise(back && back->bytes == bytes && back->path == kept.path, "what is kept can be recovered");
 }
