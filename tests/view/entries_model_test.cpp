@@ -5,6 +5,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QListView>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -60,6 +61,7 @@ private slots:
     void followsRandomEdits();
     void renameIsOneStep();
     void refusesBadNames();
+    void nothingIsCurrent();
     void saysWhatIsWrong();
     void modifiedMark();
     void liveEditsWait();
@@ -181,6 +183,15 @@ void EntriesModelTest::saysWhatIsWrong() {
              static_cast<int>(view::Thumbnail::State::ThreeDimensional));
     QCOMPARE(model.index(2).data(EntriesModel::SubtitleRole).toString(), u"3D: not yet shown"_s);
     QVERIFY(model.index(2).flags() & Qt::ItemIsEditable);
+}
+
+// Views ask for the data of the current entry when a key copies it, and there may be none.
+void EntriesModelTest::nothingIsCurrent() {
+    Document document;
+    Thumbnails thumbnails;
+    const EntriesModel model(&document, &thumbnails);
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("checkindex")));
+    QVERIFY(!model.data({}, Qt::DisplayRole).isValid());
 }
 
 void EntriesModelTest::modifiedMark() {

@@ -15,6 +15,7 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
@@ -55,6 +56,7 @@ private slots:
     void manyAtOnce();
     void duplicate();
     void renameByKeyboard();
+    void tabGivesTheNextName();
     void badNameKeepsTheEditorOpen();
     void moveByKeyboard();
     void moveSeveralWithGap();
@@ -222,6 +224,35 @@ void EntriesPanelTest::renameByKeyboard() {
     QTest::keyClick(editor, Qt::Key_Return);
     QTRY_COMPARE(currentName(), u"oak"_s);
     checkOneStep();
+}
+
+// If there is one: a new name may take its entry, and the next one's place, out of the filter.
+void EntriesPanelTest::tabGivesTheNextName() {
+    QTest::failOnWarning(QRegularExpression(u"^edit: "_s));
+    const auto editor = [this] { return m_list->findChild<QLineEdit*>(); };
+    const auto name = [this](int row) { return m_document->file().entries[row].fractal->name; };
+    const QString second = name(1);
+    select({name(0)});
+    key(Qt::Key_F2);
+    QVERIFY(editor());
+    editor()->setText(u"oak"_s);
+    QTest::keyClick(editor(), Qt::Key_Tab);
+    QTRY_COMPARE(name(0), u"oak"_s);
+    QTRY_COMPARE(currentName(), second);
+    QTRY_VERIFY(editor() && editor()->text() == second);
+    QTest::keyClick(editor(), Qt::Key_Escape);
+    QTRY_VERIFY(!editor());
+
+    auto* filter = m_panel->findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly);
+    QVERIFY(filter);
+    filter->setText(second);
+    select({second});
+    key(Qt::Key_F2);
+    QVERIFY(editor());
+    editor()->setText(u"zzz"_s);
+    QTest::keyClick(editor(), Qt::Key_Tab);
+    QTRY_COMPARE(name(1), u"zzz"_s);
+    QTRY_VERIFY(!editor());
 }
 
 void EntriesPanelTest::badNameKeepsTheEditorOpen() {

@@ -78,7 +78,8 @@ int CollectionModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant CollectionModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
     const Row& row = m_rows[index.row()];
     if (role == FolderRole) return row.folder;
     return row.entry.fractal ? entryData(row, role) : headingData(row, role);

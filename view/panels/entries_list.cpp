@@ -59,6 +59,18 @@ void EntriesList::setEmptyText(const QString& text) {
     viewport()->update();
 }
 
+// On to the next name, unless the one just given has taken it out of the filter.
+void EntriesList::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+    const bool isNext = hint == QAbstractItemDelegate::EditNextItem;
+    const bool goesOn = isNext || hint == QAbstractItemDelegate::EditPreviousItem;
+    QListView::closeEditor(editor, goesOn ? QAbstractItemDelegate::NoHint : hint);
+    if (!goesOn) return;
+    const QModelIndex before = currentIndex();
+    setCurrentIndex(moveCursor(isNext ? MoveNext : MovePrevious, Qt::NoModifier));
+    const QModelIndex now = currentIndex();
+    if (now != before && now.flags() & Qt::ItemIsEditable) QListView::edit(now);
+}
+
 void EntriesList::startDrag(Qt::DropActions) {
     const QList<EntryId> ids = selectedIds();
     if (ids.isEmpty()) return;

@@ -3,6 +3,7 @@
 
 #include "document/fractal_file.h"
 
+#include <QAbstractItemDelegate>
 #include <QList>
 #include <QListView>
 
@@ -30,6 +31,7 @@ signals:
     void dataDropped(const QMimeData& mimeData, document::EntryId before);
 
 protected:
+    void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
     void startDrag(Qt::DropActions actions) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;

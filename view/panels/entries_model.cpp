@@ -60,7 +60,8 @@ int EntriesModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant EntriesModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
     const Entry& entry = m_shown.entries[index.row()];
     const auto key = static_cast<Thumbnails::Key>(entry.id);
     switch (role) {

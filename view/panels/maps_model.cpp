@@ -233,7 +233,8 @@ QVariant MapsModel::alignment(int column) const {
 }
 
 QVariant MapsModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
     const int row = index.row();
     const int column = index.column();
     const auto& map = m_maps[static_cast<std::size_t>(row)];

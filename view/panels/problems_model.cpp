@@ -36,6 +36,7 @@ int ProblemsModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {}; // as views ask when nothing is current
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const document::Problem& problem = m_rows[index.row()].problem;
     const bool error = problem.severity == document::Problem::Severity::Error;
