@@ -71,8 +71,12 @@ QByteArrayList written(const QByteArray& suffix) {
     if (suffix == "png") return {png(io::writeEntry(triangle)), png({}), png(own.repeated(20))};
     if (suffix == "svg") return {svg(triangle)};
     if (suffix == "journal")
-        return {document::recoveryFile({QStringLiteral("/somewhere/a.ifs"), QStringLiteral("a.ifs"), 0,
-                                        QDateTime::fromMSecsSinceEpoch(0, Qt::UTC), own, {}})};
+        return {document::recoveryFile({QStringLiteral("/somewhere/a.ifs"),
+                                        QStringLiteral("a.ifs"),
+                                        0,
+                                        QDateTime::fromMSecsSinceEpoch(0, Qt::UTC),
+                                        own,
+                                        {}})};
     if (suffix == "comments") {
         QByteArrayList lines;
         for (const QByteArray& line : own.split('\n'))
