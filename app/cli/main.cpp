@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 #include "messages.h"
+#include "output.h"
 #include "usage_error.h"
 
 #include <QGuiApplication>
@@ -8,6 +9,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string_view>
 
 namespace {
@@ -21,11 +23,9 @@ ExitStatus parse(CLI::App& program, int argc, char** argv) {
         return ExitStatus::Done;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == int(CLI::ExitCodes::Success)) {
-            program.exit(error, std::cout, std::cerr);
-            if (std::cout.flush()) return ExitStatus::Done;
-            cli::reportError(QStringLiteral("-"),
-                             QCoreApplication::translate("cli", "It cannot be written to standard output."));
-            return ExitStatus::CannotReadOrWrite;
+            std::ostringstream answer;
+            program.exit(error, answer, std::cerr);
+            return cli::writeOutput(QStringLiteral("-"), QByteArray::fromStdString(answer.str()));
         }
         const auto called = program.get_subcommands();
         if (called.empty() && argc > 1 && argv[1][0] != '-') {

@@ -188,11 +188,14 @@ void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& 
         const std::vector<Row> rows = coefficientRows(*system);
         QRectF room(QPointF(page.left(), frame.bottom() + 0.7 * line), page.bottomRight());
         std::size_t done = 0;
-        while (true) {
+        const auto paintMore = [&] {
             done += paintTable(painter, room, page.height() / linesOnPage, std::span(rows).subspan(done));
-            if (done >= rows.size()) return;
+        };
+        paintMore();
+        while (done < rows.size() && page.height() > 0) { // paper without height would never end
             newPage();
             room = page;
+            paintMore();
         }
     }
 }
