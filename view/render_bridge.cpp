@@ -36,7 +36,7 @@ RenderBridge::~RenderBridge() = default;
 void RenderBridge::setCamera(const attractor::Camera& camera) {
     if (camera == m_camera) return;
     m_camera = camera;
-    m_exposing = Exposing::Measured;
+    if (m_exposing == Exposing::Kept) m_exposing = Exposing::Eased;
     request(Haste::InTurn);
 }
 
@@ -121,12 +121,15 @@ void RenderBridge::submit() {
         if (m_shown.algorithm == attractor::Algorithm::Deterministic)
             request.cage = document::effectiveCage(fractal);
     }
-    if (m_exposing == Exposing::Measured)
-        m_measuredFrom = m_requested;
-    else if (m_frame && m_frame->revision >= m_measuredFrom)
+    using Brightness = attractor::RenderThread::Brightness;
+    const auto brightness = m_exposing == Exposing::Measured ? Brightness::OfThePicture
+                            : m_exposing == Exposing::Eased  ? Brightness::Eased
+                                                             : Brightness::Continued;
+    if (m_exposing == Exposing::Measured) m_measuredFrom = m_requested;
+    if (m_exposing == Exposing::Kept && m_frame && m_frame->revision >= m_measuredFrom)
         request.exposure = m_frame->exposure;
     m_exposing = Exposing::Kept;
-    m_thread->submit(std::move(request), quality);
+    m_thread->submit(std::move(request), quality, brightness);
     m_underWay.start();
 }
 

@@ -48,7 +48,7 @@ signals:
 
 private:
     // Whether brightness keeps its meaning from the frame before.
-    enum class Exposing { Kept, Measured };
+    enum class Exposing { Kept, Eased, Measured };
 
     enum class Haste {
         Now,    // an older request is abandoned

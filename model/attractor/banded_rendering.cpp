@@ -129,9 +129,9 @@ bool BandedRendering::State::band(int firstRow, int rows, std::span<Pixel> pixel
     const auto drawing = [&](double fraction) { tell(progress, begin + (1 - begin) * fraction); };
     if (!draw(firstRow, rows, request.samples, stop, drawing)) return false;
     if constexpr (sizeof(Pixel) == sizeof(std::uint32_t)) {
-        if (!tone(ToneMap(toneSettings(), mostInACell()), pixels, stop)) return false;
+        if (!tone(ToneMap(toneSettings(*exposure), mostInACell()), pixels, stop)) return false;
     } else {
-        if (!tone(ToneMap16(toneSettings()), pixels, stop)) return false;
+        if (!tone(ToneMap16(toneSettings(*exposure)), pixels, stop)) return false;
     }
     tell(progress, 1);
     return true;

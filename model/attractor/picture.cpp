@@ -357,7 +357,7 @@ bool Picture::completePreattractor(const std::stop_token& stop) {
     return true;
 }
 
-Frame Picture::frame(Frame reuse, const std::stop_token& stop) {
+Frame Picture::frame(Frame reuse, const std::stop_token& stop, const std::optional<Exposure>& other) {
     Frame result;
     result.pixels = std::move(reuse.pixels);
     result.revision = request.revision;
@@ -376,27 +376,29 @@ Frame Picture::frame(Frame reuse, const std::stop_token& stop) {
     measureExposure(stop);
     if (stop.stop_requested()) return result;
     result.exposure = *exposure;
-    tonePixels(result.pixels, stop);
+    result.shown = other ? *other : *exposure;
+    tonePixels(result.shown, result.pixels, stop);
     return result;
 }
 
 void Picture::measureExposure(const std::stop_token& stop) {
     if (request.algorithm == Algorithm::Deterministic)
-        exposure = Exposure{1, 16, 1};                               // what one image covers has density 1
-    if (request.algorithm == Algorithm::ChaosGame) exposure.reset(); // few points at first tell little
+        exposure = Exposure{1, 16, 1}; // what one image covers has density 1
+    if (request.algorithm == Algorithm::ChaosGame && exposedAt != drawn) exposure.reset(); // few tell little
     if (exposure) return;
+    exposedAt = drawn;
     const Exposure measured = measuredExposure(sums, request.appearance, request.appearance.supersample,
                                                samplesOverAttractor(), request.exposure, *workers, stop);
     if (!stop.stop_requested()) exposure = measured;
 }
 
-ToneSettings Picture::toneSettings() const {
+ToneSettings Picture::toneSettings(const Exposure& shown) const {
     const int side = request.appearance.supersample;
-    ToneSettings settings{request.appearance, side, 0, exposure->whitePoint, exposure->gain};
+    ToneSettings settings{request.appearance, side, 0, shown.whitePoint, shown.gain};
     if (request.algorithm == Algorithm::Deterministic)
         settings.densityPerSample = 1;
     else if (samplesOverAttractor() > 0)
-        settings.densityPerSample = side * side / (samplesOverAttractor() * exposure->meanDensity);
+        settings.densityPerSample = side * side / (samplesOverAttractor() * shown.meanDensity);
     return settings;
 }
 
@@ -404,8 +406,9 @@ std::uint64_t Picture::mostInACell() const {
     return request.algorithm == Algorithm::Deterministic ? 1U << 20 : drawn;
 }
 
-void Picture::tonePixels(std::span<std::uint32_t> pixels, const std::stop_token& stop) {
-    const ToneMap toneMap(toneSettings(), mostInACell());
+void Picture::tonePixels(const Exposure& shown, std::span<std::uint32_t> pixels,
+                         const std::stop_token& stop) {
+    const ToneMap toneMap(toneSettings(shown), mostInACell());
     const int side = request.appearance.supersample;
     const int rows = (sums.window().endRow - sums.window().firstRow) / side;
     constexpr int together = 16; // between two looks at the stop token

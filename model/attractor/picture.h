@@ -62,6 +62,7 @@ struct Picture {
     double overAttractor = 0; // samples as they would be without culling
     int passes = 0;
     std::optional<Exposure> exposure;
+    std::uint64_t exposedAt = 0; // of the samples drawn
     double milliseconds = 0;
 
     void start(RenderRequest newRequest);  // rewind() comes next
@@ -94,11 +95,11 @@ struct Picture {
         return request.algorithm == Algorithm::Density ? overAttractor : static_cast<double>(drawn);
     }
     void measureExposure(const std::stop_token& stop = {});
-    ToneSettings toneSettings() const; // after measureExposure()
+    ToneSettings toneSettings(const Exposure& shown) const;
     std::uint64_t mostInACell() const;
     // Of the rows that are counted; stopped, of some of them.
-    void tonePixels(std::span<std::uint32_t> pixels, const std::stop_token& stop = {});
-    Frame frame(Frame reuse, const std::stop_token& stop);
+    void tonePixels(const Exposure& shown, std::span<std::uint32_t> pixels, const std::stop_token& stop);
+    Frame frame(Frame reuse, const std::stop_token& stop, const std::optional<Exposure>& other);
 };
 
 } // namespace attractor

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -14,6 +15,9 @@ namespace {
 // A pass is at most this long, so that a refining picture is seen to refine.
 constexpr std::uint64_t longestPass = 100'000'000;
 constexpr auto pauseBeforeRefining = std::chrono::milliseconds(50);
+constexpr auto timeOfAFrame = std::chrono::milliseconds(16);
+constexpr double secondsToAdapt = 0.12; // the time constant with which brightness eases
+constexpr double unseen = 0.002;        // a relative change of brightness
 
 // Frames that nobody shows any more, kept because fresh memory costs as much time as drawing into it.
 class FramePool : public std::enable_shared_from_this<FramePool> {
@@ -43,12 +47,62 @@ private:
     std::vector<Frame> m_spare;
 };
 
+// Exposures from frame to frame. Density is measured in the plane, not in pixels: that of an even measure
+// does not change with zoom.
+class Adaptation {
+public:
+    void begin(RenderThread::Brightness brightness) {
+        m_first = true;
+        using Brightness = RenderThread::Brightness;
+        m_settled = !m_shown || brightness == Brightness::OfThePicture ||
+                    (brightness == Brightness::Continued && m_settled);
+    }
+    bool settled() const { return m_settled; }
+
+    Exposure next(const Exposure& wanted, double pixelsPerUnit) {
+        const auto now = Clock::now();
+        if (!m_settled) {
+            const std::chrono::duration<double> since =
+                m_first ? std::min<Clock::duration>(now - m_time, timeOfAFrame) : now - m_time;
+            const double kept = std::exp(-since.count() / secondsToAdapt);
+            const double zoom = pixelsPerUnit / m_pixelsPerUnit;
+            m_shown->meanDensity /= zoom * zoom;
+            m_settled = true;
+            for (double Exposure::*value : {&Exposure::meanDensity, &Exposure::whitePoint, &Exposure::gain})
+                approach((*m_shown).*value, wanted.*value, kept);
+        }
+        if (m_settled) m_shown = wanted;
+        m_pixelsPerUnit = pixelsPerUnit;
+        m_time = now;
+        m_first = false;
+        return *m_shown;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    // Geometrically: what is seen of brightness is its logarithm.
+    void approach(double& value, double wanted, double kept) {
+        const double ratio = std::pow(value / wanted, kept);
+        if (!(std::abs(ratio - 1) > unseen && std::isfinite(ratio))) return;
+        value = wanted * ratio;
+        m_settled = false;
+    }
+
+    std::optional<Exposure> m_shown;
+    double m_pixelsPerUnit = 1;
+    Clock::time_point m_time;
+    bool m_first = true;
+    bool m_settled = true;
+};
+
 } // namespace
 
 struct RenderThread::State {
     struct Job {
         RenderRequest request;
         std::uint64_t quality = 0;
+        Brightness brightness = Brightness::OfThePicture;
     };
 
     explicit State(std::function<void()> ready) : frameReady(std::move(ready)), thread([this] { serve(); }) {}
@@ -57,7 +111,8 @@ struct RenderThread::State {
     void replace(std::optional<Job> job);
     void serve();
     void work(Job job, const std::stop_token& stop);
-    bool staysIdle(const std::stop_token& stop);
+    bool staysIdle(std::chrono::milliseconds time, const std::stop_token& stop);
+    void show(double pixelsPerUnit, const std::stop_token& stop);
     void publish(Frame frame, const std::stop_token& stop);
 
     std::function<void()> frameReady;
@@ -70,6 +125,7 @@ struct RenderThread::State {
     std::shared_ptr<const Frame> newest;
     bool announced = false;             // frameReady was called, newestFrame() was not yet
     std::optional<Rendering> rendering; // the worker's own; its memory serves every request
+    Adaptation adaptation;              // the worker's own
     std::jthread thread;                // last: it uses the rest
 };
 
@@ -106,6 +162,8 @@ void RenderThread::State::serve() {
 
 void RenderThread::State::work(Job job, const std::stop_token& stop) {
     const std::uint64_t first = std::max<std::uint64_t>(1, job.request.samples);
+    const double pixelsPerUnit = job.request.camera.pixelsPerUnit;
+    adaptation.begin(job.brightness);
     if (rendering)
         rendering->restart(std::move(job.request));
     else
@@ -113,19 +171,27 @@ void RenderThread::State::work(Job job, const std::stop_token& stop) {
     std::uint64_t done = 0;
     std::uint64_t pass = first;
     while (rendering->refine(stop, pass)) {
-        publish(rendering->frame(frames->take(), stop), stop);
+        show(pixelsPerUnit, stop);
         done += pass;
-        if (done >= job.quality || rendering->finished()) return;
-        if (done == pass && !staysIdle(stop)) return;
+        if (done >= job.quality || rendering->finished()) break;
+        if (done == pass && !staysIdle(pauseBeforeRefining, stop)) return;
         pass = std::min({std::max(done, first), longestPass, job.quality - done});
     }
+    while (!adaptation.settled() && staysIdle(timeOfAFrame, stop))
+        show(pixelsPerUnit, stop);
+}
+
+void RenderThread::State::show(double pixelsPerUnit, const std::stop_token& stop) {
+    const Exposure wanted = rendering->exposure(stop);
+    if (stop.stop_requested()) return; // not measured to the end
+    publish(rendering->frame(frames->take(), stop, adaptation.next(wanted, pixelsPerUnit)), stop);
 }
 
 // Refining at once would take the processors from the thread that shows the frame, and show it again before
 // the hand's next one.
-bool RenderThread::State::staysIdle(const std::stop_token& stop) {
+bool RenderThread::State::staysIdle(std::chrono::milliseconds time, const std::stop_token& stop) {
     std::unique_lock lock(mutex);
-    return !wake.wait_for(lock, pauseBeforeRefining, [&] { return quit || stop.stop_requested(); });
+    return !wake.wait_for(lock, time, [&] { return quit || stop.stop_requested(); });
 }
 
 void RenderThread::State::publish(Frame frame, const std::stop_token& stop) {
@@ -145,8 +211,8 @@ RenderThread::RenderThread(std::function<void()> frameReady)
 
 RenderThread::~RenderThread() = default;
 
-void RenderThread::submit(RenderRequest request, std::uint64_t quality) {
-    m_state->replace(State::Job{std::move(request), quality});
+void RenderThread::submit(RenderRequest request, std::uint64_t quality, Brightness brightness) {
+    m_state->replace(State::Job{std::move(request), quality, brightness});
 }
 
 void RenderThread::cancel() {

@@ -13,6 +13,12 @@ namespace attractor {
 // picture are reached; then the thread sleeps.
 class RenderThread {
 public:
+    enum class Brightness {
+        OfThePicture, // as Rendering gives it
+        Eased,        // goes over to that within a moment, from the frame before
+        Continued,    // the same where the frame before has not got there yet
+    };
+
     // `frameReady` is called on the worker thread, never again before newestFrame() has been called since.
     explicit RenderThread(std::function<void()> frameReady);
     ~RenderThread(); // stops and joins
@@ -21,7 +27,8 @@ public:
     RenderThread& operator=(const RenderThread&) = delete;
 
     // Any thread. Total samples to refine to; the first pass has request.samples.
-    void submit(RenderRequest request, std::uint64_t quality);
+    void submit(RenderRequest request, std::uint64_t quality,
+                Brightness brightness = Brightness::OfThePicture);
     void cancel(); // forget the present request; the newest frame stays
 
     // Any thread; nullptr before the first frame.

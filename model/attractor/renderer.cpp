@@ -37,9 +37,15 @@ bool Rendering::finished() const {
     return m_state->finished();
 }
 
-Frame Rendering::frame(Frame reuse, std::stop_token stop) const {
+Exposure Rendering::exposure(std::stop_token stop) const {
     if (m_state->interrupted()) m_state->complete(stop);
-    return m_state->frame(std::move(reuse), stop);
+    m_state->measureExposure(stop);
+    return m_state->exposure.value_or(Exposure{});
+}
+
+Frame Rendering::frame(Frame reuse, std::stop_token stop, const std::optional<Exposure>& other) const {
+    if (m_state->interrupted()) m_state->complete(stop);
+    return m_state->frame(std::move(reuse), stop, other);
 }
 
 Frame render(const RenderRequest& request) {

@@ -72,7 +72,8 @@ struct Frame {
     double measure = 0;        // of the words that meet the view, estimated; 1 when all of the attractor does
     int passes = 0;
     int iterations = 0; // Deterministic: drawn
-    Exposure exposure;
+    Exposure exposure;  // that of the request, else of this picture
+    Exposure shown;     // in the pixels: another one while brightness eases
     RenderNote note = RenderNote::None;
     double milliseconds = 0; // time the last pass took
 };
@@ -92,9 +93,13 @@ public:
     // milliseconds; the rest of that pass is made up for by the next refine() or frame().
     bool refine(std::stop_token stop = {}, std::uint64_t samples = 0);
     bool finished() const; // nothing more to gain
-    // Tone-mapped picture of what has been accumulated. The memory of `reuse`, a frame no longer needed,
-    // serves again. When stopped, within milliseconds, the pixels are worth nothing.
-    Frame frame(Frame reuse = {}, std::stop_token stop = {}) const;
+    // What frame() shows by itself: the exposure kept by the request, else that of the picture.
+    Exposure exposure(std::stop_token stop = {}) const;
+    // Tone-mapped picture of what has been accumulated, at its own exposure or at another. The memory of
+    // `reuse`, a frame no longer needed, serves again. When stopped, within milliseconds, the pixels are
+    // worth nothing.
+    Frame frame(Frame reuse = {}, std::stop_token stop = {},
+                const std::optional<Exposure>& other = std::nullopt) const;
 
 private:
     struct State;

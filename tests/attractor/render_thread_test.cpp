@@ -5,12 +5,16 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
+#include <ctime>
 #include <mutex>
 #include <set>
 #include <thread>
+#include <vector>
 
 using namespace attractor;
 
@@ -75,6 +79,67 @@ private slots:
         std::this_thread::sleep_for(std::chrono::milliseconds(30));
         QCOMPARE(thread.newestFrame()->samples, std::uint64_t{500'000});
         QVERIFY(thread.newestFrame()->passes > 2);
+    }
+
+    void restsWhenThereIsNothingLeftToDo() {
+        RenderThread thread([] {});
+        for (const auto brightness :
+             {RenderThread::Brightness::OfThePicture, RenderThread::Brightness::Eased}) {
+            thread.submit(numbered(1), 500'000, brightness);
+            QVERIFY(eventually([&] {
+                const auto frame = thread.newestFrame();
+                return frame && frame->samples >= 500'000;
+            }));
+            std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // until brightness has settled
+            const std::clock_t before = std::clock();                     // of all threads
+            std::this_thread::sleep_for(std::chrono::milliseconds(500));
+            QVERIFY(double(std::clock() - before) / CLOCKS_PER_SEC < 0.01);
+        }
+    }
+
+    // A set thinner than the plane is brighter the closer one looks; that must not be seen as a step.
+    void brightnessEasesWhileZooming() {
+        std::mutex mutex;
+        std::vector<std::shared_ptr<const Frame>> frames;
+        RenderThread* source = nullptr;
+        RenderThread thread([&] {
+            const std::lock_guard lock(mutex);
+            frames.push_back(source->newestFrame());
+        });
+        source = &thread;
+        const auto newest = [&] {
+            const std::lock_guard lock(mutex);
+            return frames.empty() ? nullptr : frames.back();
+        };
+        RenderRequest request = systems::request(systems::sierpinski(), 400'000, 64, 48);
+        request.revision = 1;
+        thread.submit(request, 1);
+        QVERIFY(eventually([&] { return newest() != nullptr; }));
+        request.revision = 2;
+        request.camera = zoomedAt(request.camera, {20, 30}, 4);
+        thread.submit(request, 1, RenderThread::Brightness::Eased);
+        const Frame after = render(request);
+        QVERIFY(eventually([&] { return newest()->shown == after.exposure; }));
+        QVERIFY(newest()->pixels == after.pixels);
+
+        std::vector<double> way; // from the density before to the one after, in the plane
+        const auto density = [](const Frame& frame) {
+            return std::log(frame.shown.meanDensity * std::pow(frame.camera.pixelsPerUnit, 2));
+        };
+        const double whole = density(after) - density(*frames[0]);
+        QVERIFY(std::abs(whole) > 0.1);
+        for (const auto& frame : frames)
+            way.push_back((density(*frame) - density(*frames[0])) / whole);
+        QVERIFY2(way[1] > 0 && way[1] < 0.25, qPrintable(QString::number(way[1])));
+        QVERIFY(std::is_sorted(way.begin(), way.end()));
+
+        request.camera = zoomedAt(request.camera, {20, 30}, 0.25);
+        request.revision = 3;
+        thread.submit(request, 1); // another document, say: at once
+        QVERIFY(eventually([&] { return newest()->revision == 3; }));
+        const auto back = std::find_if(frames.begin(), frames.end(),
+                                       [](const auto& frame) { return frame->revision == 3; });
+        QCOMPARE((*back)->shown, render(request).exposure);
     }
 
     // By work, not by time: of a pass that would take minutes, hardly anything is done after the stop.
