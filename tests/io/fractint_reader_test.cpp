@@ -301,6 +301,7 @@ void FractintReaderTest::unrelatedFormats() {
     QVERIFY(file.entries.isEmpty());
     QCOMPARE(file.problems.size(), 1);
     QCOMPARE(file.problems[0].severity, Problem::Severity::Error);
+    QCOMPARE(file.problems[0].line, 0); // of the file as a whole
     QVERIFY2(file.problems[0].message.contains(name), qPrintable(file.problems[0].message));
 }
 
