@@ -95,11 +95,11 @@ attractor::Rgba colourArgument(const std::string& option, const std::string& tex
             std::uint8_t(colour.alpha())};
 }
 
-attractor::Palette paletteOfFile(const std::string& option, const QString& path) {
+attractor::Palette paletteOfFile(const QString& path) {
     const io::Loaded loaded = io::loadFile(path);
-    if (loaded.failure) throw UsageError{*loaded.failure};
+    if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
     io::PaletteFile file = io::readPalettes(loaded.bytes, QFileInfo(path).completeBaseName());
-    if (file.palettes.empty()) refuse(option, path.toStdString(), file.problems.back().message);
+    if (file.palettes.empty()) throw InputError{path, file.problems.back().message};
     for (const document::Problem& problem : file.problems)
         report(problem, path);
     if (file.palettes.size() > 1)
@@ -112,7 +112,8 @@ attractor::Palette paletteOfFile(const std::string& option, const QString& path)
 attractor::Palette paletteArgument(const std::string& option, const std::string& text) {
     if (const attractor::Palette* palette = attractor::findPalette(text)) return *palette;
     const QString path = QString::fromStdString(text);
-    if (QFileInfo(path).isFile()) return paletteOfFile(option, path);
+    const bool isFileName = path.contains(u'/') || !QFileInfo(path).suffix().isEmpty();
+    if (isFileName || QFileInfo(path).isFile()) return paletteOfFile(path);
     QStringList names;
     for (const auto& palette : attractor::builtInPalettes())
         names << QString::fromStdString(palette.name);

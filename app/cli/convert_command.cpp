@@ -224,9 +224,9 @@ public:
             reportError(m_plan.output, tr("The folder cannot be made."));
             return ExitStatus::CannotReadOrWrite;
         }
-        const bool untouched = m_arguments.entries.empty() && !m_arguments.bake && !m_arguments.strict;
-        if (untouched && isFractint(m_plan.format) && input->collection.format == u"fractint" &&
-            !isParameterFile(*input))
+        const bool untouched = m_arguments.entries.empty() && !m_arguments.bake && !m_arguments.strict &&
+                               !m_arguments.inColumns && !m_arguments.yAsWritten;
+        if (untouched && isFractint(m_plan.format) && isCollectionFile(*input))
             return writeOutput(outputFor(base, input->name), input->bytes);
         const Content content = contentOf(*input, m_arguments, m_plan);
         if (content.file.entries.isEmpty()) return nothingLeft(input->name);
@@ -242,9 +242,11 @@ public:
     }
 
 private:
-    // Out of a parameter file only the systems are wanted, not the parameters around them.
-    static bool isParameterFile(const Input& input) {
-        return QFileInfo(input.name).suffix().compare(u"par", Qt::CaseInsensitive) == 0;
+    // By its name, or where that says nothing by what is in it. Out of a parameter file only the systems are
+    // wanted, not the parameters around them.
+    static bool isCollectionFile(const Input& input) {
+        const QString suffix = QFileInfo(input.name).suffix().toLower();
+        return suffix == u"ifs" || (suffix != u"par" && input.collection.format == u"fractint");
     }
 
     static ExitStatus nothingLeft(const QString& fileName) {

@@ -20,7 +20,8 @@ QString tr(const char* text) {
 
 io::Loaded readStandardInput() {
     QFile file;
-    if (!file.open(stdin, QIODevice::ReadOnly)) return {{}, file.errorString()};
+    if (!file.open(stdin, QIODevice::ReadOnly))
+        return {{}, tr("Standard input cannot be read: %1.").arg(file.errorString())};
     constexpr qint64 pieceSize = 1 << 16;
     constexpr qsizetype mostBytes = 256 * 1024 * 1024;
     io::Loaded loaded;
@@ -29,6 +30,8 @@ io::Loaded readStandardInput() {
         if (loaded.bytes.size() > mostBytes)
             return {{}, tr("More than 256 MB came in, which is the limit for a file.")};
     }
+    if (file.error() != QFileDevice::NoError)
+        return {{}, tr("Standard input cannot be read: %1.").arg(file.errorString())};
     return loaded;
 }
 

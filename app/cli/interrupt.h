@@ -6,8 +6,9 @@
 
 namespace cli {
 
-// Turns Ctrl+C (and a request to terminate) into a stop request. Make it before any other thread. A second
-// Ctrl+C ends the program at once.
+// Turns Ctrl+C, a request to terminate and the end of the terminal into a stop request. Make it before any
+// other thread. What waits for others, or computes on regardless, is ended a second later, or by a second
+// Ctrl+C: files that are not finished have no name yet.
 class Interrupt {
 public:
     Interrupt();

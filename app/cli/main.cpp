@@ -6,11 +6,13 @@
 
 #include <QGuiApplication>
 
+#include <csignal>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 namespace {
 
@@ -45,6 +47,9 @@ ExitStatus parse(CLI::App& program, int argc, char** argv) {
 ExitStatus runCommand(const CLI::App& program, const cli::Run& run) {
     try {
         return run();
+    } catch (const cli::InputError& error) {
+        cli::reportError(error.fileName, error.sentence);
+        return error.status;
     } catch (const cli::UsageError& error) {
         cli::reportUsage(QString::fromStdString(program.get_subcommands().front()->get_name()),
                          error.sentence);
@@ -53,12 +58,16 @@ ExitStatus runCommand(const CLI::App& program, const cli::Run& run) {
         cli::reportError(QStringLiteral("barycage-cli"),
                          QCoreApplication::translate("cli", "There is not enough memory for this."));
         return ExitStatus::CannotReadOrWrite;
+    } catch (const std::system_error& error) {
+        cli::reportError(QStringLiteral("barycage-cli"), QString::fromLocal8Bit(error.what()));
+        return ExitStatus::CannotReadOrWrite;
     }
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error of writing, not the end
     // Letters on a sheet need a QGuiApplication; it gets no display all the same.
     std::unique_ptr<QCoreApplication> application;
     if (argc > 1 && std::string_view(argv[1]) == "gallery") {

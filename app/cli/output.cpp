@@ -37,12 +37,13 @@ ExitStatus writeOutput(const QString& output, const QByteArray& bytes) {
 io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
                                std::stop_token stop) {
     if (!isStandardOutput(output)) return io::exportTo(what, output, progress, std::move(stop));
-    const QTemporaryDir folder;
+    QTemporaryDir folder;
     QFile file(folder.filePath(QStringLiteral("output")));
     io::ExportOutcome outcome = io::exportTo(what, file.fileName(), progress, std::move(stop));
     if (outcome.failure || outcome.stopped) return outcome;
     constexpr qint64 pieceSize = 1 << 20;
     bool good = file.open(QIODevice::ReadOnly);
+    folder.remove(); // who reads may stop us at any moment; what is open can still be read
     while (good && !file.atEnd())
         good = print(file.read(pieceSize));
     if (!good) outcome.failure = cannotPrint();

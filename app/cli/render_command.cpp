@@ -17,6 +17,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <limits>
 #include <memory>
 
 namespace cli {
@@ -273,7 +274,12 @@ io::Export exportOf(const document::Fractal& fractal, const attractor::Camera& c
     }
     io::PngExport picture{fractal, requestOf(fractal, camera, arguments), {}};
     if (arguments.bits == 16) picture.depth = io::PngFormat::Depth::Bits16;
-    if (arguments.dpi) picture.dotsPerInch = positiveArgument("--dpi", *arguments.dpi);
+    if (arguments.dpi) {
+        picture.dotsPerInch = positiveArgument("--dpi", *arguments.dpi);
+        constexpr double most = 100'000;
+        if (picture.dotsPerInch < 1 || picture.dotsPerInch > most)
+            throw UsageError{tr("--dpi takes a number from 1 to 100000.")};
+    }
     return picture;
 }
 
@@ -371,7 +377,7 @@ void addPictureOptions(CLI::App& command, Arguments& arguments) {
         ->check(CLI::IsMember({"structured", "outline", "points"}));
     command
         .add_option("--depth", arguments.depth, "Levels of copies in a scalable picture (what a pixel needs)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()));
 }
 
 void addAlgorithmOptions(CLI::App& command, Arguments& arguments) {
@@ -380,7 +386,7 @@ void addAlgorithmOptions(CLI::App& command, Arguments& arguments) {
     command.add_option("--points", arguments.points,
                        "Samples (density), or points plotted (chaos-game, --svg points)");
     command.add_option("--iterations", arguments.iterations, "n of Wⁿ, for deterministic")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()));
     command.add_option("--seed", arguments.seed, "Seed of the random numbers (1)");
     command.add_option("--threads", arguments.threads, "Threads; never changes the picture")
         ->check(CLI::Range(1, 1024));

@@ -12,4 +12,11 @@ struct UsageError {
     QString sentence;
 };
 
+// The same for a file that an argument names and that is no good.
+struct InputError {
+    QString fileName;
+    QString sentence;
+    ExitStatus status = ExitStatus::InputProblems;
+};
+
 } // namespace cli

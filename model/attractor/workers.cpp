@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/workers.h"
 
+#include <system_error>
+
 namespace attractor {
 
 Workers::Workers(std::size_t size) {
-    for (std::size_t place = 1; place < size; ++place)
-        m_threads.emplace_back([this, place] { serve(place); });
+    try {
+        for (std::size_t place = 1; place < size; ++place)
+            m_threads.emplace_back([this, place] { serve(place); });
+    } catch (const std::system_error&) {
+        // The system gives no more: those there are do all the work.
+    }
 }
 
 Workers::~Workers() {

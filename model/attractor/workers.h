@@ -11,7 +11,7 @@
 namespace attractor {
 
 // A team of threads for one caller: run() executes work(0) … work(size − 1) at the same time, work(0) on the
-// caller, and returns when all are done.
+// caller, and returns when all are done. Fewer than asked for where the system gives no more threads.
 class Workers {
 public:
     explicit Workers(std::size_t size);

@@ -10,6 +10,8 @@ namespace {
 constexpr qsizetype longestName = 18; // bytes that Fractint 19, 20 and Iterated Dynamics compare
 
 QString cutTo(QString name, qsizetype bytes) {
+    name.truncate(bytes); // no letter takes less than one
+    if (!name.isEmpty() && name.back().isHighSurrogate()) name.chop(1);
     while (name.toUtf8().size() > bytes)
         name.chop(name.back().isLowSurrogate() ? 2 : 1);
     return name;

@@ -11,6 +11,8 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace io {
 
 namespace {
@@ -79,8 +81,13 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
     const bool isTable = options.columns || isTableToFractintUnknown(QString::fromUtf8(bytes.left(sample)));
     document::FractalFile file;
     if (!isTable) file = readFractint(bytes, QFileInfo(path).completeBaseName());
-    if (file.entries.isEmpty())
-        if (auto table = collectionOfTable(bytes, path, options.columns)) return std::move(*table);
+    const auto isLoaded = [](const document::Entry& entry) {
+        return document::dimension(*entry.fractal) != 0;
+    };
+    if (std::ranges::none_of(file.entries, isLoaded))
+        if (auto table = collectionOfTable(bytes, path, options.columns);
+            table && (file.entries.isEmpty() || !table->file.entries.isEmpty()))
+            return std::move(*table);
     return {QStringLiteral("fractint"),
             isTable ? readFractint(bytes, QFileInfo(path).completeBaseName()) : std::move(file), false};
 }

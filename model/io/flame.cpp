@@ -350,9 +350,13 @@ document::FractalFile readFlame(const QByteArray& bytes, FlameAxis axis) {
 }
 
 bool looksLikeFlame(const QByteArray& bytes) {
-    const QByteArray head = bytes.left(4096).trimmed();
-    return head.startsWith('<') &&
-           (head.contains("<flame") || head.contains("<Flames") || head.contains("<flames"));
+    QByteArray head = bytes.left(4096);
+    if (head.startsWith("\xef\xbb\xbf")) head.remove(0, 3);
+    head = head.trimmed();
+    if (!head.startsWith('<')) return false;
+    if (head.contains("<flame") || head.contains("<Flames")) return true;
+    QXmlStreamReader xml(bytes); // long comments may come first
+    return xml.readNextStartElement() && xml.name().startsWith(QLatin1String("flame"), Qt::CaseInsensitive);
 }
 
 QByteArray writeFlame(const QList<std::shared_ptr<const document::Fractal>>& fractals, FlameAxis axis) {

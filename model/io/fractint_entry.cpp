@@ -2,6 +2,7 @@
 #include "io/fractint_entry.h"
 
 #include "io/coefficient.h"
+#include "io/number.h"
 #include "io/own_comments.h"
 #include "io/written_weights.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -49,15 +49,9 @@ Number parse(std::string text) {
     const char* first = text.data() + (plus ? 1 : 0);
     const char* last = text.data() + text.size();
     double value = 0;
-    const auto [end, error] = std::from_chars(first, last, value);
+    const auto [end, error] = fromChars(first, last, value);
     if (error == std::errc::invalid_argument) return {};
-    if (error == std::errc::result_out_of_range) { // either way: huge, or closer to 0 than any double
-        const auto exponent = text.find_first_of("eE");
-        const bool isTiny =
-            (exponent != std::string::npos && exponent + 1 < text.size() && text[exponent + 1] == '-');
-        if (!isTiny) return {Number::Kind::Huge, 0};
-        value = 0;
-    }
+    if (error == std::errc::result_out_of_range) return {Number::Kind::Huge, 0};
     if (!std::isfinite(value)) return {Number::Kind::NotFinite, 0};
     if (text.find_first_of("xX") != std::string::npos)
         return {}; // hexadecimal for some readers, 0 for others

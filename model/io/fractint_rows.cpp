@@ -58,6 +58,17 @@ QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows) {
     return lines;
 }
 
+QByteArrayList closeRows(const std::vector<std::vector<QByteArray>>& rows) {
+    QByteArrayList lines;
+    for (const auto& row : rows) {
+        QByteArray line(1, ' ');
+        for (const QByteArray& cell : row)
+            line += ' ' + cell;
+        lines << line;
+    }
+    return lines;
+}
+
 QString storedName(const QString& name) {
     QString stored;
     for (const QChar c : name.trimmed()) {

@@ -26,6 +26,8 @@ QByteArray numberText(double value); // finite, and within what readers accept
 
 // Rows as lines without line ends, columns aligned to the right.
 QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows);
+// The same with single blanks.
+QByteArrayList closeRows(const std::vector<std::vector<QByteArray>>& rows);
 
 QString storedName(const QString& name);       // one word that hides no brace, comment or prefix
 QString storedComment(const QString& comment); // one line that is not taken for one of ours

@@ -167,7 +167,9 @@ private:
             rest -= weight;
             cells.push_back(texts(rows[i], weight));
         }
-        return fractint::alignedRows(cells);
+        const QByteArrayList lines = fractint::alignedRows(cells);
+        const auto fits = [](const QByteArray& line) { return line.size() <= longestLine; };
+        return std::ranges::all_of(lines, fits) ? lines : fractint::closeRows(cells);
     }
 
     static std::vector<QByteArray> texts(const Row& row, double weight) {

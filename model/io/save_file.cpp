@@ -111,16 +111,37 @@ void keepAttributes(int file, const QByteArray& path) {
     ::fchmod(file, old.st_mode & 07777);
 }
 
-// A new file beside `path` for what is to replace it. What others may not read is theirs at no moment.
-int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* name) {
+// Tries names in the folder until one is free: call(name) is then 0 or more. Empty when none is.
+template <class Call> QByteArray freeName(const QByteArray& folder, Call call) {
     constexpr int attempts = 100;
-    const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // the umask is taken from it
     for (int i = 0; i < attempts; ++i) {
-        *name = folder + "/.barycage-" + QByteArray::number(QRandomGenerator::system()->generate64(), 36);
-        const int file = ::open(name->constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (file >= 0 || errno != EEXIST) return file;
+        const QByteArray name =
+            folder + "/.barycage-" + QByteArray::number(QRandomGenerator::system()->generate64(), 36);
+        if (call(name) >= 0) return name;
+        if (errno != EEXIST) break;
     }
-    return -1;
+    return {};
+}
+
+QByteArray linkOf(int file) {
+    return "/proc/self/fd/" + QByteArray::number(file);
+}
+
+// A new file beside `path` for what is to replace it; without a name where the system can do that, so that
+// nothing stays of it whatever ends the program. What others may not read is theirs at no moment.
+int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* name) {
+    const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // the umask is taken from it
+    int file = -1;
+#ifdef O_TMPFILE
+    file = ::open(folder.constData(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+    if (file >= 0 && ::access(linkOf(file).constData(), F_OK) == 0) return file;
+    if (file >= 0) ::close(file);
+#endif
+    *name = freeName(folder, [&](const QByteArray& candidate) {
+        file = ::open(candidate.constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        return file;
+    });
+    return file;
 }
 
 } // namespace
@@ -133,13 +154,23 @@ struct NewFile::Temporary {
         error = file.isOpen() ? 0 : errno;
     }
     ~Temporary() {
-        if (file.isOpen() && !isRenamed) ::unlink(name.constData());
+        if (!name.isEmpty() && !isRenamed) ::unlink(name.constData());
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
+    bool hasName() {
+        if (name.isEmpty())
+            name = freeName(folder, [this](const QByteArray& candidate) {
+                return ::linkat(AT_FDCWD, linkOf(file.number()).constData(), AT_FDCWD, candidate.constData(),
+                                AT_SYMLINK_FOLLOW);
+            });
+        return !name.isEmpty();
+    }
+
     bool rename() {
-        isRenamed = ::fsync(file.number()) == 0 && ::rename(name.constData(), target.constData()) == 0;
+        isRenamed =
+            ::fsync(file.number()) == 0 && hasName() && ::rename(name.constData(), target.constData()) == 0;
         error = isRenamed ? 0 : errno;
         // The name must survive a power cut as well; some file systems refuse to sync a folder, which is no
         // failure.
@@ -158,7 +189,8 @@ struct NewFile::Temporary {
         return size;
     }
 
-    QByteArray target, folder, name;
+    QByteArray target, folder;
+    QByteArray name; // none yet, perhaps
     Descriptor file;
     int error = 0; // of the last call
     bool isRenamed = false;

@@ -58,9 +58,9 @@ std::optional<QString> byMagic(QByteArrayView bytes) {
         const char* name;
     };
     static const std::array magics{
-        Magic{"\x89PNG", "PNG"},    Magic{"\xff\xd8\xff", "JPEG"}, Magic{"GIF8", "GIF"},
-        Magic{"PK\x03\x04", "ZIP"}, Magic{"\x1f\x8b", "gzip"},     Magic{"%PDF", "PDF"},
-        Magic{"BM", nullptr},
+        Magic{"\x89PNG", "PNG"}, Magic{"\xff\xd8\xff", "JPEG"}, Magic{"GIF89a", "GIF"},
+        Magic{"GIF87a", "GIF"},  Magic{"PK\x03\x04", "ZIP"},    Magic{"\x1f\x8b", "gzip"},
+        Magic{"%PDF-", "PDF"},   Magic{"BM", nullptr},
     };
     for (const auto& [magic, name] : magics)
         if (name != nullptr && bytes.startsWith(magic))

@@ -17,6 +17,8 @@ private slots:
     void convertsThereAndBack_data();
     void convertsThereAndBack();
     void convertsManyFilesIntoAFolder();
+    void labelsNeedNoHeader();
+    void aNameOfAMillionLettersIsCut();
     void writesPoints();
     void parameterFilesBecomeCollections();
     void aBrokenEntryStopsNoOther_data();
@@ -47,6 +49,16 @@ void CliConvertTest::copyKeepsEveryByte() {
     QCOMPARE(run("convert broken.ifs copy.ifs").status, 0);
     QCOMPARE(read("copy.ifs"), read("broken.ifs"));
     QCOMPARE(run("convert systems.ifs one.ifs --entry fern").status, 0);
+    // Whatever it holds: rows that make a table with an error, or one that Fractint reads otherwise.
+    for (const QByteArray& bytes :
+         {QByteArray("fern ; a forgotten brace\n.85 .04 -.04 .85 0 1.6 .85\n.2 -.26 .23 .22 0 1.6 .07\n}\n"),
+          QByteArray(".85 .04 -.04 .85 0 1.6 .85\n.2 -.26 x .22 0 1.6 .07\n"),
+          QByteArray("0.5;0;0;0.5;0;0\n0.5;0;0;0.5;1;0\n"),
+          QByteArray("<flames><flame name=\"a\"/></flames>\n")}) {
+        write("rows.ifs", bytes);
+        QCOMPARE(run("convert rows.ifs copy.ifs").status, 0);
+        QCOMPARE(read("copy.ifs"), bytes);
+    }
     QVERIFY(read("one.ifs").contains("Fern { ; Barnsley\n 0 0 0 0.16 0 0 .01\n"));
     QVERIFY(!read("one.ifs").contains("maple"));
     QCOMPARE(run("convert broken.ifs strict.ifs --strict").status, 1);
@@ -116,6 +128,30 @@ void CliConvertTest::convertsManyFilesIntoAFolder() {
     QCOMPARE(run("convert systems.ifs many --to csv").status, 0);
     QVERIFY(read("many/systems-Fern.csv").startsWith("a,b,c,d,e,f,p\n0,0,0,0.16,0,0,0.01\n"));
     QVERIFY(QFile::exists(path("many/systems-maple.csv")));
+}
+
+// One system with labels, once between commas and once between tabs.
+void CliConvertTest::labelsNeedNoHeader() {
+    write("labels.csv", "1,.5,.1,-.2,.4,1,2,.25\n2,.5,0,0,.5,.5,0,.75\n");
+    write("labels.tsv", read("labels.csv").replace(',', '\t'));
+    for (const char* file : {"labels.csv", "labels.tsv"}) {
+        const Result result = run(QByteArray("convert ") + file + " - --to csv");
+        QVERIFY2(result.status == 0, result.err.constData());
+        QCOMPARE(result.out,
+                 QByteArray("a,b,c,d,e,f,p\n0.5,0.1,-0.2,0.4,1,2,0.25\n0.5,0,0,0.5,0.5,0,0.75\n"));
+    }
+}
+
+// In time proportional to its length: quadratic time would be hours.
+void CliConvertTest::aNameOfAMillionLettersIsCut() {
+    const QByteArray name(1'000'000, 'n');
+    write("long.flame", "<flames><flame name=\"" + name +
+                            "\"><xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame></flames>");
+    write("long.ifs", name + " {\n .5 0 0 .5 0 0 1\n}\n");
+    QCOMPARE(run("convert long.flame long.csv").status, 0);
+    QCOMPARE(run("convert long.ifs short.ifs --strict").status, 0);
+    QVERIFY(read("short.ifs").contains(name.left(18) + " {"));
+    QVERIFY(!read("short.ifs").contains(name.left(19)));
 }
 
 void CliConvertTest::writesPoints() {

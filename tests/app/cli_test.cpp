@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/command_line.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -8,7 +9,11 @@
 #include <QTest>
 
 #include <algorithm>
+#include <csignal>
+#include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 // What barycage-cli says to every command: usage, messages, standard input and output, interrupts.
 class CliTest : public CommandLineTest {
@@ -24,6 +29,9 @@ private slots:
     void brokenEntries();
     void standardInput();
     void standardInputHasALimit();
+    void unreadableStandardInputIsNoEmptyFile();
+    void palettesThatAreNone();
+    void threadsThatAreNotToBeHad();
     void fullOutputIsSaid_data();
     void fullOutputIsSaid();
     void problemsOfAWholeFileHaveAPlace();
@@ -31,6 +39,25 @@ private slots:
     void onlyOrdinaryFilesAreReplaced_data();
     void onlyOrdinaryFilesAreReplaced();
     void interruptLeavesNothing();
+    void interruptEndsWaiting_data();
+    void interruptEndsWaiting();
+    void whateverEndsItLeavesNothing_data();
+    void whateverEndsItLeavesNothing();
+    void aReaderThatGoesLeavesNothing();
+    void aLimitOnFilesIsSaid();
+
+private:
+    QStringList files() const { // all there are, hidden ones too
+        return QDir(path("")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
+    // Whether the program has come to where it minds signals.
+    static bool mindsSignals(const QProcess& process) {
+        QFile status(QStringLiteral("/proc/%1/status").arg(process.processId()));
+        if (!status.open(QIODevice::ReadOnly)) return false;
+        const QByteArray text = status.readAll();
+        const qsizetype at = text.indexOf("SigBlk:\t") + 8;
+        return (text.mid(at, 16).toULongLong(nullptr, 16) & 1ULL << (SIGTERM - 1)) != 0;
+    }
 };
 
 void CliTest::helpAndVersion() {
@@ -65,7 +92,9 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --bits 12");
     row("render systems.ifs -o x.svg --bits 16");
     row("render systems.ifs -o x.png --simd mmx");
-    row("render systems.ifs -o x.png --palette systems.ifs");
+    row("render systems.ifs -o x.png --dpi 0.001");
+    row("render systems.ifs -o x.png --dpi 1e9");
+    row("render systems.ifs -o x.png --algorithm deterministic --iterations -1");
     row("render systems.ifs -o x.png --colour rainbow");
     row("render systems.ifs -o x.png --supersample 5");
     row("render systems.ifs -o x.png --depth 3");
@@ -168,6 +197,51 @@ void CliTest::standardInputHasALimit() {
     large.remove();
 }
 
+void CliTest::unreadableStandardInputIsNoEmptyFile() {
+    write("kept.ifs", "old\n");
+    QProcess process;
+    process.setChildProcessModifier([] { ::dup2(::open("/", O_RDONLY), STDIN_FILENO); });
+    start(process, "convert - kept.ifs");
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitCode(), 3);
+    QVERIFY(process.readAllStandardError().contains("Standard input cannot be read"));
+    QCOMPARE(read("kept.ifs"), QByteArray("old\n"));
+}
+
+void CliTest::palettesThatAreNone() {
+    const QByteArray render = "render systems.ifs -o palette.png --size 20x15 --palette ";
+    QCOMPARE(run(render + "absent.gpl").status, 3);
+    QCOMPARE(run(render + "./absent").status, 3);
+    const Result damaged = run(render + "systems.ifs");
+    QCOMPARE(damaged.status, 1);
+    QVERIFY2(damaged.err.startsWith("systems.ifs: error: "), damaged.err.constData());
+    QVERIFY(!QFile::exists(path("palette.png")));
+}
+
+// Those there are draw the same picture, if they leave memory for it.
+void CliTest::threadsThatAreNotToBeHad() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    QSKIP("a sanitizer takes more memory than the limit");
+#endif
+    const QByteArray render = "render systems.ifs --size 60x40 --points 1000 -o ";
+    QCOMPARE(run(render + "one.png --threads 1").status, 0);
+    QProcess process;
+    process.setChildProcessModifier([] {
+        const rlimit limit{1'000'000'000, 1'000'000'000}; // each thread asks for 8 MB
+        ::setrlimit(RLIMIT_AS, &limit);
+    });
+    start(process, render + "many.png --threads 1000");
+    QVERIFY(process.waitForFinished(120'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    if (process.exitCode() == 0) {
+        QCOMPARE(read("many.png"), read("one.png"));
+    } else {
+        QCOMPARE(process.exitCode(), 3);
+        QVERIFY(process.readAllStandardError().contains("not enough memory"));
+        QVERIFY(!QFile::exists(path("many.png")));
+    }
+}
+
 void CliTest::fullOutputIsSaid_data() {
     QTest::addColumn<QByteArray>("arguments");
     QTest::addColumn<QByteArray>("said");
@@ -254,6 +328,83 @@ void CliTest::interruptLeavesNothing() {
     QVERIFY(process.waitForFinished(30'000));
     QCOMPARE(process.exitCode(), 130);
     QVERIFY(!QFile::exists(path("never.png")));
+}
+
+void CliTest::interruptEndsWaiting_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    const auto row = [](const char* text) { QTest::newRow(text) << QByteArray(text); };
+    row("render - -o never.png");
+    row("convert - never.csv");
+    row("gallery - -o never.png");
+    row("render systems.ifs -o never.svg --svg points --points 1000000");
+}
+
+void CliTest::interruptEndsWaiting() {
+    QFETCH(QByteArray, arguments);
+    const QStringList before = files();
+    QProcess process;
+    start(process, arguments);
+    QVERIFY(process.waitForStarted());
+    QTRY_VERIFY_WITH_TIMEOUT(mindsSignals(process), 30'000);
+    process.terminate();
+    QVERIFY(process.waitForFinished(30'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 130);
+    QCOMPARE(files(), before);
+}
+
+void CliTest::whateverEndsItLeavesNothing_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("the terminal closes") << SIGHUP;
+    QTest::newRow("killed") << SIGKILL;
+}
+
+void CliTest::whateverEndsItLeavesNothing() {
+    QFETCH(int, signal);
+    const int nameless = ::open(path("").toLocal8Bit().constData(), O_TMPFILE | O_WRONLY, 0600);
+    if (nameless < 0) QSKIP("needs files without a name");
+    ::close(nameless);
+    const QStringList before = files();
+    QProcess process;
+    start(process, "render systems.ifs -o never.png --points 1000000000000 --progress always");
+    process.setReadChannel(QProcess::StandardError);
+    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 30'000);
+    QCOMPARE(::kill(pid_t(process.processId()), signal), 0);
+    QVERIFY(process.waitForFinished(30'000));
+    QCOMPARE(files(), before);
+}
+
+void CliTest::aReaderThatGoesLeavesNothing() {
+    QVERIFY(QDir(path("")).mkpath(QStringLiteral("temporary")));
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("TMPDIR"), path("temporary"));
+    process.setProcessEnvironment(environment);
+    process.setChildProcessModifier([] { // nobody reads
+        int ends[2];
+        if (::pipe(ends) != 0) return;
+        ::close(ends[0]);
+        ::dup2(ends[1], STDOUT_FILENO);
+    });
+    start(process, "convert systems.ifs - --entry fern --to csv --points 200000");
+    QVERIFY(process.waitForFinished(60'000));
+    QVERIFY(process.exitStatus() == QProcess::CrashExit || process.exitCode() == 3);
+    QVERIFY(QDir(path("temporary")).isEmpty());
+}
+
+void CliTest::aLimitOnFilesIsSaid() {
+    const QStringList before = files();
+    QProcess process;
+    process.setChildProcessModifier([] {
+        const rlimit limit{20'000, 20'000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    });
+    start(process, "render systems.ifs -o large.png --size 600x400 --points 100000");
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 3);
+    QVERIFY(process.readAllStandardError().contains("large.png: error: "));
+    QCOMPARE(files(), before);
 }
 
 QTEST_GUILESS_MAIN(CliTest)

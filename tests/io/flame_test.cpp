@@ -140,6 +140,9 @@ void FlameTest::writesWhatFlamesExpect() {
     QVERIFY(bytes.contains("linear=\"1\""));
     QVERIFY(bytes.contains("count=\"256\""));
     QVERIFY(io::looksLikeFlame(bytes));
+    QVERIFY(io::looksLikeFlame("\xef\xbb\xbf" + bytes));
+    QVERIFY(io::looksLikeFlame("<!-- " + QByteArray(5000, 'x') + " -->\n" + bytes));
+    QVERIFY(!io::looksLikeFlame("<svg><!-- <flams> --></svg>"));
 }
 
 void FlameTest::flam3DrawsTheSame_data() {

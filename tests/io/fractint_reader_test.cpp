@@ -138,6 +138,10 @@ void FractintReaderTest::rules_data() {
     row("Fortran exponent", "a {\n.5 0 0 5D-1 0 0 1\n}\n", "a none", "2:8 E");
     row("infinite", "a {\n.5 0 0 .5 inf nan 1\n}\n", "a none", "2:11 E; 2:15 E");
     row("huge", "a {\n.5 0 0 .5 1e39 1e999 1\n}\n", "a none", "2:11 E; 2:16 E");
+    row("huge with a negative exponent", "a {\n.5 0 0 .5 1" + QByteArray(400, '0') + "e-5 0 1\n}\n", "a none",
+        "2:11 E");
+    row("tiny with a positive exponent", "a {\n.5 0 0 .5 0." + QByteArray(400, '0') + "1e+10 1e-400 1\n}\n",
+        "a 2D 1", "2:201 W"); // Fractint cuts the line
     row("tiny", "a {\n.5 0 0 .5 1e-999 0 1\n}\n", "a 2D 1");
     row("hexadecimal", "a {\n.5 0 0 .5 0x10 0 1\n}\n", "a none", "2:11 E");
     row("typographic minus", "a {\n\xe2\x88\x92.5 0 0 .5 0 0 1\n}\n", "a none", "2:1 E");

@@ -396,8 +396,13 @@ void FractintWriterTest::strictFormLimits() {
     for (int i = 0; i < 64; ++i)
         rows += ".123456789012345 0 0 .1 0 0 " + QByteArray::number(i + 1) + '\n';
     const QByteArray space = "s (3D) {\n" + QByteArray("-1.2345678901234567e-101 ").repeated(12) + " 3\n}\n";
-    const io::StrictText strict = io::writeStrict(io::readFractint("a {\n" + rows + "}\n" + space));
+    // Each row has room for all of its digits, but not under those of the other.
+    const QByteArray number = "-1.2345678901234567e-101 ";
+    const QByteArray turned =
+        "t (3D) {\n" + (number + "0 ").repeated(6) + " 1\n" + ("0 " + number).repeated(6) + " 1\n}\n";
+    const io::StrictText strict = io::writeStrict(io::readFractint("a {\n" + rows + "}\n" + space + turned));
     QCOMPARE(strict.problems.size(), 1);
+    QCOMPARE(strict.bytes.count(number.trimmed()), 12);
     for (const QByteArray& line : strict.bytes.split('\n'))
         QVERIFY(line.size() < 200);
     double sum = 0;
