@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/affine_map.h"
+
+#include <optional>
+#include <span>
+
+// Maps of the plane that keep a direction, or two of them together. docs/mathematics.md, "Dimensions".
+namespace ifs {
+
+// The affinity dimension, at most 2, of maps whose linear parts all keep one direction, or all keep or
+// exchange the same two; to rounding. They must have an attractor. nullopt for others.
+std::optional<double> commonLinesDimension(std::span<const AffineMap<2>> maps);
+
+} // namespace ifs
