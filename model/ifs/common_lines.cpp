@@ -18,6 +18,10 @@ bool isScalar(const Matrix<2>& a) {
     return std::abs(a(0, 0) - a(1, 1)) <= most && std::abs(a(0, 1)) <= most && std::abs(a(1, 0)) <= most;
 }
 
+bool isTelling(const AffineMap<2>& map) {
+    return !isScalar(map.linear);
+}
+
 bool isMultiple(const Matrix<2>& a, const Matrix<2>& b) {
     const double product = (a.array() * b.array()).sum();
     return std::abs(product * product / (a.squaredNorm() * b.squaredNorm()) - 1) <= Rounding;
@@ -125,13 +129,18 @@ template <class Growth> double dimensionOf(Growth growth) {
 
 } // namespace
 
-std::optional<double> commonLinesDimension(std::span<const AffineMap<2>> maps) {
-    const auto isTelling = [](const AffineMap<2>& map) { return !isScalar(map.linear); };
+std::vector<Vector<2>> commonDirections(std::span<const AffineMap<2>> maps) {
     const auto first = std::ranges::find_if(maps, isTelling);
-    const auto kept = first == maps.end() ? std::vector{Vector<2>(1, 0)} : keptDirections(first->linear);
-    for (const Vector<2>& direction : kept)
-        if (const auto entries = triangular(maps, direction))
-            return dimensionOf([&entries](double t) { return triangularGrowth(*entries, t); });
+    auto kept = first == maps.end() ? std::vector{Vector<2>(1, 0)} : keptDirections(first->linear);
+    std::erase_if(kept, [maps](const Vector<2>& direction) { return !triangular(maps, direction); });
+    return kept;
+}
+
+std::optional<double> commonLinesDimension(std::span<const AffineMap<2>> maps) {
+    const auto first = std::ranges::find_if(maps, isTelling);
+    if (const auto kept = commonDirections(maps); !kept.empty())
+        return dimensionOf(
+            [entries = *triangular(maps, kept.front())](double t) { return triangularGrowth(entries, t); });
 
     // The first may exchange them; then a map that is no multiple of it keeps them, or the product does.
     const auto second = std::find_if(first, maps.end(), [&](const AffineMap<2>& map) {

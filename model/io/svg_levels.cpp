@@ -2,6 +2,7 @@
 #include "io/svg_levels.h"
 
 #include "ifs/attractor_existence.h"
+#include "ifs/common_lines.h"
 #include "ifs/support_function.h"
 
 #include <Eigen/Geometry>
@@ -21,6 +22,7 @@ constexpr double singular = 0.1;       // a larger least singular value is never
 constexpr double shadowDetail = 0.5;   // of what a singular map shows, in pixels
 constexpr double widening = 0.4;       // of the smallest copies on every side, in pixels
 constexpr double mostWidening = 0.6;   // as a share of their size
+constexpr double faint = 0.15;         // mean thickness of copies, in pixels
 
 double diameterOf(const std::vector<ifs::Vector<2>>& points) {
     double longest = 0;
@@ -28,6 +30,16 @@ double diameterOf(const std::vector<ifs::Vector<2>>& points) {
         for (const auto& b : points)
             longest = std::max(longest, (a - b).norm());
     return longest;
+}
+
+double areaOf(const std::vector<ifs::Vector<2>>& polygon) {
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const auto& a = polygon[i];
+        const auto& b = polygon[(i + 1) % polygon.size()];
+        twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return std::abs(twice) / 2;
 }
 
 ifs::Vector<2> middleOf(const std::vector<ifs::Vector<2>>& points) {
@@ -206,6 +218,7 @@ std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const if
     Descent descent = descentOf(levels.m_maps);
     levels.m_steps = std::move(descent.steps);
     levels.m_shrinkage = descent.shrinkage;
+    levels.findFibre();
     levels.countReferences();
     return levels;
 }
@@ -226,8 +239,8 @@ void SvgLevels::thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs
 // As bars across the direction that the map keeps: thickened, they become bars of the same thickness.
 SvgLevels::Shadow SvgLevels::shadowOf(const ifs::AffineMap<2>& map) const {
     const ifs::Vector<2> along = longestDirection(map.linear);
-    const ifs::Vector<2> across = ifs::Vector<2>(-along.y(), along.x()) * (m_diameter / 2);
-    const double length = std::max(ifs::spectralNorm<2>(map.linear), 1e-9);
+    const ifs::Vector<2> across = ifs::Vector<2>(-along.y(), along.x()) * (std::max(m_diameter, m_pixel) / 2);
+    const double length = std::max(ifs::spectralNorm<2>(map.linear), m_thinness); // as it is drawn
     double detail = std::max(shadowDetail * m_pixel / length, 2 * m_hullError);
     auto intervals = shadow(m_maps, m_hull, along, detail);
     while (!intervals)
@@ -307,13 +320,48 @@ void SvgLevels::countReferences() {
     }
 }
 
+void SvgLevels::findFibre() {
+    for (const ifs::Vector<2>& direction : ifs::commonDirections(m_maps)) {
+        constexpr double rounding = 1e-9;
+        const ifs::Vector<2> across(-direction.y(), direction.x());
+        double shrinkage = HUGE_VAL;
+        bool isThin = false; // some copy is, or becomes so by shear
+        bool isThick = false;
+        for (std::size_t i = 0; i < m_maps.size(); ++i) {
+            const ifs::Matrix<2>& linear = m_maps[i].linear;
+            const double along = (linear * direction).norm();
+            const double area = std::abs(ifs::determinant<2>(linear));
+            isThin = isThin || along * along < area * (1 - rounding) ||
+                     std::abs(direction.dot(linear * across)) > rounding * linear.norm();
+            isThick = isThick || m_shadows[i] || along * along > area * (1 + rounding);
+            shrinkage = std::min(shrinkage, -std::log(along) / m_steps[i]);
+        }
+        if (isThin && !isThick && shrinkage > m_fibreShrinkage) {
+            m_fibre = direction;
+            m_fibreShrinkage = shrinkage;
+        }
+    }
+}
+
+ifs::Vector<2> SvgLevels::fibre(int depth) const {
+    constexpr double longest = 1e6; // of the picture
+    return m_fibre * std::min(widening * m_pixel * std::exp(m_fibreShrinkage * depth), longest * m_diameter);
+}
+
 double SvgLevels::margin(int depth) const {
+    if (m_diameter < m_pixel) return m_hullError + thinnest / 2 * m_pixel; // a dot
     const double smallest = widening * m_pixel * std::exp(m_shrinkage * depth);
     return m_hullError + std::min(smallest, std::max(mostWidening * m_diameter, widening * m_pixel));
 }
 
 std::vector<ifs::Vector<2>> SvgLevels::outline(int depth) const {
-    return pushedOut(m_hull, margin(depth));
+    const std::vector<ifs::Vector<2>> wide = pushedOut(m_hull, margin(depth));
+    if (m_fibre.isZero()) return wide;
+    std::vector<ifs::Vector<2>> ends;
+    for (const auto& point : wide)
+        for (const double end : {1.0, -1.0})
+            ends.push_back(point + end * fibre(depth));
+    return strictlyConvex(std::move(ends));
 }
 
 int SvgLevels::below(int level, std::size_t map) const {
@@ -341,7 +389,8 @@ SvgLevels::Deviation SvgLevels::deviation(int depth) const {
         double shift; // of its points, by thickening, in pixels
     };
     Deviation largest;
-    const double diameter = diameterOf(outline(depth));
+    const double diameter = diameterOf(pushedOut(m_hull, margin(depth)));
+    const double area = areaOf(outline(depth));
     std::vector<std::vector<std::pair<ifs::AffineMap<2>, double>>> maps; // with their shifts, by level
     for (int level = 0; level <= depth; ++level) {
         auto& row = maps.emplace_back();
@@ -368,7 +417,10 @@ SvgLevels::Deviation SvgLevels::deviation(int depth) const {
         if (part.level == 0) {
             const double size = ifs::spectralNorm<2>(part.linear) * diameter;
             largest.copy = std::max(largest.copy, size);
-            largest.all = std::max(largest.all, size + part.shift);
+            largest.area += std::abs(ifs::determinant<2>(part.linear)) * area;
+            largest.length += size;
+            const double longer = (part.linear * fibre(depth)).norm();
+            largest.all = std::max(largest.all, size + longer + part.shift);
             continue;
         }
         for (std::size_t i = 0; i < m_maps.size(); ++i)
@@ -383,8 +435,14 @@ double SvgLevels::error(int depth) const {
 
 int SvgLevels::levelFor(double wanted) const {
     int level = 0;
+    if (m_diameter < m_pixel) return level;
     while (references(level + 1) <= comfortableReferences && deviation(level).copy > wanted)
         ++level;
+    // Copies that have become thin as well fade away: larger ones say less exactly where something is, but
+    // that it is.
+    const auto isFaint = [](const Deviation& deviation) { return deviation.area < faint * deviation.length; };
+    while (level > 0 && isFaint(deviation(level)))
+        --level;
     return level;
 }
 

@@ -52,7 +52,7 @@ public:
     const std::optional<Shadow>& shadowOf(std::size_t i) const { return m_shadows[i]; }
 
     // Level 0 for a picture of this depth: contains the attractor; convex, counter-clockwise. So much wider
-    // that copies thinner than a pixel do not fade away.
+    // that copies thinner than a pixel do not fade away, and longer along the fibres of a curve.
     std::vector<ifs::Vector<2>> outline(int depth) const;
 
     // Copies that a reader of the file makes in all for one of `level`; stays at mostReferences once reached.
@@ -68,6 +68,7 @@ private:
     int below(int level, std::size_t map) const; // the level of which `map` makes a copy for `level`
     ifs::AffineMap<2> map(std::size_t i, int level, int depth) const; // by which it makes that copy
     std::vector<ifs::MovedBranch<2>> pieces() const; // over the active maps; none is singular
+    void findFibre();
     void thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs::AffineMap<2>& display);
     Shadow shadowOf(const ifs::AffineMap<2>& map) const;
     void countReferences();
@@ -75,9 +76,12 @@ private:
     struct Deviation {
         double copy = 0; // largest copy of level 0, in pixels
         double all = 0;  // with what thickening adds
+        double area = 0; // of all copies, in pixels
+        double length = 0;
     };
     Deviation deviation(int depth) const;
-    double margin(int depth) const; // between the hull and the outline
+    double margin(int depth) const;        // between the hull and the outline
+    ifs::Vector<2> fibre(int depth) const; // by which the outline is longer at both ends
 
     std::vector<ifs::Vector<2>> m_hull;
     double m_hullError = 0;
@@ -87,6 +91,10 @@ private:
     std::vector<ifs::AffineMap<2>> m_maps;        // as they are
     std::vector<std::optional<Shadow>> m_shadows; // of the singular maps
     double m_thinness = 0; // that a singular map is raised to, as a copy of the whole picture
+    // The direction that all maps keep and shrink the most, as those of a curve over an axis do: copies
+    // become thin along it alone, and one may be made longer there without reaching aside.
+    ifs::Vector<2> m_fibre = ifs::Vector<2>::Zero();
+    double m_fibreShrinkage = 0; // minus the logarithm of what one level shrinks it by, at least
     std::vector<std::size_t> m_index;
     std::vector<ifs::MovedBranch<2>> m_moved;
     std::vector<int> m_steps;

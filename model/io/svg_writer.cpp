@@ -6,6 +6,7 @@
 #include "io/svg_shapes.h"
 #include "io/svg_system.h"
 
+#include <QCoreApplication>
 #include <QXmlStreamWriter>
 
 #include <cmath>
@@ -15,7 +16,13 @@ namespace io {
 
 namespace {
 
-constexpr double goodEnough = 1; // pixel
+constexpr double goodEnough = 1;             // pixel
+constexpr qsizetype largestPath = 9'900'000; // bytes: libxml2 refuses an attribute of ten million
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
 const QString svg = QStringLiteral("http://www.w3.org/2000/svg");
 const QString xlink = QStringLiteral("http://www.w3.org/1999/xlink");
 
@@ -293,6 +300,18 @@ SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera&
         break;
     case ShapeStyle::Outline:
         picture.bytes = writer.outline(leafUnion(*levels.levels, depth, stop), format.cage);
+        if (picture.bytes.size() <= largestPath || stop.stop_requested()) break;
+        if (!format.depth && depth > 0) {
+            SvgFormat shallower = format;
+            shallower.depth = depth - 1;
+            while (const auto failure = (picture = svgPicture(fractal, camera, shallower, stop)).plan.failure)
+                if (stop.stop_requested() || --*shallower.depth < 0) break;
+            return picture;
+        }
+        picture.bytes.clear();
+        picture.plan.failure =
+            Text::tr("The outline has more corners than programs read in one path. Choose a "
+                     "smaller depth.");
         break;
     case ShapeStyle::Points:
         picture.bytes = writer.points(shapePoints(fractal, camera, format.points, format.seed), format.cage);

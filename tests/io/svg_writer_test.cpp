@@ -184,6 +184,8 @@ private slots:
     void triangleIsDrawnWhenAsked();
     void looksLikeTheRendering_data() { systems(); }
     void looksLikeTheRendering();
+    void thinPicturesLookLikeTheRendering_data();
+    void thinPicturesLookLikeTheRendering();
     void movedBranchesLookLikeTheRendering();
     void systemsWithoutAttractorAreRefused();
     void bentPicturesAreWrittenAsTheirAffineFit();
@@ -536,6 +538,29 @@ void SvgWriterTest::triangleIsDrawnWhenAsked() {
 void SvgWriterTest::looksLikeTheRendering() {
     QFETCH(int, index);
     compareWithTheRendering(fractalOf(mapsOf(index)));
+}
+
+// Points, copies that are thin in both directions, and curves over an axis, whose copies are thin in one.
+void SvgWriterTest::thinPicturesLookLikeTheRendering_data() {
+    QTest::addColumn<int>("index");
+    for (int i = 0; i < 7; ++i)
+        QTest::addRow("%d", i) << i;
+}
+
+void SvgWriterTest::thinPicturesLookLikeTheRendering() {
+    QFETCH(int, index);
+    const auto dot = [](double s, double x, double y) { return ifs::affineMap(s, 0, 0, s, x, y); };
+    const canonical::Maps2 systems[] = {
+        {dot(0, 1, 2), dot(0, -1, .5), dot(0, 3, -1)},
+        {dot(1e-9, 1, 2), dot(1e-9, -1, .5), dot(1e-9, 3, -1)},
+        {dot(1e-4, 1, 2), dot(.5, 3, 0)},
+        {ifs::affineMap(0, 1e-5, 1e-5, 0, 1, 2), dot(.5, 3, 0)},
+        {dot(0, 1.5, .7)},
+        // The parabola y = x(1 − x), and Takagi's function.
+        {ifs::affineMap(.5, 0, .25, .25, 0, 0), ifs::affineMap(.5, 0, -.25, .25, .5, .25)},
+        {ifs::affineMap(.5, 0, .5, .5, 0, 0), ifs::affineMap(.5, 0, -.5, .5, .5, .5)},
+    };
+    compareWithTheRendering(fractalOf(systems[index]));
 }
 
 // Also a branch that ends with a singular map, and one that goes on after it.
