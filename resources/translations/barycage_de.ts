@@ -3771,6 +3771,26 @@
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
         <translation>Fraktale zum Anfangen. Doppelklick oder Eingabe öffnet eines in diesem Fenster; das Menü der rechten Taste fügt es stattdessen der Datei hinzu.</translation>
     </message>
+    <message>
+        <source>Files of the collection that were read</source>
+        <translation>Gelesene Dateien der Sammlung</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Nicht weiter lesen</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder. What was read so far stays here.</source>
+        <translation>Diesen Ordner nicht weiter lesen. Was schon gelesen ist, bleibt hier.</translation>
+    </message>
+    <message>
+        <source>Reading the collection…</source>
+        <translation>Die Sammlung wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen …</translation>
+    </message>
 </context>
 <context>
     <name>view::ColourButton</name>

@@ -3771,6 +3771,26 @@
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
         <translation>Fractales para empezar. Un doble clic o Intro abre uno en esta ventana; en cambio, el menú del botón derecho lo añade al archivo.</translation>
     </message>
+    <message>
+        <source>Files of the collection that were read</source>
+        <translation>Archivos leídos de la colección</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Dejar de leer</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder. What was read so far stays here.</source>
+        <translation>Dejar de leer esta carpeta. Lo ya leído queda aquí.</translation>
+    </message>
+    <message>
+        <source>Reading the collection…</source>
+        <translation>Leyendo la colección…</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
 </context>
 <context>
     <name>view::ColourButton</name>

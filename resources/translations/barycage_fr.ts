@@ -3771,6 +3771,26 @@
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
         <translation>Des fractales pour commencer. Un double-clic ou Entrée en ouvre une dans cette fenêtre&#x202f;; le menu du bouton droit permet plutôt de l’ajouter au fichier.</translation>
     </message>
+    <message>
+        <source>Files of the collection that were read</source>
+        <translation>Fichiers de la collection déjà lus</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Arrêter la lecture</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder. What was read so far stays here.</source>
+        <translation>Arrêter la lecture de ce dossier. Ce qui a été lu reste ici.</translation>
+    </message>
+    <message>
+        <source>Reading the collection…</source>
+        <translation>Lecture de la collection…</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
+    </message>
 </context>
 <context>
     <name>view::ColourButton</name>

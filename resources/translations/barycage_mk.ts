@@ -3777,6 +3777,26 @@
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
         <translation>Фрактали за почеток. Двојно кликање или Enter го отвора фракталот во овој прозорец; менито на десното копче го додава во датотеката.</translation>
     </message>
+    <message>
+        <source>Files of the collection that were read</source>
+        <translation>Прочитани датотеки од збирката</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Запри со читање</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder. What was read so far stays here.</source>
+        <translation>Запри со читање на оваа папка. Прочитаното останува тука.</translation>
+    </message>
+    <message>
+        <source>Reading the collection…</source>
+        <translation>Се чита збирката…</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
 </context>
 <context>
     <name>view::ColourButton</name>
