@@ -3,6 +3,7 @@
 
 #include "dialogs/paste_table_dialog.h"
 #include "dialogs/save_file_dialog.h"
+#include "io/background.h"
 #include "io/fractint_reader.h"
 #include "panels/analysis_panel.h"
 #include "panels/appearance_panel.h"
@@ -90,6 +91,10 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() {
     hide(); // fields being edited hand over what was typed, while there is a document to take it
+    connect(this, &QObject::destroyed, qApp,
+            [file = m_document.file()]() mutable { // the panels are gone, too
+                io::letGo(std::move(file));
+            });
 }
 
 QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QString& id,
@@ -327,7 +332,9 @@ bool MainWindow::maySpoil() {
 
 bool MainWindow::save() {
     if (m_file.path().isEmpty()) return saveAs();
-    if (m_file.changedOnDisk()) {
+    const std::optional<bool> isChanged = m_file.changedOnDisk();
+    if (!isChanged) return false;
+    if (*isChanged) {
         QMessageBox box(
             QMessageBox::Warning, tr("Changed on disk"),
             tr("“%1” was changed by another program since it was opened here.").arg(m_file.name()),
@@ -410,7 +417,7 @@ void MainWindow::fail(const QString& title, const QString& sentence) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_file.isReading() || !maySpoil()) {
+    if (m_file.isBusy() || !maySpoil()) {
         event->ignore();
         return;
     }

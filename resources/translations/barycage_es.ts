@@ -1192,6 +1192,22 @@
         <source>Recover unsaved work</source>
         <translation>Recuperar el trabajo sin guardar</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>Se canceló la lectura de «%1».</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Guardando «%1»…</translation>
+    </message>
+    <message>
+        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <translation>Se canceló el guardado de «%1». El archivo del disco sigue como estaba.</translation>
+    </message>
 </context>
 <context>
     <name>Palette</name>
@@ -1268,21 +1284,6 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>No se puede escribir la imagen: %1</translation>
-    </message>
-</context>
-<context>
-    <name>Reading</name>
-    <message>
-        <source>Reading “%1”…</source>
-        <translation>Leyendo «%1»…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Reading “%1” was cancelled.</source>
-        <translation>Se canceló la lectura de «%1».</translation>
     </message>
 </context>
 <context>

@@ -1192,6 +1192,22 @@
         <source>Recover unsaved work</source>
         <translation>Récupérer le travail non enregistré</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>La lecture de «&#x202f;%1&#x202f;» a été annulée.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <translation>L’enregistrement de «&#x202f;%1&#x202f;» a été annulé. Le fichier sur le disque est resté tel quel.</translation>
+    </message>
 </context>
 <context>
     <name>Palette</name>
@@ -1268,21 +1284,6 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
-    </message>
-</context>
-<context>
-    <name>Reading</name>
-    <message>
-        <source>Reading “%1”…</source>
-        <translation>Lecture de « %1 »…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Reading “%1” was cancelled.</source>
-        <translation>La lecture de « %1 » a été annulée.</translation>
     </message>
 </context>
 <context>

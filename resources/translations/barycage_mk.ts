@@ -1196,6 +1196,22 @@
         <source>Recover unsaved work</source>
         <translation>Обновување на незачуваната работа</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>Читањето на „%1“ е откажано.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Се зачувува „%1“…</translation>
+    </message>
+    <message>
+        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <translation>Зачувувањето на „%1“ е откажано. Датотеката на дискот е како што беше.</translation>
+    </message>
 </context>
 <context>
     <name>Palette</name>
@@ -1272,21 +1288,6 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>Сликата не може да се запише: %1</translation>
-    </message>
-</context>
-<context>
-    <name>Reading</name>
-    <message>
-        <source>Reading “%1”…</source>
-        <translation>Се чита „%1“…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Откажи</translation>
-    </message>
-    <message>
-        <source>Reading “%1” was cancelled.</source>
-        <translation>Читањето на „%1“ е откажано.</translation>
     </message>
 </context>
 <context>

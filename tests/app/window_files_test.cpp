@@ -95,6 +95,7 @@ private slots:
     void unsavedWorkIsKeptWithinTwoSeconds();
     void aKilledEditorLeavesItsWork();
     void aLargeFileIsReadBesideTheWindow();
+    void aLargeFileIsSavedBesideTheWindow();
     void aWindowMayCloseWhileItDrawsForPaper();
 
 private:
@@ -238,6 +239,37 @@ void WindowFilesTest::aLargeFileIsReadBesideTheWindow() {
     QVERIFY(window->openPath(large));
     QVERIFY(seen > 0);
     QCOMPARE(window->document().file().entries.size(), 100'000);
+}
+
+// Cancelling leaves the file as it was, and the work unsaved.
+void WindowFilesTest::aLargeFileIsSavedBesideTheWindow() {
+    const QByteArray large = QByteArray("many { .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5 }\n").repeated(100'000);
+    put(m_path, large);
+    MainWindow* window = opened();
+    rename(window, QStringLiteral("mine"));
+    int seen = 0;
+    bool cancelling = true;
+    QTimer looking;
+    connect(&looking, &QTimer::timeout, &looking, [&] {
+        auto* progress = window->findChild<QProgressDialog*>();
+        if (!progress || !progress->labelText().startsWith(QStringLiteral("Saving"))) return;
+        ++seen;
+        QVERIFY(!window->close());
+        if (cancelling) emit progress->canceled();
+    });
+    looking.start(1);
+    trigger(window, QKeySequence::Save);
+    QVERIFY(seen > 0);
+    QCOMPARE(contents(m_path), large);
+    QVERIFY(window->document().isModified());
+    QCOMPARE(window->findChildren<QMessageBox*>().size(), 1); // it is said
+    window->findChildren<QMessageBox*>().first()->close();
+    cancelling = false;
+    trigger(window, QKeySequence::Save);
+    QVERIFY(contents(m_path).startsWith("mine {"));
+    QVERIFY(!window->document().isModified());
+    QTRY_COMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden),
+                 QStringList{QStringLiteral("two.ifs")});
 }
 
 void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
