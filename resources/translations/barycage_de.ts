@@ -4158,6 +4158,10 @@
         <source>Nothing was pasted: there is no text on the clipboard.</source>
         <translation>Nichts wurde eingefügt: In der Zwischenablage ist kein Text.</translation>
     </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Das Eingefügte wird gelesen …</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>

@@ -4158,6 +4158,10 @@
         <source>Nothing was pasted: there is no text on the clipboard.</source>
         <translation>No se pegó nada: no hay texto en el portapapeles.</translation>
     </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Leyendo lo pegado…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>

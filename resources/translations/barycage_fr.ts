@@ -4158,6 +4158,10 @@
         <source>Nothing was pasted: there is no text on the clipboard.</source>
         <translation>Rien n’a été collé : il n’y a pas de texte dans le presse-papiers.</translation>
     </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Lecture de ce qui a été collé…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>

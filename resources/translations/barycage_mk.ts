@@ -4170,6 +4170,10 @@
         <source>Nothing was pasted: there is no text on the clipboard.</source>
         <translation>Ништо не е вметнато: нема текст на таблата со исечоци.</translation>
     </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Се чита вметнатото…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>
