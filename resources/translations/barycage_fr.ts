@@ -1317,6 +1317,10 @@
         <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
         <translation>Le travail non enregistré ne peut pas être gardé pour la récupération : on ne peut pas écrire dans le dossier « %1 », ou le disque est plein. Enregistrez souvent.</translation>
     </message>
+    <message>
+        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <translation>Un travail non enregistré de la dernière fois est endommagé et ne peut pas être récupéré. Ce qu’il en reste se trouve dans&#x202f;:</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>

@@ -94,6 +94,7 @@ private slots:
     void recoveredWorkKeepsThePathOfAFileThatIsGone();
     void unsavedWorkIsKeptWithinTwoSeconds();
     void aKilledEditorLeavesItsWork();
+    void damagedWorkIsSaidOnce();
     void aLargeFileIsReadBesideTheWindow();
     void aLargeFileIsSavedBesideTheWindow();
     void aWindowMayCloseWhileItDrawsForPaper();
@@ -210,6 +211,26 @@ void WindowFilesTest::aKilledEditorLeavesItsWork() {
     QVERIFY(document::abandonedSnapshots(Recovery::folder()).isEmpty()); // it is offered once
     document::forget(found.first());
     QCOMPARE(contents(m_path), twoEntries);
+}
+
+void WindowFilesTest::damagedWorkIsSaidOnce() {
+    QVERIFY(QDir().mkpath(Recovery::folder()));
+    const QDir folder(Recovery::folder());
+    put(folder.filePath(QStringLiteral("old.journal")), "barycage-journal 1\n{}\nhalf of it");
+    QStringList said;
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, &answering, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box) return;
+        said << box->informativeText();
+        box->close();
+    });
+    answering.start(10);
+    for (int start = 0; start < 2; ++start)
+        QVERIFY(Recovery::ask().isEmpty());
+    const QString kept = folder.filePath(QStringLiteral("old.damaged"));
+    QCOMPARE(said, QStringList{QDir::toNativeSeparators(kept)});
+    QVERIFY(contents(kept).endsWith("half of it"));
 }
 
 // The window lives meanwhile, and does not close; reading can be cancelled, and then all is as before.
