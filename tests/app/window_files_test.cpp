@@ -19,8 +19,10 @@
 #include <QPrintPreviewDialog>
 #include <QProcess>
 #include <QProgressDialog>
+#include <QSemaphore>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 #include <QTimer>
 #include <QUndoStack>
 
@@ -295,6 +297,11 @@ void WindowFilesTest::aLargeFileIsSavedBesideTheWindow() {
 
 void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
     const QPointer<MainWindow> window = opened();
+    QThreadPool* pool = QThreadPool::globalInstance(); // too busy to begin
+    QSemaphore gate;
+    QVERIFY(pool->waitForDone());
+    for (int i = 0; i < pool->maxThreadCount(); ++i)
+        pool->start([&gate] { gate.acquire(); });
     QTimer closing;
     connect(&closing, &QTimer::timeout, &closing, [&] {
         if (!window->findChild<QProgressDialog*>()) return;
@@ -304,6 +311,8 @@ void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
     closing.start(0);
     trigger(window, QKeySequence::Print);
     QVERIFY(!window);
+    gate.release(pool->maxThreadCount());
+    QVERIFY(pool->waitForDone());
     for (const QWidget* widget : QApplication::topLevelWidgets())
         QVERIFY(!qobject_cast<const QPrintPreviewDialog*>(widget));
 }
