@@ -167,12 +167,9 @@ void MainWindow::createPanels() {
             [this](const document::Fractal& fractal) {
                 if (!maySpoil()) return;
                 m_file.startFrom(document::fileOf(fractal), document::EntryId::None);
-                m_canvas->fit();
             });
-    connect(collection, &view::CollectionPanel::addRequested, this, [this](const document::Fractal& fractal) {
-        addEntry(m_document, fractal);
-        m_canvas->fit();
-    });
+    connect(collection, &view::CollectionPanel::addRequested, this,
+            [this](const document::Fractal& fractal) { addEntry(m_document, fractal); });
 }
 
 void MainWindow::explainPanels() {
@@ -237,7 +234,6 @@ void MainWindow::openFirstPicture() {
     for (const document::Entry& entry : file.entries)
         if (entry.fractal->name == QLatin1String("maple")) maple = entry.id;
     m_file.startFrom(std::move(file), maple);
-    m_canvas->fit();
     const QString seen = QStringLiteral("hints/firstDrag");
     if (!QSettings().value(seen, false).toBool()) {
         m_canvas->setHint(tr(
@@ -252,7 +248,6 @@ bool MainWindow::openPath(const QString& path) {
         fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
         return false;
     }
-    m_canvas->fit();
     reportOpened();
     return true;
 }
