@@ -6,7 +6,10 @@
 #include "io/table_reader.h"
 
 #include <QCoreApplication>
+#include <QMetaType>
 #include <QMimeData>
+
+#include <utility>
 
 namespace view {
 namespace {
@@ -16,6 +19,25 @@ const QString ifsType = QStringLiteral("application/x-fractint-ifs");
 bool isReadable(const document::Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
 }
+
+// Its text is written when somebody asks for it: that of a whole large file takes a while.
+class EntriesMimeData : public QMimeData {
+public:
+    explicit EntriesMimeData(QList<document::Entry> entries) : m_entries(std::move(entries)) {}
+
+    QStringList formats() const override { return {ifsType, QStringLiteral("text/plain")}; }
+
+protected:
+    QVariant retrieveData(const QString& mimeType, QMetaType type) const override {
+        if (!formats().contains(mimeType)) return {};
+        const QByteArray text = entriesText(m_entries);
+        if (type == QMetaType::fromType<QString>()) return QString::fromUtf8(text);
+        return text;
+    }
+
+private:
+    QList<document::Entry> m_entries;
+};
 
 // Rows alone are Fractint's in a file; on the clipboard they may come from anywhere.
 bool areColumnsOpen(const io::Collection& collection, const QByteArray& text) {
@@ -40,11 +62,7 @@ QByteArray entriesText(const QList<document::Entry>& entries) {
 }
 
 std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries) {
-    const QByteArray text = entriesText(entries);
-    auto mimeData = std::make_unique<QMimeData>();
-    mimeData->setData(ifsType, text);
-    mimeData->setText(QString::fromUtf8(text));
-    return mimeData;
+    return std::make_unique<EntriesMimeData>(entries);
 }
 
 FoundEntries entriesIn(const QByteArray& text) {
@@ -60,9 +78,12 @@ FoundEntries entriesIn(const QByteArray& text) {
     return found;
 }
 
+QByteArray entriesTextIn(const QMimeData& mimeData) {
+    return mimeData.hasFormat(ifsType) ? mimeData.data(ifsType) : mimeData.text().toUtf8();
+}
+
 FoundEntries entriesIn(const QMimeData& mimeData) {
-    if (mimeData.hasFormat(ifsType)) return entriesIn(mimeData.data(ifsType));
-    return entriesIn(mimeData.text().toUtf8());
+    return entriesIn(entriesTextIn(mimeData));
 }
 
 bool holdsText(const QMimeData& mimeData) {

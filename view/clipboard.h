@@ -28,7 +28,8 @@ struct FoundEntries {
     // Fractint, and the user is to be asked.
     QString table{};
 };
-FoundEntries entriesIn(const QByteArray& text);
+FoundEntries entriesIn(const QByteArray& text); // any thread
+QByteArray entriesTextIn(const QMimeData& mimeData);
 FoundEntries entriesIn(const QMimeData& mimeData);
 bool holdsText(const QMimeData& mimeData);      // not only blanks
 bool mayHoldEntries(const QMimeData& mimeData); // cheap; for enabling actions and accepting a drag

@@ -36,10 +36,6 @@ std::optional<document::Box> boxToShow(const document::Fractal& fractal) {
     return box;
 }
 
-bool showsNothing(const attractor::Frame& frame) {
-    return frame.note == attractor::RenderNote::NoMaps || frame.note == attractor::RenderNote::NoAttractor;
-}
-
 QImage pictureOf(const attractor::Frame& frame) {
     return QImage(reinterpret_cast<const uchar*>(frame.pixels.data()), frame.camera.width,
                   frame.camera.height, QImage::Format_ARGB32_Premultiplied)
@@ -53,17 +49,51 @@ QImage nothing() {
     return image;
 }
 
+// One picture on its way, on the thread of the queue: what it costs to find out what is to be drawn, and to
+// look for it on the disk, is not for the thread of the window.
+struct Drawing {
+    Thumbnails::FractalPointer fractal;
+    int side = 0; // pixels
+    std::shared_ptr<io::ThumbnailCache> cache;
+    QImage picture;
+
+    // nullopt when there is a picture already, also when it is one of nothing.
+    std::optional<attractor::RenderRequest> request() {
+        if (cache) picture = cache->find(*fractal, side);
+        if (!picture.isNull()) return std::nullopt;
+        const auto box = boxToShow(*fractal);
+        if (!box) {
+            keep(nothing());
+            return std::nullopt;
+        }
+        attractor::Camera camera;
+        camera.width = camera.height = side;
+        camera = attractor::fitted(camera, box->min, box->max, margin);
+        attractor::RenderRequest drawn = document::renderRequest(*fractal, camera);
+        drawn.samples = static_cast<std::uint64_t>(side) * side * samplesPerPixel;
+        drawn.threads = 1;
+        return drawn;
+    }
+
+    void keep(const QImage& made) {
+        picture = made;
+        if (cache) cache->keep(*fractal, side, picture);
+    }
+
+    void finish(const attractor::Frame& frame) {
+        using enum attractor::RenderNote;
+        const bool showsNothing = frame.note == NoMaps || frame.note == NoAttractor;
+        keep(showsNothing ? nothing() : pictureOf(frame));
+    }
+};
+
 } // namespace
 
 Thumbnails::Thumbnails(QObject* parent) : QObject(parent), m_pictures(cacheBytes) {
     m_submitTimer.setSingleShot(true);
     m_submitTimer.setInterval(0);
     connect(&m_submitTimer, &QTimer::timeout, this, &Thumbnails::submitNext);
-    m_queue = std::make_unique<attractor::RenderQueue>(
-        [this](std::uint64_t job, std::shared_ptr<const attractor::Frame> frame) {
-            QMetaObject::invokeMethod(
-                this, [this, job, frame = std::move(frame)] { take(job, frame); }, Qt::QueuedConnection);
-        });
+    m_queue = std::make_unique<attractor::RenderQueue>();
 }
 
 Thumbnails::~Thumbnails() = default;
@@ -125,49 +155,32 @@ void Thumbnails::want(Key key, const FractalPointer& fractal) {
     m_submitTimer.start();
 }
 
-// One request per turn of the event loop: finding the box of a fractal takes a moment, and scrolling comes
-// first.
+// When all that is in sight has been asked for, the newest first.
 void Thumbnails::submitNext() {
-    if (m_wanted.isEmpty() || m_running.size() >= mostRunning) return;
-    const Wanted wanted = m_wanted.takeLast();
-    if (findInCache(wanted)) {
-        if (!m_wanted.isEmpty()) m_submitTimer.start();
-        return;
+    while (!m_wanted.isEmpty() && m_running.size() < mostRunning) {
+        const Wanted wanted = m_wanted.takeLast();
+        const std::uint64_t job = ++m_lastJob;
+        m_running.insert(job, wanted);
+        const auto drawing = std::make_shared<Drawing>(Drawing{wanted.fractal, pixels(), m_cache, {}});
+        const auto done = [this, job, drawing](const std::shared_ptr<const attractor::Frame>& frame) {
+            if (frame) drawing->finish(*frame);
+            QMetaObject::invokeMethod(
+                this,
+                [this, job, drawing, isDrawn = frame != nullptr] {
+                    m_drawn += isDrawn ? 1 : 0;
+                    take(job, drawing->picture);
+                },
+                Qt::QueuedConnection);
+        };
+        m_queue->submit(job, {[drawing] { return drawing->request(); }, done});
     }
-    if (const auto box = boxToShow(*wanted.fractal)) {
-        attractor::Camera camera;
-        camera.width = camera.height = pixels();
-        camera = attractor::fitted(camera, box->min, box->max, margin);
-        attractor::RenderRequest request = document::renderRequest(*wanted.fractal, camera);
-        request.samples = static_cast<std::uint64_t>(camera.width) * camera.height * samplesPerPixel;
-        request.threads = 1;
-        m_running.insert(++m_lastJob, wanted);
-        ++m_submitted;
-        m_queue->submit(m_lastJob, std::move(request));
-    } else {
-        if (m_cache) m_cache->keep(*wanted.fractal, pixels(), nothing());
-        keep(wanted, toThumbnail(nothing()));
-    }
-    if (!m_wanted.isEmpty()) m_submitTimer.start();
 }
 
-void Thumbnails::take(std::uint64_t job, const std::shared_ptr<const attractor::Frame>& frame) {
+void Thumbnails::take(std::uint64_t job, const QImage& picture) {
     if (!m_running.contains(job)) return;
     const Wanted wanted = m_running.take(job);
     m_submitTimer.start();
-    if (!frame) return;
-    const QImage picture = showsNothing(*frame) ? nothing() : pictureOf(*frame);
-    if (m_cache) m_cache->keep(*wanted.fractal, pixels(), picture);
-    keep(wanted, toThumbnail(picture));
-}
-
-bool Thumbnails::findInCache(const Wanted& wanted) {
-    const QImage known = m_cache ? m_cache->find(*wanted.fractal, pixels()) : QImage();
-    if (!known.isNull()) keep(wanted, toThumbnail(known));
-    return !known.isNull();
-}
-
-void Thumbnails::keep(const Wanted& wanted, const Thumbnail& thumbnail) {
+    const Thumbnail thumbnail = toThumbnail(picture);
     const auto bytes = qsizetype{4} * thumbnail.pixmap.width() * thumbnail.pixmap.height() + 256;
     m_pictures.insert(wanted.key, new Picture{wanted.fractal, thumbnail}, bytes);
     emit ready(wanted.key);

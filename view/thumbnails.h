@@ -63,7 +63,7 @@ public:
     Thumbnail thumbnail(Key key, const FractalPointer& fractal);
     void clear(); // forgets pictures and requests, for instance when the keys take another meaning
 
-    std::uint64_t submitted() const { return m_submitted; } // requests handed to the render queue so far
+    std::uint64_t drawn() const { return m_drawn; } // pictures so far that were not found in the cache
     int pending() const { return static_cast<int>(m_wanted.size() + m_running.size()); }
 
 signals:
@@ -82,9 +82,7 @@ private:
     bool isUnderway(Key key, const FractalPointer& fractal) const;
     void want(Key key, const FractalPointer& fractal);
     void submitNext();
-    void take(std::uint64_t job, const std::shared_ptr<const attractor::Frame>& frame);
-    void keep(const Wanted& wanted, const Thumbnail& thumbnail);
-    bool findInCache(const Wanted& wanted);
+    void take(std::uint64_t job, const QImage& picture);
     Thumbnail toThumbnail(const QImage& picture) const;
     int pixels() const; // along the side
 
@@ -94,9 +92,9 @@ private:
     QList<Wanted> m_wanted;          // the newest last
     QHash<std::uint64_t, Wanted> m_running;
     std::uint64_t m_lastJob = 0;
-    std::uint64_t m_submitted = 0;
+    std::uint64_t m_drawn = 0;
     QTimer m_submitTimer;
-    std::unique_ptr<io::ThumbnailCache> m_cache;     // may be null
+    std::shared_ptr<io::ThumbnailCache> m_cache;     // may be null; the queue's thread uses it
     std::unique_ptr<attractor::RenderQueue> m_queue; // last: stops before the rest goes
 };
 

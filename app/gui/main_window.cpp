@@ -3,6 +3,7 @@
 
 #include "dialogs/paste_table_dialog.h"
 #include "dialogs/save_file_dialog.h"
+#include "io/background.h"
 #include "io/fractint_reader.h"
 #include "panels/analysis_panel.h"
 #include "panels/appearance_panel.h"
@@ -90,6 +91,10 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() {
     hide(); // fields being edited hand over what was typed, while there is a document to take it
+    connect(this, &QObject::destroyed, qApp,
+            [file = m_document.file()]() mutable { // the panels are gone, too
+                io::letGo(std::move(file));
+            });
 }
 
 QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QString& id,
@@ -162,12 +167,9 @@ void MainWindow::createPanels() {
             [this](const document::Fractal& fractal) {
                 if (!maySpoil()) return;
                 m_file.startFrom(document::fileOf(fractal), document::EntryId::None);
-                m_canvas->fit();
             });
-    connect(collection, &view::CollectionPanel::addRequested, this, [this](const document::Fractal& fractal) {
-        addEntry(m_document, fractal);
-        m_canvas->fit();
-    });
+    connect(collection, &view::CollectionPanel::addRequested, this,
+            [this](const document::Fractal& fractal) { addEntry(m_document, fractal); });
 }
 
 void MainWindow::explainPanels() {
@@ -232,7 +234,6 @@ void MainWindow::openFirstPicture() {
     for (const document::Entry& entry : file.entries)
         if (entry.fractal->name == QLatin1String("maple")) maple = entry.id;
     m_file.startFrom(std::move(file), maple);
-    m_canvas->fit();
     const QString seen = QStringLiteral("hints/firstDrag");
     if (!QSettings().value(seen, false).toBool()) {
         m_canvas->setHint(tr(
@@ -247,7 +248,6 @@ bool MainWindow::openPath(const QString& path) {
         fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
         return false;
     }
-    m_canvas->fit();
     reportOpened();
     return true;
 }
@@ -327,7 +327,9 @@ bool MainWindow::maySpoil() {
 
 bool MainWindow::save() {
     if (m_file.path().isEmpty()) return saveAs();
-    if (m_file.changedOnDisk()) {
+    const std::optional<bool> isChanged = m_file.changedOnDisk();
+    if (!isChanged) return false;
+    if (*isChanged) {
         QMessageBox box(
             QMessageBox::Warning, tr("Changed on disk"),
             tr("“%1” was changed by another program since it was opened here.").arg(m_file.name()),
@@ -410,7 +412,7 @@ void MainWindow::fail(const QString& title, const QString& sentence) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_file.isReading() || !maySpoil()) {
+    if (m_file.isBusy() || !maySpoil()) {
         event->ignore();
         return;
     }

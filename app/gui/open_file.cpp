@@ -1,19 +1,67 @@
 // SPDX-License-Identifier: MIT
 #include "open_file.h"
 
+#include "dialogs/wait_for.h"
+#include "io/background.h"
+#include "io/collection_reader.h"
 #include "io/fractint_reader.h"
 #include "io/fractint_writer.h"
-#include "reading.h"
 #include "recent_files.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>
 #include <QHash>
+#include <QScopedValueRollback>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
 
 namespace {
 
 QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+}
+
+struct Reading {
+    io::Loaded loaded;
+    io::Collection collection; // when there is no failure
+    QByteArray digest;
+};
+
+QFuture<Reading> readBeside(const QString& path) {
+    return io::inBackground<Reading>([path](QPromise<Reading>& promise) {
+        Reading reading{io::loadFile(path), {}, {}};
+        if (!reading.loaded.failure) {
+            reading.collection = io::readCollection(reading.loaded.bytes, path);
+            reading.digest = digestOf(reading.loaded.bytes);
+        }
+        promise.addResult(std::move(reading));
+    });
+}
+
+// Somebody cancels what somebody else is about to finish; the first one decides.
+struct Writing {
+    std::atomic<bool> isDecided = false;
+    io::Failure failure;
+    document::FractalFile file; // as it reads when it is opened again
+    QByteArray digest;
+};
+
+QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const document::FractalFile& file,
+                          const QString& path) {
+    return QFuture<void>(io::inBackground<bool>([writing, file, path](QPromise<bool>& promise) {
+        constexpr qsizetype piece = 1 << 20;
+        const QByteArray bytes = io::writeFractint(file);
+        writing->file = io::readFractint(bytes, QFileInfo(path).completeBaseName());
+        writing->digest = digestOf(bytes);
+        io::NewFile target(path);
+        for (qsizetype at = 0; at < bytes.size() && !target.failure(); at += piece) {
+            if (promise.isCanceled()) return;
+            target.write(bytes.constData() + at, std::min(piece, bytes.size() - at));
+        }
+        if (!writing->isDecided.exchange(true)) writing->failure = target.commit();
+    }));
 }
 
 // Entries of one name are one entry: those that nobody touched are not shown as changed.
@@ -46,16 +94,21 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
 }
 
 io::Failure OpenFile::open(const QString& path) {
-    m_isReading = true;
-    auto [loaded, collection] = readFile(path, m_window);
-    m_isReading = false;
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
+    QFuture<Reading> result = readBeside(path);
+    const auto file = QFileInfo(path).fileName();
+    if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(file), m_window))
+        return tr("Reading “%1” was cancelled.").arg(file);
+    auto [loaded, collection, digest] = result.takeResult();
     if (loaded.failure) return loaded.failure;
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;
+    document::FractalFile before = m_document->file();
     m_document->setFile(std::move(collection.file));
+    io::letGo(std::move(before));
     // What was taken out of another format has no .ifs file to be saved to yet.
     if (collection.format == QLatin1String("fractint"))
-        remember(path, loaded.bytes);
+        remember(path, digest);
     else
         remember({}, {});
     recent_files::add(path);
@@ -94,23 +147,37 @@ io::Failure OpenFile::revert() {
     return open(m_path);
 }
 
-bool OpenFile::changedOnDisk() const {
+std::optional<bool> OpenFile::changedOnDisk() {
     if (m_path.isEmpty() || !QFileInfo::exists(m_path)) return false;
-    const io::Loaded now = io::loadFile(m_path);
-    return now.failure || digestOf(now.bytes) != m_digest;
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
+    QFuture<bool> result = io::inBackground<bool>([path = m_path, known = m_digest](QPromise<bool>& promise) {
+        const io::Loaded now = io::loadFile(path);
+        promise.addResult(now.failure || digestOf(now.bytes) != known);
+    });
+    if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(name()), m_window)) return std::nullopt;
+    return result.takeResult();
 }
 
 io::Failure OpenFile::write(const QString& path) {
-    const QByteArray bytes = io::writeFractint(m_document->file());
-    if (io::Failure failure = io::saveFile(path, bytes)) return failure;
-    m_document->markSaved(io::readFractint(bytes, QFileInfo(path).completeBaseName()));
-    remember(path, bytes);
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
+    const auto writing = std::make_shared<Writing>();
+    QFuture<void> work = writeBeside(writing, m_document->file(), path);
+    const auto file = QFileInfo(path).fileName();
+    while (
+        !view::waitFor(work, tr("Saving “%1”…").arg(file), m_window)) // in the end it is cancelled, or saved
+        if (!writing->isDecided.exchange(true))
+            return tr("Saving “%1” was cancelled. The file on the disk is as it was.").arg(file);
+    work.waitForFinished(); // throws what went wrong besides
+    if (writing->failure) return writing->failure;
+    m_document->markSaved(writing->file);
+    io::letGo(std::move(writing->file));
+    remember(path, writing->digest);
     recent_files::add(path);
     return std::nullopt;
 }
 
-void OpenFile::remember(const QString& path, const QByteArray& bytes) {
+void OpenFile::remember(const QString& path, const QByteArray& digest) {
     m_path = path;
-    m_digest = digestOf(bytes);
+    m_digest = digest;
     emit pathChanged();
 }

@@ -26,9 +26,8 @@ public:
     // Pictures that carry their system open as a file without path. The document is as before when this
     // fails.
     io::Failure open(const QString& path);
-    bool isReading() const {
-        return m_isReading;
-    } // open() waits for a large file, and handles events meanwhile
+    // A large file is read or written beside the window, and events are handled meanwhile.
+    bool isBusy() const { return m_isBusy; }
     // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
     // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
     io::Failure recover(const document::Snapshot& snapshot);
@@ -37,8 +36,9 @@ public:
     io::Failure revert();
 
     QByteArray digest() const { return m_digest; } // of the bytes that were read or written here
-    // Whether the bytes at path() are others now, or cannot be read.
-    bool changedOnDisk() const;
+    // Whether the bytes at path() are others now, or cannot be read; nullopt when the user does not wait for
+    // it.
+    std::optional<bool> changedOnDisk();
 
 signals:
     void pathChanged();
@@ -47,11 +47,11 @@ signals:
 
 private:
     io::Failure write(const QString& path);
-    void remember(const QString& path, const QByteArray& bytes);
+    void remember(const QString& path, const QByteArray& digest);
 
     document::Document* m_document;
     QWidget* m_window;
-    bool m_isReading = false;
+    bool m_isBusy = false;
     QString m_path;
     QByteArray m_digest;
 };

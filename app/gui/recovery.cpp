@@ -74,8 +74,22 @@ QString Recovery::folder() {
            QStringLiteral("/recovery");
 }
 
+void Recovery::reportDamaged() {
+    QStringList paths = document::setDamagedAside(folder());
+    if (paths.isEmpty()) return;
+    for (QString& path : paths)
+        path = QDir::toNativeSeparators(path);
+    QMessageBox box(
+        QMessageBox::Warning, tr("Unsaved work was found"),
+        tr("Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:"));
+    box.setInformativeText(paths.join(u'\n'));
+    box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    box.exec();
+}
+
 QList<document::Abandoned> Recovery::ask() {
     const QList<document::Abandoned> found = document::abandonedSnapshots(folder());
+    reportDamaged();
     if (found.isEmpty()) return {};
     QStringList lines;
     for (const document::Abandoned& abandoned : found)

@@ -27,7 +27,7 @@ public:
 
     static QString folder();
     // Asks about the work of processes that ended without closing; returns what the user wants back.
-    // What is not wanted is forgotten.
+    // What is not wanted is forgotten. Journals that are damaged are said to be so, once, and where they are.
     static QList<document::Abandoned> ask();
 
 signals:
@@ -35,6 +35,7 @@ signals:
 
 private:
     void report(bool kept);
+    static void reportDamaged();
 
     document::Document* m_document;
     const OpenFile* m_file;

@@ -16,27 +16,24 @@
 namespace attractor {
 
 struct RenderQueue::State {
-    using Done = std::function<void(std::uint64_t, std::shared_ptr<const Frame>)>;
-    struct Job {
+    struct Waiting {
         std::uint64_t key = 0;
-        RenderRequest request;
+        Job job;
     };
 
-    explicit State(Done callback) : done(std::move(callback)), thread([this] { serve(); }) {}
     ~State();
     void serve();
-    void draw(Job job, const std::stop_token& stop);
+    void draw(const Job& job, const std::stop_token& stop);
     void abandon(std::optional<std::uint64_t> key); // with the mutex held; nullopt: whatever is being drawn
 
-    Done done;
     std::mutex mutex;
     std::condition_variable wake;
-    std::deque<Job> waiting;
+    std::deque<Waiting> waiting;
     std::optional<std::uint64_t> present; // key of what is being drawn
     std::stop_source presentStop;
     bool quit = false;
-    std::optional<Rendering> rendering; // the thread's own; its memory serves every request
-    std::jthread thread;                // last: it uses the rest
+    std::optional<Rendering> rendering;       // the thread's own; its memory serves every request
+    std::jthread thread{[this] { serve(); }}; // last: it uses the rest
 };
 
 RenderQueue::State::~State() {
@@ -63,49 +60,51 @@ void RenderQueue::State::serve() {
             present.reset();
             wake.wait(lock, [this] { return quit || !waiting.empty(); });
             if (quit) return;
-            job = std::move(waiting.front());
+            present = waiting.front().key;
+            job = std::move(waiting.front().job);
             waiting.pop_front();
-            present = job.key;
             presentStop = {};
             stop = presentStop.get_token();
         }
-        draw(std::move(job), stop);
+        draw(job, stop);
     }
 }
 
-void RenderQueue::State::draw(Job job, const std::stop_token& stop) {
-    const std::uint64_t key = job.key;
-    if (rendering)
-        rendering->restart(std::move(job.request));
-    else
-        rendering.emplace(std::move(job.request));
-    if (!rendering->refine(stop)) return;
-    auto frame = std::make_shared<const Frame>(rendering->frame({}, stop));
-    if (!stop.stop_requested()) done(key, std::move(frame));
+void RenderQueue::State::draw(const Job& job, const std::stop_token& stop) {
+    auto request = job.request();
+    std::shared_ptr<const Frame> frame;
+    if (request) {
+        if (rendering)
+            rendering->restart(*std::move(request));
+        else
+            rendering.emplace(*std::move(request));
+        if (!rendering->refine(stop)) return;
+        frame = std::make_shared<const Frame>(rendering->frame({}, stop));
+    }
+    if (!stop.stop_requested()) job.done(std::move(frame));
 }
 
-RenderQueue::RenderQueue(std::function<void(std::uint64_t key, std::shared_ptr<const Frame>)> done)
-    : m_state(std::make_unique<State>(std::move(done))) {}
+RenderQueue::RenderQueue() : m_state(std::make_unique<State>()) {}
 
 RenderQueue::~RenderQueue() = default;
 
-void RenderQueue::submit(std::uint64_t key, RenderRequest request) {
+void RenderQueue::submit(std::uint64_t key, Job job) {
     const std::lock_guard lock(m_state->mutex);
     m_state->abandon(key);
     auto& waiting = m_state->waiting;
     const auto same =
-        std::find_if(waiting.begin(), waiting.end(), [key](const auto& job) { return job.key == key; });
+        std::find_if(waiting.begin(), waiting.end(), [key](const auto& other) { return other.key == key; });
     if (same != waiting.end())
-        same->request = std::move(request);
+        same->job = std::move(job);
     else
-        waiting.push_back({key, std::move(request)});
+        waiting.push_back({key, std::move(job)});
     m_state->wake.notify_one();
 }
 
 void RenderQueue::cancel(std::uint64_t key) {
     const std::lock_guard lock(m_state->mutex);
     m_state->abandon(key);
-    std::erase_if(m_state->waiting, [key](const auto& job) { return job.key == key; });
+    std::erase_if(m_state->waiting, [key](const auto& other) { return other.key == key; });
 }
 
 void RenderQueue::clear() {

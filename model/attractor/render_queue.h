@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace attractor {
 
@@ -13,17 +14,22 @@ namespace attractor {
 // low priority.
 class RenderQueue {
 public:
-    // `done` is called on the queue's thread, once for every request that was not cancelled, with its frame
-    // of one pass. It may call the queue.
-    explicit RenderQueue(std::function<void(std::uint64_t key, std::shared_ptr<const Frame>)> done);
+    RenderQueue();
     ~RenderQueue(); // forgets what waits, abandons what is being drawn, joins
 
     RenderQueue(const RenderQueue&) = delete;
     RenderQueue& operator=(const RenderQueue&) = delete;
 
-    // Any thread. A request under a key that is already waiting takes its place; one that is being drawn
-    // under the same key is abandoned.
-    void submit(std::uint64_t key, RenderRequest request);
+    // Both are called on the queue's thread and may call the queue.
+    struct Job {
+        std::function<std::optional<RenderRequest>()> request; // nullopt: there is nothing to draw
+        // With the frame of one pass, nullptr when there was nothing to draw; not when cancelled.
+        std::function<void(std::shared_ptr<const Frame>)> done;
+    };
+
+    // Any thread. A job under a key that is already waiting takes its place; one that is being drawn under
+    // the same key is abandoned.
+    void submit(std::uint64_t key, Job job);
     void cancel(std::uint64_t key); // done() may at most be just beginning for it
     void clear();                   // the same for all
 

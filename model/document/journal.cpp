@@ -121,4 +121,17 @@ void forget(const Abandoned& abandoned) {
     QFile::remove(abandoned.journal);
 }
 
+QStringList setDamagedAside(const QString& folder) {
+    QStringList aside;
+    const QDir dir(folder);
+    for (const QString& name : dir.entryList({QStringLiteral("*.journal")}, QDir::Files)) {
+        const QString path = dir.filePath(name);
+        const auto owned = lock(path);
+        if (!owned || readJournal(path)) continue;
+        const QString kept = dir.filePath(QFileInfo(name).completeBaseName() + QStringLiteral(".damaged"));
+        if (QFile::rename(path, kept)) aside << kept;
+    }
+    return aside;
+}
+
 } // namespace document

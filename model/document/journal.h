@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QList>
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -58,5 +59,8 @@ struct Abandoned {
 // Also takes away locks, and files half written, that killed processes have left behind.
 QList<Abandoned> abandonedSnapshots(const QString& folder);
 void forget(const Abandoned& abandoned);
+// Journals whose process is gone and which hold no snapshot any more get another name, under which nobody
+// looks for them again; their new paths.
+QStringList setDamagedAside(const QString& folder);
 
 } // namespace document

@@ -11,6 +11,9 @@ namespace document {
 // grow with their number: at most 18 bytes, no blanks, parentheses, braces, ; or :.
 class UniqueNames {
 public:
+    UniqueNames() = default;
+    explicit UniqueNames(qsizetype expected) { m_taken.reserve(expected); } // names, to be quick with many
+
     void take(const QString& name); // as it is
     QString give(const QString& name);
 

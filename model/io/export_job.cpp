@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/export_job.h"
 
+#include "io/background.h"
+
 #include <QCoreApplication>
 
 #include <new>
@@ -51,15 +53,21 @@ ExportJob::ExportJob(Export what, const QString& path, Progress progress,
     : m_thread([what = std::move(what), path, progress = std::move(progress), finished = std::move(finished)](
                    const std::stop_token& stop) { finished(exportTo(what, path, progress, stop)); }) {}
 
-DrawingJob::DrawingJob(PngExport what, std::function<void(const Picture&)> finished)
-    : m_thread([what = std::move(what), finished = std::move(finished)](const std::stop_token& stop) {
-          Picture picture;
-          try {
-              picture = drawPicture(what, {}, stop);
-          } catch (const std::bad_alloc&) {
-              picture = {};
-          }
-          finished(picture);
-      }) {}
+QFuture<QImage> drawBeside(const PngExport& what) {
+    return inBackground<QImage>([what](QPromise<QImage>& promise) {
+        constexpr int whole = 100;
+        promise.setProgressRange(0, whole);
+        std::stop_source stop;
+        const auto progress = [&](double share) {
+            promise.setProgressValue(int(share * whole));
+            if (promise.isCanceled()) stop.request_stop();
+        };
+        try {
+            promise.addResult(drawPicture(what, progress, stop.get_token()).image);
+        } catch (const std::bad_alloc&) {
+            promise.addResult(QImage());
+        }
+    });
+}
 
 } // namespace io

@@ -5,6 +5,9 @@
 #include "io/png_export.h"
 #include "io/point_cloud.h"
 
+#include <QFuture>
+#include <QImage>
+
 #include <functional>
 #include <thread>
 #include <variant>
@@ -37,15 +40,7 @@ private:
     std::jthread m_thread;
 };
 
-// The same for a picture that stays in memory; null in `finished` when stopped.
-class DrawingJob {
-public:
-    DrawingJob(PngExport what, std::function<void(const Picture&)> finished);
-
-    void stop() { m_thread.request_stop(); }
-
-private:
-    std::jthread m_thread;
-};
+// The same for a picture that stays in memory, with per cent as progress; null when there is no room for it.
+QFuture<QImage> drawBeside(const PngExport& what);
 
 } // namespace io

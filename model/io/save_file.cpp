@@ -17,6 +17,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #endif
+#ifdef Q_OS_LINUX
+#include <sys/xattr.h>
+#endif
 
 namespace io {
 
@@ -101,14 +104,69 @@ private:
     int m_number;
 };
 
-// Permissions, and owner and group as far as we may, of the file that is about to be replaced.
-void keepAttributes(int file, const QByteArray& path) {
+#ifdef Q_OS_LINUX
+
+constexpr char accessList[] = "system.posix_acl_access";
+
+// What call(room, size) writes, which says how much that is when there is no room; nullopt when it fails.
+template <class Call> std::optional<QByteArray> written(Call call) {
+    const ssize_t size = call(nullptr, 0);
+    if (size < 0) return std::nullopt;
+    QByteArray bytes(size, '\0');
+    const ssize_t length = call(bytes.data(), std::size_t(size));
+    if (length < 0) return std::nullopt;
+    bytes.truncate(length);
+    return bytes;
+}
+
+// They speak of the old bytes.
+bool isOfContents(const QByteArray& attribute) {
+    return attribute == "security.capability" || attribute == "security.ima" || attribute == "security.evm";
+}
+
+// The access control list, labels, and what else users and programs have attached to the old file. What the
+// file system or our rights refuse is left out; the error when there is no room for it.
+int keepExtendedAttributes(int file, const QByteArray& path) {
+    const auto names =
+        written([&](char* room, std::size_t size) { return ::listxattr(path.constData(), room, size); });
+    for (const QByteArray& name : names.value_or(QByteArray()).split('\0')) {
+        if (name.isEmpty() || isOfContents(name)) continue;
+        const auto value = written([&](char* room, std::size_t size) {
+            return ::getxattr(path.constData(), name.constData(), room, size);
+        });
+        if (value &&
+            ::fsetxattr(file, name.constData(), value->constData(), std::size_t(value->size()), 0) != 0 &&
+            (errno == ENOSPC || errno == EDQUOT))
+            return errno;
+    }
+    return 0;
+}
+
+// One that the folder gives to every new file is not the old one's.
+void dropAccessList(int file) {
+    ::fremovexattr(file, accessList);
+}
+
+#else
+
+int keepExtendedAttributes(int, const QByteArray&) {
+    return 0;
+}
+void dropAccessList(int) {}
+
+#endif
+
+// Permissions, and owner and group as far as we may, of the file that is about to be replaced, and all else
+// that the file system knows of it. The error when there is no room for that.
+int keepAttributes(int file, const QByteArray& path) {
     struct stat old {};
-    if (::stat(path.constData(), &old) != 0) return;
+    if (::stat(path.constData(), &old) != 0) return 0;
     if (::fchown(file, old.st_uid, old.st_gid) != 0 &&
         ::fchown(file, static_cast<uid_t>(-1), old.st_gid) != 0)
         old.st_mode &= static_cast<mode_t>(~(S_ISUID | S_ISGID));
+    dropAccessList(file);
     ::fchmod(file, old.st_mode & 07777);
+    return keepExtendedAttributes(file, path);
 }
 
 // Tries names in the folder until one is free: call(name) is then 0 or more. Empty when none is.
@@ -203,7 +261,10 @@ NewFile::NewFile(const QString& path) : m_path(target(path)), m_failure(obstacle
         fail(m_temporary->error);
         return;
     }
-    keepAttributes(m_temporary->file.number(), m_temporary->target);
+    if (const int error = keepAttributes(m_temporary->file.number(), m_temporary->target)) {
+        fail(error);
+        return;
+    }
     setOpenMode(WriteOnly | Unbuffered);
 }
 

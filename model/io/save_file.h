@@ -15,8 +15,9 @@ using Failure = std::optional<QString>;
 
 // The one way in which files of the user are written: into a temporary file in the same folder, which
 // commit() flushes to the disk and renames: `path` holds the old bytes or the new ones, never a part.
-// Permissions and a symbolic link at `path` are kept; what is no ordinary file is not replaced. It is open
-// from the start, unless failure() says why not; what is not committed leaves nothing behind.
+// Permissions, access control lists, extended attributes and a symbolic link at `path` are kept; what is no
+// ordinary file is not replaced. It is open from the start, unless failure() says why not; what is not
+// committed leaves nothing behind.
 class NewFile : public QIODevice {
 public:
     explicit NewFile(const QString& path);

@@ -32,9 +32,6 @@ ThumbnailCache::ThumbnailCache(const QString& folder, qint64 mostBytes)
     : m_folder(folder), m_mostBytes(mostBytes) {
     QDir().mkpath(folder);
     QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    for (const QFileInfo& file : picturesIn(folder))
-        m_bytes += file.size();
-    makeRoom();
 }
 
 QString ThumbnailCache::pathOf(const document::Fractal& fractal, int side) const {
@@ -67,11 +64,17 @@ void ThumbnailCache::keep(const document::Fractal& fractal, int side, const QIma
     file.close();
     QFile::remove(path);
     if (!file.rename(path)) return;
-    m_bytes += png.size();
-    makeRoom();
+    makeRoom(png.size());
 }
 
-void ThumbnailCache::makeRoom() {
+void ThumbnailCache::makeRoom(qint64 added) {
+    if (m_bytes < 0) { // not known yet; what was added is among them
+        m_bytes = 0;
+        for (const QFileInfo& file : picturesIn(m_folder))
+            m_bytes += file.size();
+    } else {
+        m_bytes += added;
+    }
     if (m_bytes <= m_mostBytes) return;
     for (const QFileInfo& file : picturesIn(m_folder)) { // the oldest first
         if (m_bytes <= m_mostBytes - m_mostBytes / 4) break;

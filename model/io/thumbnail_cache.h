@@ -9,7 +9,8 @@
 namespace io {
 
 // Small pictures of fractals in a folder, found again by what they show. The folder is kept below a size:
-// what was not looked at for longest goes first. Whatever goes wrong with the disk, pictures are drawn again.
+// what was not looked at for longest goes first, when pictures are added. Whatever goes wrong with the disk,
+// pictures are drawn again.
 class ThumbnailCache {
 public:
     // Of this user, below the folder for caches of the desktop.
@@ -23,11 +24,11 @@ public:
 
 private:
     QString pathOf(const document::Fractal& fractal, int side) const;
-    void makeRoom();
+    void makeRoom(qint64 added);
 
     QString m_folder;
     qint64 m_mostBytes;
-    qint64 m_bytes = 0; // in the folder, about
+    qint64 m_bytes = -1; // in the folder, about; −1 until it was looked at
 };
 
 } // namespace io

@@ -1192,6 +1192,22 @@
         <source>Recover unsaved work</source>
         <translation>Nicht gespeicherte Arbeit wiederherstellen</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>Das Lesen von „%1“ wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>„%1“ wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <translation>Das Speichern von „%1“ wurde abgebrochen. Die Datei ist, wie sie war.</translation>
+    </message>
 </context>
 <context>
     <name>Palette</name>
@@ -1271,21 +1287,6 @@
     </message>
 </context>
 <context>
-    <name>Reading</name>
-    <message>
-        <source>Reading “%1”…</source>
-        <translation>„%1“ wird gelesen …</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Reading “%1” was cancelled.</source>
-        <translation>Das Lesen von „%1“ wurde abgebrochen.</translation>
-    </message>
-</context>
-<context>
     <name>Recovery</name>
     <message>
         <source>%1, %2</source>
@@ -1315,6 +1316,10 @@
     <message>
         <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
         <translation>Nicht gespeicherte Arbeit kann nicht zur Wiederherstellung aufbewahrt werden: In den Ordner „%1“ kann nicht geschrieben werden, oder der Datenträger ist voll. Speichern Sie oft.</translation>
+    </message>
+    <message>
+        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <translation>Nicht gespeicherte Arbeit vom letzten Mal ist beschädigt und lässt sich nicht wiederherstellen. Was davon übrig ist, liegt in:</translation>
     </message>
 </context>
 <context>
@@ -3771,6 +3776,26 @@
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
         <translation>Fraktale zum Anfangen. Doppelklick oder Eingabe öffnet eines in diesem Fenster; das Menü der rechten Taste fügt es stattdessen der Datei hinzu.</translation>
     </message>
+    <message>
+        <source>Files of the collection that were read</source>
+        <translation>Gelesene Dateien der Sammlung</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Nicht weiter lesen</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder. What was read so far stays here.</source>
+        <translation>Diesen Ordner nicht weiter lesen. Was schon gelesen ist, bleibt hier.</translation>
+    </message>
+    <message>
+        <source>Reading the collection…</source>
+        <translation>Die Sammlung wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen …</translation>
+    </message>
 </context>
 <context>
     <name>view::ColourButton</name>
@@ -4136,6 +4161,10 @@
     <message>
         <source>Nothing was pasted: there is no text on the clipboard.</source>
         <translation>Nichts wurde eingefügt: In der Zwischenablage ist kein Text.</translation>
+    </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Das Eingefügte wird gelesen …</translation>
     </message>
 </context>
 <context>

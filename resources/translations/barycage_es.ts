@@ -1192,6 +1192,22 @@
         <source>Recover unsaved work</source>
         <translation>Recuperar el trabajo sin guardar</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>Se canceló la lectura de «%1».</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Guardando «%1»…</translation>
+    </message>
+    <message>
+        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <translation>Se canceló el guardado de «%1». El archivo del disco sigue como estaba.</translation>
+    </message>
 </context>
 <context>
     <name>Palette</name>
@@ -1271,21 +1287,6 @@
     </message>
 </context>
 <context>
-    <name>Reading</name>
-    <message>
-        <source>Reading “%1”…</source>
-        <translation>Leyendo «%1»…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Reading “%1” was cancelled.</source>
-        <translation>Se canceló la lectura de «%1».</translation>
-    </message>
-</context>
-<context>
     <name>Recovery</name>
     <message>
         <source>%1, %2</source>
@@ -1315,6 +1316,10 @@
     <message>
         <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
         <translation>El trabajo sin guardar no se puede conservar para recuperarlo: no se puede escribir en la carpeta «%1», o el disco está lleno. Guarde a menudo.</translation>
+    </message>
+    <message>
+        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <translation>El trabajo sin guardar de la última vez está dañado y no se puede recuperar. Lo que queda de él está en:</translation>
     </message>
 </context>
 <context>
@@ -3771,6 +3776,26 @@
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
         <translation>Fractales para empezar. Un doble clic o Intro abre uno en esta ventana; en cambio, el menú del botón derecho lo añade al archivo.</translation>
     </message>
+    <message>
+        <source>Files of the collection that were read</source>
+        <translation>Archivos leídos de la colección</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Dejar de leer</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder. What was read so far stays here.</source>
+        <translation>Dejar de leer esta carpeta. Lo ya leído queda aquí.</translation>
+    </message>
+    <message>
+        <source>Reading the collection…</source>
+        <translation>Leyendo la colección…</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
 </context>
 <context>
     <name>view::ColourButton</name>
@@ -4136,6 +4161,10 @@
     <message>
         <source>Nothing was pasted: there is no text on the clipboard.</source>
         <translation>No se pegó nada: no hay texto en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Leyendo lo pegado…</translation>
     </message>
 </context>
 <context>

@@ -1192,6 +1192,22 @@
         <source>Recover unsaved work</source>
         <translation>Récupérer le travail non enregistré</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>La lecture de «&#x202f;%1&#x202f;» a été annulée.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <translation>L’enregistrement de «&#x202f;%1&#x202f;» a été annulé. Le fichier sur le disque est resté tel quel.</translation>
+    </message>
 </context>
 <context>
     <name>Palette</name>
@@ -1271,21 +1287,6 @@
     </message>
 </context>
 <context>
-    <name>Reading</name>
-    <message>
-        <source>Reading “%1”…</source>
-        <translation>Lecture de « %1 »…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Reading “%1” was cancelled.</source>
-        <translation>La lecture de « %1 » a été annulée.</translation>
-    </message>
-</context>
-<context>
     <name>Recovery</name>
     <message>
         <source>%1, %2</source>
@@ -1315,6 +1316,10 @@
     <message>
         <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
         <translation>Le travail non enregistré ne peut pas être gardé pour la récupération : on ne peut pas écrire dans le dossier « %1 », ou le disque est plein. Enregistrez souvent.</translation>
+    </message>
+    <message>
+        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <translation>Un travail non enregistré de la dernière fois est endommagé et ne peut pas être récupéré. Ce qu’il en reste se trouve dans&#x202f;:</translation>
     </message>
 </context>
 <context>
@@ -3771,6 +3776,26 @@
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
         <translation>Des fractales pour commencer. Un double-clic ou Entrée en ouvre une dans cette fenêtre&#x202f;; le menu du bouton droit permet plutôt de l’ajouter au fichier.</translation>
     </message>
+    <message>
+        <source>Files of the collection that were read</source>
+        <translation>Fichiers de la collection déjà lus</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Arrêter la lecture</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder. What was read so far stays here.</source>
+        <translation>Arrêter la lecture de ce dossier. Ce qui a été lu reste ici.</translation>
+    </message>
+    <message>
+        <source>Reading the collection…</source>
+        <translation>Lecture de la collection…</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
+    </message>
 </context>
 <context>
     <name>view::ColourButton</name>
@@ -4136,6 +4161,10 @@
     <message>
         <source>Nothing was pasted: there is no text on the clipboard.</source>
         <translation>Rien n’a été collé : il n’y a pas de texte dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Lecture de ce qui a été collé…</translation>
     </message>
 </context>
 <context>

@@ -1196,6 +1196,22 @@
         <source>Recover unsaved work</source>
         <translation>Обновување на незачуваната работа</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>Reading “%1” was cancelled.</source>
+        <translation>Читањето на „%1“ е откажано.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Се зачувува „%1“…</translation>
+    </message>
+    <message>
+        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <translation>Зачувувањето на „%1“ е откажано. Датотеката на дискот е како што беше.</translation>
+    </message>
 </context>
 <context>
     <name>Palette</name>
@@ -1275,21 +1291,6 @@
     </message>
 </context>
 <context>
-    <name>Reading</name>
-    <message>
-        <source>Reading “%1”…</source>
-        <translation>Се чита „%1“…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Откажи</translation>
-    </message>
-    <message>
-        <source>Reading “%1” was cancelled.</source>
-        <translation>Читањето на „%1“ е откажано.</translation>
-    </message>
-</context>
-<context>
     <name>Recovery</name>
     <message>
         <source>%1, %2</source>
@@ -1319,6 +1320,10 @@
     <message>
         <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
         <translation>Незачуваната работа не може да се чува за обновување: во папката „%1“ не може да се запишува или дискот е полн. Зачувувајте често.</translation>
+    </message>
+    <message>
+        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <translation>Незачуваната работа од минатиот пат е оштетена и не може да се врати. Она што остана од неа се наоѓа во:</translation>
     </message>
 </context>
 <context>
@@ -3777,6 +3782,26 @@
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
         <translation>Фрактали за почеток. Двојно кликање или Enter го отвора фракталот во овој прозорец; менито на десното копче го додава во датотеката.</translation>
     </message>
+    <message>
+        <source>Files of the collection that were read</source>
+        <translation>Прочитани датотеки од збирката</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Запри со читање</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder. What was read so far stays here.</source>
+        <translation>Запри со читање на оваа папка. Прочитаното останува тука.</translation>
+    </message>
+    <message>
+        <source>Reading the collection…</source>
+        <translation>Се чита збирката…</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
 </context>
 <context>
     <name>view::ColourButton</name>
@@ -4148,6 +4173,10 @@
     <message>
         <source>Nothing was pasted: there is no text on the clipboard.</source>
         <translation>Ништо не е вметнато: нема текст на таблата со исечоци.</translation>
+    </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Се чита вметнатото…</translation>
     </message>
 </context>
 <context>

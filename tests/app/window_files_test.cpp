@@ -19,8 +19,10 @@
 #include <QPrintPreviewDialog>
 #include <QProcess>
 #include <QProgressDialog>
+#include <QSemaphore>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 #include <QTimer>
 #include <QUndoStack>
 
@@ -94,7 +96,9 @@ private slots:
     void recoveredWorkKeepsThePathOfAFileThatIsGone();
     void unsavedWorkIsKeptWithinTwoSeconds();
     void aKilledEditorLeavesItsWork();
+    void damagedWorkIsSaidOnce();
     void aLargeFileIsReadBesideTheWindow();
+    void aLargeFileIsSavedBesideTheWindow();
     void aWindowMayCloseWhileItDrawsForPaper();
 
 private:
@@ -211,6 +215,26 @@ void WindowFilesTest::aKilledEditorLeavesItsWork() {
     QCOMPARE(contents(m_path), twoEntries);
 }
 
+void WindowFilesTest::damagedWorkIsSaidOnce() {
+    QVERIFY(QDir().mkpath(Recovery::folder()));
+    const QDir folder(Recovery::folder());
+    put(folder.filePath(QStringLiteral("old.journal")), "barycage-journal 1\n{}\nhalf of it");
+    QStringList said;
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, &answering, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box) return;
+        said << box->informativeText();
+        box->close();
+    });
+    answering.start(10);
+    for (int start = 0; start < 2; ++start)
+        QVERIFY(Recovery::ask().isEmpty());
+    const QString kept = folder.filePath(QStringLiteral("old.damaged"));
+    QCOMPARE(said, QStringList{QDir::toNativeSeparators(kept)});
+    QVERIFY(contents(kept).endsWith("half of it"));
+}
+
 // The window lives meanwhile, and does not close; reading can be cancelled, and then all is as before.
 void WindowFilesTest::aLargeFileIsReadBesideTheWindow() {
     MainWindow* window = opened();
@@ -240,8 +264,44 @@ void WindowFilesTest::aLargeFileIsReadBesideTheWindow() {
     QCOMPARE(window->document().file().entries.size(), 100'000);
 }
 
+// Cancelling leaves the file as it was, and the work unsaved.
+void WindowFilesTest::aLargeFileIsSavedBesideTheWindow() {
+    const QByteArray large = QByteArray("many { .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5 }\n").repeated(100'000);
+    put(m_path, large);
+    MainWindow* window = opened();
+    rename(window, QStringLiteral("mine"));
+    int seen = 0;
+    bool cancelling = true;
+    QTimer looking;
+    connect(&looking, &QTimer::timeout, &looking, [&] {
+        auto* progress = window->findChild<QProgressDialog*>();
+        if (!progress || !progress->labelText().startsWith(QStringLiteral("Saving"))) return;
+        ++seen;
+        QVERIFY(!window->close());
+        if (cancelling) emit progress->canceled();
+    });
+    looking.start(1);
+    trigger(window, QKeySequence::Save);
+    QVERIFY(seen > 0);
+    QCOMPARE(contents(m_path), large);
+    QVERIFY(window->document().isModified());
+    QCOMPARE(window->findChildren<QMessageBox*>().size(), 1); // it is said
+    window->findChildren<QMessageBox*>().first()->close();
+    cancelling = false;
+    trigger(window, QKeySequence::Save);
+    QVERIFY(contents(m_path).startsWith("mine {"));
+    QVERIFY(!window->document().isModified());
+    QTRY_COMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden),
+                 QStringList{QStringLiteral("two.ifs")});
+}
+
 void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
     const QPointer<MainWindow> window = opened();
+    QThreadPool* pool = QThreadPool::globalInstance(); // too busy to begin
+    QSemaphore gate;
+    QVERIFY(pool->waitForDone());
+    for (int i = 0; i < pool->maxThreadCount(); ++i)
+        pool->start([&gate] { gate.acquire(); });
     QTimer closing;
     connect(&closing, &QTimer::timeout, &closing, [&] {
         if (!window->findChild<QProgressDialog*>()) return;
@@ -251,6 +311,8 @@ void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
     closing.start(0);
     trigger(window, QKeySequence::Print);
     QVERIFY(!window);
+    gate.release(pool->maxThreadCount());
+    QVERIFY(pool->waitForDone());
     for (const QWidget* widget : QApplication::topLevelWidgets())
         QVERIFY(!qobject_cast<const QPrintPreviewDialog*>(widget));
 }

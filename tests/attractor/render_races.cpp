@@ -51,9 +51,9 @@ bool newestWins() {
 
 bool queueFinishes() {
     std::atomic<int> drawn = 0;
-    RenderQueue queue([&](std::uint64_t, const std::shared_ptr<const Frame>&) { ++drawn; });
+    RenderQueue queue;
     for (std::uint64_t key = 0; key < 20; ++key)
-        queue.submit(key, numbered(key, 2));
+        queue.submit(key, {[key] { return numbered(key, 2); }, [&](const auto&) { ++drawn; }});
     return eventually([&] { return drawn == 20; });
 }
 

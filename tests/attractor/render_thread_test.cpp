@@ -29,7 +29,9 @@ template <class Condition> bool eventually(Condition condition) {
     return false;
 }
 
-RenderRequest numbered(std::uint64_t revision, std::uint64_t samples = 20'000) {
+constexpr std::uint64_t usual = 20'000;
+
+RenderRequest numbered(std::uint64_t revision, std::uint64_t samples = usual) {
     RenderRequest request = systems::request(systems::maple(), samples, 64, 48);
     request.revision = revision;
     return request;
@@ -170,12 +172,13 @@ private slots:
     void queueDrawsInOrder() {
         std::mutex mutex;
         std::vector<std::uint64_t> keys;
-        RenderQueue queue([&](std::uint64_t key, const std::shared_ptr<const Frame>& frame) {
-            const std::lock_guard lock(mutex);
-            if (frame->pixels.size() == 64 * 48) keys.push_back(key);
-        });
+        RenderQueue queue;
         for (std::uint64_t key = 1; key <= 20; ++key)
-            queue.submit(key, numbered(key));
+            queue.submit(key, {[key] { return numbered(key); },
+                               [&, key](const std::shared_ptr<const Frame>& frame) {
+                                   const std::lock_guard lock(mutex);
+                                   if (frame->pixels.size() == 64 * 48) keys.push_back(key);
+                               }});
         QVERIFY(eventually([&] {
             const std::lock_guard lock(mutex);
             return keys.size() == 20;
@@ -184,16 +187,33 @@ private slots:
             QCOMPARE(keys[key - 1], key);
     }
 
+    void requestsAreMadeWhereTheyAreDrawn() {
+        std::atomic<bool> isElsewhere = false;
+        std::atomic<bool> isNothing = false;
+        RenderQueue queue;
+        queue.submit(1, {[&, here = std::this_thread::get_id()]() -> std::optional<RenderRequest> {
+                             isElsewhere = std::this_thread::get_id() != here;
+                             return std::nullopt;
+                         },
+                         [&](const std::shared_ptr<const Frame>& frame) { isNothing = !frame; }});
+        QVERIFY(eventually([&] { return isNothing.load(); }));
+        QVERIFY(isElsewhere);
+    }
+
     void cancelledRequestsAreNotDrawn() {
         std::mutex mutex;
         std::set<std::uint64_t> keys;
-        RenderQueue queue([&](std::uint64_t key, const std::shared_ptr<const Frame>&) {
-            const std::lock_guard lock(mutex);
-            keys.insert(key);
-        });
-        queue.submit(1, numbered(1, 1'000'000'000'000)); // holds the thread up
-        queue.submit(2, numbered(2));
-        queue.submit(3, numbered(3));
+        RenderQueue queue;
+        const auto submit = [&](std::uint64_t key, std::uint64_t samples = usual) {
+            queue.submit(key, {[=] { return numbered(key, samples); },
+                               [&, key](const auto&) {
+                                   const std::lock_guard lock(mutex);
+                                   keys.insert(key);
+                               }});
+        };
+        submit(1, 1'000'000'000'000); // holds the thread up
+        submit(2);
+        submit(3);
         queue.cancel(2);
         queue.cancel(1);
         QVERIFY(eventually([&] {
@@ -201,10 +221,10 @@ private slots:
             return keys.contains(3);
         }));
         QVERIFY(!keys.contains(1) && !keys.contains(2));
-        queue.submit(4, numbered(4, 1'000'000'000'000));
-        queue.submit(5, numbered(5));
+        submit(4, 1'000'000'000'000);
+        submit(5);
         queue.clear();
-        queue.submit(6, numbered(6));
+        submit(6);
         QVERIFY(eventually([&] {
             const std::lock_guard lock(mutex);
             return keys.contains(6);

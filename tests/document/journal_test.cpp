@@ -24,6 +24,7 @@ private slots:
     void leftoversAreTakenAway();
     void discardedWorkIsNotOffered();
     void damagedJournalsAreIgnored();
+    void damagedJournalsAreSetAside();
     void onlyTheOwnerMayRead();
     void aFolderThatMayNotBeWrittenIsSaid();
     void hostileRecoveryFilesAreIgnored();
@@ -135,6 +136,32 @@ void JournalTest::damagedJournalsAreIgnored() {
         file.flush();
         QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty());
     }
+}
+
+// The one that is damaged, not what is offered, nor a living window's; and once.
+void JournalTest::damagedJournalsAreSetAside() {
+    const QTemporaryDir folder;
+    const auto written = [&](const QByteArray& bytes) {
+        QFile file(folder.filePath(QString::fromLatin1(bytes) + QStringLiteral(".journal")));
+        return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+    };
+    QVERIFY(written("broken"));
+    Journal living(folder.path());
+    QVERIFY(living.write(snapshot("a")));
+    { // whole, of a process that is gone
+        Journal gone(folder.path());
+        QVERIFY(gone.write(snapshot("b")));
+    }
+    const QString aside = folder.filePath(QStringLiteral("broken.damaged"));
+    QCOMPARE(document::setDamagedAside(folder.path()), QStringList{aside});
+    QFile kept(aside);
+    QVERIFY(kept.open(QIODevice::ReadOnly));
+    QCOMPARE(kept.readAll(), QByteArray("broken"));
+    QVERIFY(document::setDamagedAside(folder.path()).isEmpty());
+    const auto offered = document::abandonedSnapshots(folder.path());
+    QCOMPARE(offered.size(), 1);
+    QCOMPARE(offered.first().snapshot.bytes, QByteArray("b"));
+    QVERIFY(QFile::exists(aside));
 }
 
 // Whatever the umask, and when the folder is there already.

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <array>
 #include <memory>
 
 #ifdef Q_OS_UNIX
@@ -15,6 +16,10 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#endif
+#ifdef Q_OS_LINUX
+#include <cerrno>
+#include <sys/xattr.h>
 #endif
 
 namespace {
@@ -29,6 +34,29 @@ void put(const QString& path, const QByteArray& bytes) {
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
         qFatal("cannot prepare %s", qPrintable(path));
 }
+
+#ifdef Q_OS_LINUX
+// As the kernel takes it: the owner reads and writes, one other user reads, nobody else does.
+QByteArray accessList(quint32 user) {
+    QByteArray bytes;
+    const auto number = [&bytes](quint32 value, int size) {
+        for (int i = 0; i < size; ++i)
+            bytes += char(value >> (8 * i));
+    };
+    constexpr quint32 nobody = 0xffffffff;
+    number(2, 4); // version
+    for (const auto& [tag, rights, id] : {std::array<quint32, 3>{0x01, 6, nobody},
+                                          {0x02, 4, user},
+                                          {0x04, 0, nobody},
+                                          {0x10, 4, nobody},
+                                          {0x20, 0, nobody}}) {
+        number(tag, 2);
+        number(rights, 2);
+        number(id, 4);
+    }
+    return bytes;
+}
+#endif
 
 QStringList everythingIn(const QString& folder) {
     return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
@@ -159,6 +187,54 @@ private slots:
         QCOMPARE(contents(m_path), QByteArray("old"));
         QCOMPARE(everythingIn(m_folder->path()), QStringList{QStringLiteral("a.ifs")});
     }
+
+#ifdef Q_OS_LINUX
+    void keepsExtendedAttributes() {
+        put(m_path, "old");
+        const QByteArray path = QFile::encodeName(m_path);
+        const QByteArray much(3000, 'x');
+        if (::setxattr(path, "user.barycage.tag", "a\0b", 3, 0) != 0) {
+            QCOMPARE(errno, ENOTSUP);
+            QSKIP("this file system has none");
+        }
+        QCOMPARE(::setxattr(path, "user.barycage.empty", "", 0, 0), 0);
+        QCOMPARE(::setxattr(path, "user.barycage.long", much, std::size_t(much.size()), 0), 0);
+        QCOMPARE(io::saveFile(m_path, "new"), io::Failure());
+        QCOMPARE(contents(m_path), QByteArray("new"));
+        char value[4000];
+        QCOMPARE(::getxattr(path, "user.barycage.tag", value, sizeof value), 3);
+        QCOMPARE(QByteArray(value, 3), QByteArray("a\0b", 3));
+        QCOMPARE(::getxattr(path, "user.barycage.empty", value, sizeof value), 0);
+        QCOMPARE(::getxattr(path, "user.barycage.long", value, sizeof value), much.size());
+        QCOMPARE(QByteArray(value, much.size()), much);
+    }
+
+    // The one of the file, and not one that the folder gives to new files.
+    void keepsAccessControlLists() {
+        put(m_path, "old");
+        const QByteArray path = QFile::encodeName(m_path);
+        const QByteArray folder = QFile::encodeName(m_folder->path());
+        const QByteArray list = accessList(12345);
+        if (::setxattr(path, "system.posix_acl_access", list, std::size_t(list.size()), 0) != 0) {
+            QCOMPARE(errno, ENOTSUP);
+            QSKIP("this file system has none");
+        }
+        const QByteArray given = accessList(54321);
+        QCOMPARE(::setxattr(folder, "system.posix_acl_default", given, std::size_t(given.size()), 0), 0);
+        QCOMPARE(io::saveFile(m_path, "new"), io::Failure());
+        char value[200];
+        QCOMPARE(::getxattr(path, "system.posix_acl_access", value, sizeof value), list.size());
+        QCOMPARE(QByteArray(value, list.size()), list);
+
+        QCOMPARE(::removexattr(path, "system.posix_acl_access"), 0);
+        QCOMPARE(::chmod(path, 0640), 0);
+        QCOMPARE(io::saveFile(m_path, "newer"), io::Failure());
+        QCOMPARE(::getxattr(path, "system.posix_acl_access", value, sizeof value), -1);
+        struct stat status {};
+        QCOMPARE(::stat(path, &status), 0);
+        QCOMPARE(status.st_mode & 07777, 0640U);
+    }
+#endif
 
     void devicesAreNotReplaced() {
         const io::Failure failure = io::saveFile(QStringLiteral("/dev/null"), "x");

@@ -14,10 +14,12 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QMimeData>
+#include <QProgressBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 using namespace Qt::StringLiterals;
 using view::CollectionModel;
@@ -25,8 +27,8 @@ using view::CollectionPanel;
 
 namespace {
 
-view::CollectionTheme theme(const QString& title, const QStringList& names) {
-    view::CollectionTheme result;
+io::CollectionTheme theme(const QString& title, const QStringList& names) {
+    io::CollectionTheme result;
     result.title = title;
     for (const QString& name : names) {
         document::Fractal fractal = document::sierpinskiTriangle();
@@ -37,6 +39,20 @@ view::CollectionTheme theme(const QString& title, const QStringList& names) {
         result.entries.append(entry);
     }
     return result;
+}
+
+int bundledRows() {
+    int rows = 0;
+    for (const QString& path : io::bundledCollection())
+        rows += 1 + int(io::readTheme(path).entries.size());
+    return rows;
+}
+
+void writeEntries(const QString& path, int count) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) qFatal("no test file");
+    for (int i = 0; i < count; ++i)
+        file.write("e" + QByteArray::number(i) + " { .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5 }\n");
 }
 
 } // namespace
@@ -53,6 +69,8 @@ private slots:
     void arrowsSkipTitles();
     void asksOnlyForWhatIsSeen();
     void ownFolders();
+    void readsBesideTheWindow();
+    void readingCanBeStopped();
     void dragsAsText();
     void favouritesAreKept();
 };
@@ -63,12 +81,12 @@ void CollectionPanelTest::initTestCase() {
 }
 
 void CollectionPanelTest::everyBundledEntryIsReadable() {
-    const QStringList paths = view::bundledCollection();
+    const QStringList paths = io::bundledCollection();
     QVERIFY(paths.size() >= 8);
     QVERIFY(paths.front().endsWith(u"paper.ifs"_s));
     qsizetype count = 0;
     for (const QString& path : paths) {
-        const view::CollectionTheme theme = view::readTheme(path);
+        const io::CollectionTheme theme = io::readTheme(path);
         QVERIFY2(!theme.title.isEmpty() && !theme.entries.isEmpty(), qPrintable(path));
         for (const document::Entry& entry : theme.entries) {
             QVERIFY2(document::dimension(*entry.fractal) == 2, qPrintable(entry.fractal->name));
@@ -83,7 +101,7 @@ void CollectionPanelTest::modelGroupsByTheme() {
     view::Thumbnails thumbnails;
     CollectionModel model(&thumbnails);
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    view::CollectionTheme withBroken = theme(u"Ferns"_s, {u"a"_s, u"b"_s});
+    io::CollectionTheme withBroken = theme(u"Ferns"_s, {u"a"_s, u"b"_s});
     withBroken.entries.append(
         {document::EntryId::None, std::make_shared<const document::Fractal>(), nullptr, {}});
     model.append(withBroken);
@@ -182,9 +200,9 @@ void CollectionPanelTest::asksOnlyForWhatIsSeen() {
     auto* grid = panel.findChild<QListView*>();
     auto* thumbnails = panel.findChild<view::Thumbnails*>();
     QTRY_VERIFY(grid->model()->rowCount() > 100);
-    QTRY_VERIFY(thumbnails->submitted() > 0);
+    QTRY_VERIFY(thumbnails->drawn() > 0);
     QTRY_COMPARE_WITH_TIMEOUT(thumbnails->pending(), 0, 20000);
-    QVERIFY2(thumbnails->submitted() < 60, qPrintable(QString::number(thumbnails->submitted())));
+    QVERIFY2(thumbnails->drawn() < 60, qPrintable(QString::number(thumbnails->drawn())));
 }
 
 void CollectionPanelTest::ownFolders() {
@@ -209,6 +227,43 @@ void CollectionPanelTest::ownFolders() {
     later.removeFolder(folder.path());
     QVERIFY(!isShown(later));
     QVERIFY(CollectionPanel().folders().isEmpty());
+}
+
+// Nothing is read before the thread of the window goes on, and a panel may go while it is read.
+void CollectionPanelTest::readsBesideTheWindow() {
+    const QTemporaryDir folder;
+    for (const QString& name : {u"a"_s, u"b"_s, u"c"_s})
+        writeEntries(folder.filePath(name + u".ifs"_s), 2000);
+    {
+        CollectionPanel panel;
+        auto* grid = panel.findChild<QListView*>();
+        const int before = bundledRows();
+        QTRY_COMPARE(grid->model()->rowCount(), before);
+        panel.addFolder(folder.path());
+        QCOMPARE(grid->model()->rowCount(), before);
+        QTRY_COMPARE(grid->model()->rowCount(), before + 3 * 2001);
+        QCOMPARE(grid->model()->index(before + 2001, 0).data().toString(), u"b"_s);
+    }
+    const CollectionPanel other;
+    const CollectionPanel another;
+}
+
+void CollectionPanelTest::readingCanBeStopped() {
+    QSettings().clear();
+    const QTemporaryDir folder;
+    writeEntries(folder.filePath(u"a.ifs"_s), 2);
+    writeEntries(folder.filePath(u"b.ifs"_s), 20'000);
+    CollectionPanel panel;
+    const auto* rows = panel.findChild<QListView*>()->model();
+    const int before = bundledRows();
+    QTRY_COMPARE(rows->rowCount(), before);
+    auto* stop = panel.findChild<QProgressBar*>()->parentWidget()->findChild<QToolButton*>();
+    panel.addFolder(folder.path());
+    connect(rows, &QAbstractItemModel::rowsInserted, stop, &QToolButton::click);
+    QTRY_COMPARE(rows->rowCount(), before + 3); // a title and the entries of the first file
+    QTest::qWait(300);
+    QCOMPARE(rows->rowCount(), before + 3);
+    QCOMPARE(panel.folders(), QStringList{folder.path()});
 }
 
 void CollectionPanelTest::dragsAsText() {

@@ -90,7 +90,7 @@ void ThumbnailsTest::asksOncePerValue() {
     for (int i = 0; i < 20; ++i)
         thumbnails.thumbnail(1, fractal);
     QTRY_COMPARE(thumbnails.pending(), 0);
-    QCOMPARE(thumbnails.submitted(), std::uint64_t{1});
+    QCOMPARE(thumbnails.drawn(), std::uint64_t{1});
 }
 
 void ThumbnailsTest::sameLookNeedsNoNewPicture() {
@@ -226,7 +226,7 @@ void ThumbnailsTest::aCachedPictureIsNotDrawnAgain() {
         return none;
     }());
     QImage first;
-    for (const std::uint64_t drawn : {1, 0}) {
+    for (const std::uint64_t expected : {1, 0}) {
         Thumbnails thumbnails;
         thumbnails.setCache(std::make_unique<io::ThumbnailCache>(folder.path()));
         thumbnails.setSize(48, 1);
@@ -234,7 +234,7 @@ void ThumbnailsTest::aCachedPictureIsNotDrawnAgain() {
         thumbnails.thumbnail(2, empty);
         QTRY_COMPARE(thumbnails.thumbnail(1, fractal).state, Thumbnail::State::Ready);
         QTRY_COMPARE(thumbnails.thumbnail(2, empty).state, Thumbnail::State::NoAttractor);
-        QCOMPARE(thumbnails.submitted(), drawn);
+        QCOMPARE(thumbnails.drawn(), expected);
         const QImage image = thumbnails.thumbnail(1, fractal).pixmap.toImage();
         if (first.isNull()) first = image;
         QCOMPARE(image, first);

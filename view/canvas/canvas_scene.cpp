@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace view {
@@ -24,6 +25,8 @@ namespace view {
 namespace {
 
 using Kind = CanvasPart::Kind;
+
+constexpr std::size_t mostHints = 1000; // at selected maps that are not taken: more would hide the picture
 
 struct Radii {
     double handle;
@@ -417,10 +420,12 @@ void CanvasScene::placeMaps() {
         add(m_branchHandles->handles, m_branchHandles->place, 0,
             m_mapColours.at(std::size_t(m_branch.front())), true);
     }
-    for (int place = 0; m_taken != Taken::Branch && place < mapCount(); ++place) {
-        if (m_taken != Taken::Maps && !isSelected(place)) continue;
-        const auto index = std::size_t(place);
-        add(*m_handles, index, place, m_mapColours.at(index), isSelected(place));
+    std::vector<bool> isChosen(std::size_t(mapCount()), false);
+    for (const std::size_t place : selectedPlaces())
+        isChosen[place] = true;
+    for (std::size_t place = 0; m_taken != Taken::Branch && place < isChosen.size(); ++place) {
+        if (m_taken != Taken::Maps && (!isChosen[place] || frames.size() >= mostHints)) continue;
+        add(*m_handles, place, int(place), m_mapColours.at(place), isChosen[place]);
     }
     m_mapFrames->setFrames(std::move(frames),
                            m_taken == Taken::Cage ? MapFramesItem::Mode::Hint : MapFramesItem::Mode::Held);
@@ -472,11 +477,11 @@ ifs::Word CanvasScene::addressAt(const QPointF& position) {
 std::vector<ifs::Vector<2>> CanvasScene::takenPoints() const {
     if (!m_cage) return {};
     if (m_taken == Taken::Cage) return m_cage->current;
+    if (m_taken == Taken::Branch) return m_branchHandles ? childCorners(0) : std::vector<ifs::Vector<2>>();
     std::vector<ifs::Vector<2>> points;
-    for (int child = 0; child < childCount(); ++child)
-        if (isChildSelected(child))
-            for (const ifs::Vector<2>& corner : childCorners(child))
-                points.push_back(corner);
+    for (const std::size_t place : selectedPlaces())
+        for (const ifs::Vector<2>& corner : m_handles->corners(place))
+            points.push_back(corner);
     return points;
 }
 
@@ -492,16 +497,20 @@ void CanvasScene::setTaken(Taken taken) {
 }
 
 void CanvasScene::setSelectedMaps(const std::vector<ifs::MapId>& maps) {
+    const std::set<ifs::MapId> selected(maps.begin(), maps.end());
     std::vector<std::size_t> places;
     for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)
-        if (std::ranges::find(maps, m_handles->maps()[place].id) != maps.end()) places.push_back(place);
+        if (selected.contains(m_handles->maps()[place].id)) places.push_back(place);
     setSelectedPlaces(places);
 }
 
 void CanvasScene::setSelectedPlaces(const std::vector<std::size_t>& places) {
+    std::vector<bool> isWanted(std::size_t(mapCount()), false);
+    for (const std::size_t place : places)
+        if (place < isWanted.size()) isWanted[place] = true;
     std::vector<ifs::MapId> selected;
-    for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)
-        if (std::ranges::find(places, place) != places.end()) selected.push_back(m_handles->maps()[place].id);
+    for (std::size_t place = 0; place < isWanted.size(); ++place)
+        if (isWanted[place]) selected.push_back(m_handles->maps()[place].id);
     if (selected == m_selectedMaps) return;
     m_selectedMaps = std::move(selected);
     if (m_taken == Taken::Maps) m_pivot.reset();
@@ -511,8 +520,12 @@ void CanvasScene::setSelectedPlaces(const std::vector<std::size_t>& places) {
 
 std::vector<std::size_t> CanvasScene::selectedPlaces() const {
     std::vector<std::size_t> places;
-    for (int place = 0; place < mapCount(); ++place)
-        if (isSelected(place)) places.push_back(std::size_t(place));
+    auto next = m_selectedMaps.begin(); // they are in the order of the places
+    for (std::size_t place = 0; place < std::size_t(mapCount()) && next != m_selectedMaps.end(); ++place)
+        if (m_handles->maps()[place].id == *next) {
+            places.push_back(place);
+            ++next;
+        }
     return places;
 }
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/print_fractal.h"
 
+#include "dialogs/wait_for.h"
 #include "io/export_job.h"
 
 #include <QCoreApplication>
-#include <QEventLoop>
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QPointer>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
-#include <QProgressDialog>
 
 #include <algorithm>
 #include <array>
@@ -136,27 +134,9 @@ io::PngExport pictureFor(const document::Fractal& fractal, attractor::Camera cam
 
 // Null when the user has changed their mind, or closed the window.
 QImage drawn(const io::PngExport& picture, QWidget* parent) {
-    const QPointer progress =
-        new QProgressDialog(Text::tr("Drawing the picture…"), Text::tr("Cancel"), 0, 0, parent);
-    progress->setWindowModality(Qt::WindowModal);
-    QImage image;
-    QEventLoop loop;
-    io::DrawingJob job(picture, [&](const io::Picture& done) {
-        QMetaObject::invokeMethod(
-            &loop,
-            [&, finished = done.image] {
-                image = finished;
-                loop.quit();
-            },
-            Qt::QueuedConnection);
-    });
-    QObject::connect(progress, &QProgressDialog::canceled, &loop, [&job] { job.stop(); });
-    QObject::connect(progress, &QObject::destroyed, &loop, [&job] { job.stop(); });
-    progress->show();
-    loop.exec();
-    if (!progress) return {};
-    delete progress.data();
-    return image;
+    QFuture<QImage> drawing = io::drawBeside(picture);
+    if (!waitFor(QFuture<void>(drawing), Text::tr("Drawing the picture…"), parent)) return {};
+    return drawing.takeResult();
 }
 
 } // namespace

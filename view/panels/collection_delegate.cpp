@@ -64,12 +64,17 @@ void CollectionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
 
 QSize CollectionDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     if (!isHeading(index))
-        return {pictureSide + 2 * padding,
-                pictureSide + 3 * padding + QFontMetrics(nameFont(option.font)).height()};
-    const int height = QFontMetrics(headingFont(option.font)).height() + 4 * padding;
+        return {pictureSide + 2 * padding, pictureSide + 3 * padding + heights(option.font).name};
+    const int height = heights(option.font).heading + 4 * padding;
     const auto* list = qobject_cast<const QListView*>(option.widget);
     const int width = list ? list->viewport()->width() - 2 * list->spacing() - 1 : 200;
     return {qMax(width, pictureSide), height}; // alone in its row
+}
+
+const CollectionDelegate::Heights& CollectionDelegate::heights(const QFont& font) const {
+    if (m_heights.name == 0 || m_heights.font != font)
+        m_heights = {font, QFontMetrics(nameFont(font)).height(), QFontMetrics(headingFont(font)).height()};
+    return m_heights;
 }
 
 void CollectionDelegate::paintHeading(QPainter* painter, const QStyleOptionViewItem& option,

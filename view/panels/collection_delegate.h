@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QFont>
 #include <QStyledItemDelegate>
 
 namespace view {
@@ -19,8 +20,16 @@ public:
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 private:
+    struct Heights { // of a line of text; every entry of a long list asks for them
+        QFont font;
+        int name = 0;
+        int heading = 0;
+    };
+    const Heights& heights(const QFont& font) const;
     void paintHeading(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintEntry(QPainter* painter, QStyleOptionViewItem option, const QModelIndex& index) const;
+
+    mutable Heights m_heights;
 };
 
 } // namespace view

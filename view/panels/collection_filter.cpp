@@ -9,12 +9,12 @@ namespace view {
 
 void CollectionFilter::setWords(const QString& words) {
     m_words = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    invalidateFilter();
+    invalidate();
 }
 
 void CollectionFilter::setOnlyFavourites(bool only) {
     m_onlyFavourites = only;
-    invalidateFilter();
+    invalidate();
 }
 
 bool CollectionFilter::filterAcceptsRow(int row, const QModelIndex&) const {

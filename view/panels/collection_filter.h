@@ -6,7 +6,8 @@
 namespace view {
 
 // Entries that contain every word searched for (and are favourites, when only these are wanted), and the
-// titles of themes that have such entries.
+// titles of themes that have such entries. Rows come and go all at once: one by one, long lists would take
+// long.
 class CollectionFilter : public QSortFilterProxyModel {
     Q_OBJECT
 

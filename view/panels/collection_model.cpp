@@ -2,6 +2,7 @@
 #include "panels/collection_model.h"
 
 #include "clipboard.h"
+#include "io/background.h"
 
 #include <QMimeData>
 
@@ -47,7 +48,7 @@ CollectionModel::CollectionModel(Thumbnails* thumbnails, QObject* parent)
     });
 }
 
-void CollectionModel::append(const CollectionTheme& theme, const QString& folder) {
+void CollectionModel::append(const io::CollectionTheme& theme, const QString& folder) {
     QList<Row> rows{{0, theme.title, theme.description, folder, {}}};
     for (const document::Entry& entry : theme.entries)
         if (isReadable(entry)) rows.append({++m_lastKey, theme.title, {}, folder, entry});
@@ -64,6 +65,7 @@ void CollectionModel::removeFolder(const QString& folder) {
         while (row > 0 && m_rows[row - 1].folder == folder)
             --row;
         beginRemoveRows({}, row, last);
+        io::letGo(m_rows.mid(row, last - row + 1));
         m_rows.remove(row, last - row + 1);
         endRemoveRows();
     }

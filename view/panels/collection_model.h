@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "panels/collection_source.h"
+#include "io/collection_source.h"
 #include "thumbnails.h"
 
 #include <QAbstractListModel>
@@ -24,7 +24,7 @@ public:
 
     explicit CollectionModel(Thumbnails* thumbnails, QObject* parent = nullptr); // which must outlive it
 
-    void append(const CollectionTheme& theme, const QString& folder = {});
+    void append(const io::CollectionTheme& theme, const QString& folder = {});
     void removeFolder(const QString& folder);
 
     // What the user likes, by folder, theme and name.

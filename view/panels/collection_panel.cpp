@@ -12,20 +12,25 @@
 #include <QAction>
 #include <QEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
+#include <QProgressBar>
 #include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <chrono>
 
 namespace view {
 namespace {
 
 const QString foldersKey = QStringLiteral("collection/folders");
 const QString favouritesKey = QStringLiteral("collection/favourites");
+constexpr std::chrono::milliseconds patience{400}; // before reading is worth a word
 
 } // namespace
 
@@ -36,7 +41,8 @@ CollectionPanel::CollectionPanel(QWidget* parent)
       m_filtered(new CollectionFilter(this)),
       m_search(new QLineEdit(this)),
       m_grid(new QListView(this)),
-      m_whyEmpty(new QLabel(m_grid->viewport())) {
+      m_whyEmpty(new QLabel(m_grid->viewport())),
+      m_progress(createProgress()) {
     setAccessibleName(tr("Collection"));
     m_thumbnails->setCache(std::make_unique<io::ThumbnailCache>(io::ThumbnailCache::usualFolder()));
     m_search->setAccessibleName(tr("Search the collection"));
@@ -53,16 +59,19 @@ CollectionPanel::CollectionPanel(QWidget* parent)
     layout->setSpacing(4);
     layout->addWidget(m_search);
     layout->addWidget(m_grid, 1);
+    layout->addWidget(m_progress);
     layout->addWidget(createButtons());
 
-    m_readTimer.setInterval(0);
-    connect(&m_readTimer, &QTimer::timeout, this, &CollectionPanel::readNext);
     m_model->setFavourites(QSettings().value(favouritesKey).toStringList());
-    queue(bundledCollection(), {});
+    read({});
     m_folders = QSettings().value(foldersKey).toStringList();
     for (const QString& folder : std::as_const(m_folders))
-        queue(collectionIn(folder), folder);
+        read(folder);
     updateActions();
+}
+
+CollectionPanel::~CollectionPanel() {
+    m_reading.cancel(); // the thread needs nothing of this
 }
 
 void CollectionPanel::createGrid() {
@@ -161,6 +170,38 @@ QWidget* CollectionPanel::createButtons() {
     return bar;
 }
 
+QWidget* CollectionPanel::createProgress() {
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    m_done = new QProgressBar(row);
+    m_done->setAccessibleName(tr("Files of the collection that were read"));
+    layout->addWidget(m_done, 1);
+    auto* stop = new QToolButton(row);
+    stop->setIcon(icon(QStringLiteral("close")));
+    stop->setIconSize({18, 18});
+    stop->setAutoRaise(true);
+    stop->setAccessibleName(tr("Stop reading"));
+    stop->setToolTip(tr("Stop reading this folder. What was read so far stays here."));
+    stop->setStatusTip(stop->toolTip());
+    layout->addWidget(stop);
+    row->hide();
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(patience);
+    connect(&m_patience, &QTimer::timeout, row, &QWidget::show);
+    connect(stop, &QToolButton::clicked, &m_reading, &QFutureWatcherBase::cancel);
+    connect(&m_reading, &QFutureWatcherBase::progressRangeChanged, m_done, &QProgressBar::setRange);
+    connect(&m_reading, &QFutureWatcherBase::progressValueChanged, m_done, &QProgressBar::setValue);
+    connect(&m_reading, &QFutureWatcherBase::resultReadyAt, this, &CollectionPanel::take);
+    connect(&m_reading, &QFutureWatcherBase::finished, this, [this] {
+        if (m_unread.isEmpty()) return; // it was none
+        m_unread.removeFirst();
+        readNext();
+    });
+    return row;
+}
+
 void CollectionPanel::showContextMenu(const QPoint& position) {
     QMenu menu(this);
     menu.addActions({m_open, m_add, m_favourite});
@@ -179,29 +220,41 @@ void CollectionPanel::addFolder(const QString& folder) {
     if (folder.isEmpty() || m_folders.contains(folder)) return;
     m_folders.append(folder);
     saveFolders();
-    queue(collectionIn(folder), folder);
+    read(folder);
 }
 
 void CollectionPanel::removeFolder(const QString& folder) {
     m_folders.removeAll(folder);
     saveFolders();
-    m_unread.removeIf([&folder](const Unread& unread) { return unread.folder == folder; });
+    const qsizetype place = m_unread.lastIndexOf(folder);
+    if (place == 0)
+        m_reading.cancel();
+    else if (place > 0)
+        m_unread.removeAt(place);
     m_model->removeFolder(folder);
 }
 
-void CollectionPanel::queue(const QStringList& paths, const QString& folder) {
-    for (const QString& path : paths)
-        m_unread.append({path, folder});
-    if (!m_unread.isEmpty()) m_readTimer.start();
+void CollectionPanel::read(const QString& folder) {
+    m_unread.append(folder);
+    if (m_unread.size() == 1) readNext();
 }
 
 void CollectionPanel::readNext() {
+    m_patience.stop();
+    m_progress->hide();
     if (m_unread.isEmpty()) {
-        m_readTimer.stop();
+        m_reading.setFuture({}); // what was read is no longer kept for it
         return;
     }
-    const Unread next = m_unread.takeFirst();
-    m_model->append(readTheme(next.path), next.folder);
+    const QString& folder = m_unread.first();
+    m_done->setFormat(folder.isEmpty() ? tr("Reading the collection…")
+                                       : tr("Reading “%1”…").arg(QFileInfo(folder).fileName()));
+    m_patience.start();
+    m_reading.setFuture(io::readThemes(folder));
+}
+
+void CollectionPanel::take(int theme) {
+    if (!m_reading.isCanceled()) m_model->append(m_reading.resultAt(theme), m_unread.first());
 }
 
 void CollectionPanel::chooseFolder() {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
+#include "io/collection_source.h"
 
+#include <QFutureWatcher>
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
@@ -11,6 +12,7 @@ class QAction;
 class QLabel;
 class QLineEdit;
 class QListView;
+class QProgressBar;
 
 namespace view {
 
@@ -25,6 +27,7 @@ class CollectionPanel : public QWidget {
 
 public:
     explicit CollectionPanel(QWidget* parent = nullptr);
+    ~CollectionPanel() override;
 
     void addFolder(const QString& folder); // remembered in the settings
     void removeFolder(const QString& folder);
@@ -38,19 +41,16 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    struct Unread {
-        QString path;
-        QString folder;
-    };
-
     void createGrid();
     void createActions();
     QAction* createAction(const QString& text, const QString& statusTip, const QString& iconName,
                           const QList<QKeySequence>& keys);
     QWidget* createButtons();
+    QWidget* createProgress();
     void showContextMenu(const QPoint& position);
-    void queue(const QStringList& paths, const QString& folder);
+    void read(const QString& folder); // empty: the bundled files
     void readNext();
+    void take(int theme);
     void chooseFolder();
     void saveFolders() const;
     void updateActions();
@@ -69,8 +69,11 @@ private:
     QAction* m_onlyFavourites = nullptr;
     QAction* m_addFolder = nullptr;
     QStringList m_folders;
-    QList<Unread> m_unread; // files still to be read, one per turn of the event loop
-    QTimer m_readTimer;
+    QStringList m_unread; // folders; the first one is being read
+    QFutureWatcher<io::CollectionTheme> m_reading;
+    QTimer m_patience;
+    QProgressBar* m_done = nullptr;
+    QWidget* m_progress; // around m_done; seen when reading takes long
 };
 
 } // namespace view

@@ -68,7 +68,7 @@ Inserted inserted(FractalFile file, const QList<Entry>& entries, EntryId after) 
     Inserted result;
     qsizetype place = document::indexOf(file, after) + 1;
     if (place == 0) place = file.entries.size();
-    document::UniqueNames names;
+    document::UniqueNames names(file.entries.size() + entries.size());
     for (const Entry& entry : std::as_const(file.entries))
         names.take(entry.fractal->name);
     auto id = static_cast<std::uint32_t>(document::freshId(file));

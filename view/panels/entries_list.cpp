@@ -43,11 +43,14 @@ QList<EntryId> EntriesList::selectedIds() const {
 void EntriesList::select(const QList<EntryId>& ids) {
     const QSet<EntryId> wanted(ids.begin(), ids.end());
     QItemSelection selection; // of as few ranges as there are
-    for (int first = 0; first < model()->rowCount(); ++first) {
+    const int rows = model()->rowCount();
+    qsizetype missing = wanted.size();
+    for (int first = 0; first < rows && missing > 0; ++first) {
         int behind = first;
-        while (behind < model()->rowCount() && wanted.contains(idAtRow(behind)))
+        while (behind < rows && wanted.contains(idAtRow(behind)))
             ++behind;
         if (behind == first) continue;
+        missing -= behind - first;
         selection.select(model()->index(first, 0), model()->index(behind - 1, 0));
         first = behind;
     }

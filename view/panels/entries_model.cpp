@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace view {
 namespace {
@@ -34,9 +36,13 @@ bool shownAlike(const Entry& a, const Entry& b) {
     return a.fractal == b.fractal && a.source == b.source && a.problems == b.problems;
 }
 
-bool sameOrder(const FractalFile& a, const FractalFile& b) {
-    return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
-                      [](const Entry& x, const Entry& y) { return x.id == y.id; });
+// Whether the entries of `part` are in `whole`, too, in the same order.
+bool isPartOf(const FractalFile& part, const FractalFile& whole) {
+    auto entry = part.entries.begin();
+    for (auto other = whole.entries.begin(); entry != part.entries.end() && other != whole.entries.end();
+         ++other)
+        if (entry->id == other->id) ++entry;
+    return entry == part.entries.end();
 }
 
 } // namespace
@@ -62,7 +68,7 @@ int EntriesModel::rowCount(const QModelIndex& parent) const {
 QVariant EntriesModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {}; // as views ask when nothing is current
     if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
-    const Entry& entry = m_shown.entries[index.row()];
+    const Entry& entry = m_shown.entries.at(index.row());
     const auto key = static_cast<Thumbnails::Key>(entry.id);
     switch (role) {
     case Qt::DisplayRole:
@@ -94,13 +100,13 @@ Qt::ItemFlags EntriesModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) return Qt::ItemIsDropEnabled;
     const Qt::ItemFlags always =
         Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
-    const bool readable = document::dimension(*m_shown.entries[index.row()].fractal) != 0;
+    const bool readable = document::dimension(*m_shown.entries.at(index.row()).fractal) != 0;
     return readable ? always | Qt::ItemIsEditable : always;
 }
 
 bool EntriesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
-    const Entry entry = m_shown.entries[index.row()];
+    const Entry entry = m_shown.entries.at(index.row());
     const QString name = value.toString().trimmed();
     if (name == entry.fractal->name) return true;
     if (const auto problem = nameProblem(m_document->file(), entry.id, name)) {
@@ -115,7 +121,7 @@ bool EntriesModel::setData(const QModelIndex& index, const QVariant& value, int 
 }
 
 EntryId EntriesModel::idAt(const QModelIndex& index) const {
-    return index.isValid() ? m_shown.entries[index.row()].id : EntryId::None;
+    return index.isValid() ? m_shown.entries.at(index.row()).id : EntryId::None;
 }
 
 QModelIndex EntriesModel::indexOf(EntryId id) const {
@@ -141,8 +147,10 @@ void EntriesModel::syncRows() {
     const QScopedValueRollback<bool> guard(m_syncing, true);
     const FractalFile before = m_shown;
     const FractalFile now = m_document->file();
-    removeVanished(now);
-    reorder(now);
+    if (!isPartOf(before, now)) {
+        removeVanished(now);
+        if (!isPartOf(m_shown, now)) reorder(now);
+    }
     insertNew(now);
     m_shown = now;
     announceDifferences(before);
@@ -153,9 +161,9 @@ void EntriesModel::removeVanished(const FractalFile& now) {
     for (const Entry& entry : now.entries)
         remaining.insert(entry.id);
     for (int last = rowCount() - 1; last >= 0; --last) {
-        if (remaining.contains(m_shown.entries[last].id)) continue;
+        if (remaining.contains(m_shown.entries.at(last).id)) continue;
         int first = last;
-        while (first > 0 && !remaining.contains(m_shown.entries[first - 1].id))
+        while (first > 0 && !remaining.contains(m_shown.entries.at(first - 1).id))
             --first;
         beginRemoveRows({}, first, last);
         m_shown.entries.remove(first, last - first + 1);
@@ -168,19 +176,22 @@ void EntriesModel::reorder(const FractalFile& now) {
     QHash<EntryId, qsizetype> places;
     for (qsizetype place = 0; place < now.entries.size(); ++place)
         places.insert(now.entries[place].id, place);
-    FractalFile sorted = m_shown;
-    std::sort(sorted.entries.begin(), sorted.entries.end(),
-              [&places](const Entry& a, const Entry& b) { return places.value(a.id) < places.value(b.id); });
-    if (sameOrder(sorted, m_shown)) return;
+    std::vector<std::pair<qsizetype, int>> order; // place to come, row that is
+    for (int row = 0; row < rowCount(); ++row)
+        order.emplace_back(places.value(m_shown.entries.at(row).id), row);
     emit layoutAboutToBeChanged({}, VerticalSortHint);
+    std::sort(order.begin(), order.end());
+    QList<Entry> sorted;
+    std::vector<int> rows(order.size()); // to come, by the row that is
+    for (const auto& [place, row] : order) {
+        rows[static_cast<std::size_t>(row)] = static_cast<int>(sorted.size());
+        sorted.append(m_shown.entries.at(row));
+    }
     const QModelIndexList from = persistentIndexList();
-    QHash<EntryId, int> rows;
-    for (int row = 0; row < sorted.entries.size(); ++row)
-        rows.insert(sorted.entries[row].id, row);
     QModelIndexList to;
     for (const QModelIndex& index : from)
-        to.append(this->index(rows.value(idAt(index))));
-    m_shown = sorted;
+        to.append(this->index(rows[static_cast<std::size_t>(index.row())]));
+    m_shown.entries = sorted;
     changePersistentIndexList(from, to);
     emit layoutChanged({}, VerticalSortHint);
 }
@@ -188,29 +199,42 @@ void EntriesModel::reorder(const FractalFile& now) {
 // The rows shown are now some of the rows to be shown, in the same order.
 void EntriesModel::insertNew(const FractalFile& now) {
     for (int first = 0; first < now.entries.size(); ++first) {
-        const EntryId next = first < rowCount() ? m_shown.entries[first].id : EntryId::None;
+        const EntryId next = first < rowCount() ? m_shown.entries.at(first).id : EntryId::None;
         if (next == now.entries[first].id) continue;
         int last = first;
         while (last + 1 < now.entries.size() && now.entries[last + 1].id != next)
             ++last;
         beginInsertRows({}, first, last);
-        const QList<Entry> behind = m_shown.entries.mid(first);
-        m_shown.entries.resize(first);
-        m_shown.entries += now.entries.mid(first, last - first + 1);
-        m_shown.entries += behind;
+        if (now.entries.size() - rowCount() == last - first + 1) { // all there are
+            m_shown.entries = now.entries;
+        } else {
+            const QList<Entry> behind = m_shown.entries.mid(first);
+            m_shown.entries.resize(first);
+            m_shown.entries += now.entries.mid(first, last - first + 1);
+            m_shown.entries += behind;
+        }
         endInsertRows();
         first = last;
     }
 }
 
 void EntriesModel::announceDifferences(const FractalFile& before) {
-    QHash<EntryId, const Entry*> known;
-    for (const Entry& entry : before.entries)
-        known.insert(entry.id, &entry);
-    for (int row = 0; row < rowCount(); ++row) {
-        const Entry& entry = m_shown.entries[row];
-        const Entry* former = known.value(entry.id);
-        if (former && !shownAlike(*former, entry)) emit dataChanged(index(row), index(row));
+    const FractalFile now = m_shown;
+    const Entry* next = before.entries.constData(); // what is shown next was, as a rule, shown next
+    const Entry* const end = next + before.entries.size();
+    QHash<EntryId, const Entry*> known; // when it was not
+    for (int row = 0; row < now.entries.size(); ++row) {
+        const Entry& entry = now.entries[row];
+        if (next == end || next->id != entry.id) {
+            if (known.isEmpty())
+                for (const Entry& each : before.entries)
+                    known.insert(each.id, &each);
+            const Entry* former = known.value(entry.id);
+            if (!former) continue; // it is new
+            next = former;
+        }
+        if (!shownAlike(*next, entry)) emit dataChanged(index(row), index(row));
+        ++next;
     }
 }
 
@@ -253,14 +277,20 @@ QString EntriesModel::accessibleText(const Entry& entry) const {
 
 bool EntriesModel::isModified(const Entry& entry) const {
     if (!m_document->isModified()) return false;
-    const auto saved = m_saved.value(entry.id);
+    const auto saved = savedOf(entry.id);
     return !saved || (saved != entry.fractal && *saved != *entry.fractal);
 }
 
 void EntriesModel::takeSaved() {
+    m_savedFile = m_document->file();
     m_saved.clear();
-    for (const Entry& entry : m_document->file().entries)
-        m_saved.insert(entry.id, entry.fractal);
+}
+
+std::shared_ptr<const document::Fractal> EntriesModel::savedOf(EntryId id) const {
+    if (m_saved.isEmpty())
+        for (const Entry& entry : m_savedFile.entries)
+            m_saved.insert(entry.id, entry.fractal);
+    return m_saved.value(id);
 }
 
 } // namespace view

@@ -53,11 +53,14 @@ private:
     QString accessibleText(const document::Entry& entry) const;
     bool isModified(const document::Entry& entry) const;
     void takeSaved();
+    std::shared_ptr<const document::Fractal> savedOf(document::EntryId id) const;
 
     document::Document* m_document;
     Thumbnails* m_thumbnails;
-    document::FractalFile m_shown; // what the views know; follows the document by row operations
-    QHash<document::EntryId, std::shared_ptr<const document::Fractal>> m_saved; // when last read or saved
+    document::FractalFile m_shown;     // what the views know; follows the document by row operations
+    document::FractalFile m_savedFile; // as last read or saved
+    // The same by id, once it was asked for.
+    mutable QHash<document::EntryId, std::shared_ptr<const document::Fractal>> m_saved;
     bool m_syncing = false;
 };
 

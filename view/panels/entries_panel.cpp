@@ -3,10 +3,13 @@
 
 #include "clipboard.h"
 #include "dialogs/paste_table_dialog.h"
+#include "dialogs/wait_for.h"
 #include "icon.h"
+#include "io/background.h"
 #include "panels/entries_comment_dialog.h"
 #include "panels/entries_delegate.h"
 #include "panels/entries_edits.h"
+#include "panels/entries_filter.h"
 #include "panels/entries_list.h"
 #include "panels/entries_model.h"
 #include "panels/focus_shortcuts.h"
@@ -21,7 +24,6 @@
 #include <QMimeData>
 #include <QScopedValueRollback>
 #include <QSet>
-#include <QSortFilterProxyModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -59,7 +61,7 @@ EntriesPanel::EntriesPanel(document::Document* document, QWidget* parent)
       m_document(document),
       m_thumbnails(new Thumbnails(this)),
       m_model(new EntriesModel(document, m_thumbnails, this)),
-      m_filtered(new QSortFilterProxyModel(this)),
+      m_filtered(new EntriesFilter(this)),
       m_filter(new QLineEdit(this)),
       m_list(new EntriesList([this](const QList<EntryId>& ids) { return entriesMimeData(entriesOf(ids)); },
                              this)) {
@@ -90,7 +92,6 @@ EntriesPanel::EntriesPanel(document::Document* document, QWidget* parent)
 
 void EntriesPanel::createList() {
     m_filtered->setSourceModel(m_model);
-    m_filtered->setFilterCaseSensitivity(Qt::CaseInsensitive);
     m_list->setModel(m_filtered);
     m_list->setAccessibleName(tr("Entries"));
     m_list->setWhatsThis(tr("The fractals of the file. Click one to edit it, drag it to another place, press "
@@ -278,7 +279,12 @@ void EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId after, con
 }
 
 void EntriesPanel::insertFrom(const QMimeData& mimeData, EntryId after) {
-    const FoundEntries found = entriesIn(mimeData);
+    auto finding =
+        io::inBackground<FoundEntries>([text = entriesTextIn(mimeData)](QPromise<FoundEntries>& promise) {
+            promise.addResult(entriesIn(text));
+        });
+    if (!waitFor(QFuture<void>(finding), tr("Reading what was pasted…"), this)) return;
+    const FoundEntries found = finding.takeResult();
     if (found.entries.isEmpty()) {
         const QString why =
             found.problems.isEmpty() ? QString() : QLatin1Char(' ') + found.problems.front().message;
@@ -310,7 +316,7 @@ void EntriesPanel::moveEntries(const QList<EntryId>& ids, EntryId before) {
 void EntriesPanel::filter(const QString& text) {
     {
         const QScopedValueRollback<bool> guard(m_filtering, true);
-        m_filtered->setFilterFixedString(text.trimmed());
+        m_filtered->setText(text.trimmed());
     }
     m_list->setEmptyText(text.isEmpty()
                              ? tr("This file holds no entries. Add one, or paste the text of an .ifs file.")

@@ -8,10 +8,10 @@
 class QAction;
 class QLineEdit;
 class QMimeData;
-class QSortFilterProxyModel;
 
 namespace view {
 
+class EntriesFilter;
 class EntriesList;
 class EntriesModel;
 class Thumbnails;
@@ -64,7 +64,7 @@ private:
     document::Document* m_document;
     Thumbnails* m_thumbnails;
     EntriesModel* m_model;
-    QSortFilterProxyModel* m_filtered;
+    EntriesFilter* m_filtered;
     QLineEdit* m_filter;
     EntriesList* m_list;
     bool m_filtering = false;

@@ -116,6 +116,8 @@ QString columnTip(int column) {
     }
 }
 
+constexpr std::size_t aligned = 1000; // maps that decide where the decimal points of a column are
+
 int decimalsOf(const QString& number) {
     const auto point = number.indexOf(u'.');
     return point < 0 || number.contains(u'e') ? 0 : static_cast<int>(number.size() - point - 1);
@@ -161,8 +163,9 @@ void MapsModel::reload() {
     else if (const auto effective = system ? document::effectiveSystem(fractal) : std::nullopt)
         m_effective = effective->maps;
     m_decimals.assign(ColumnCount, 0);
+    const auto rows = static_cast<int>(std::min(m_maps.size(), aligned));
     for (int column = 0; column < ColumnCount; ++column) {
-        for (int row = 0; isNumber(column) && row < static_cast<int>(m_maps.size()); ++row) {
+        for (int row = 0; isNumber(column) && row < rows; ++row) {
             const auto value = number(row, column);
             auto& decimals = m_decimals[static_cast<std::size_t>(column)];
             decimals = std::max(decimals, value ? decimalsOf(shortNumber(*value)) : 0);
@@ -276,8 +279,11 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
         return {};
     case Qt::TextAlignmentRole:
         return alignment(column);
-    case DecimalsRole:
-        return m_decimals[static_cast<std::size_t>(column)];
+    case DecimalsRole: {
+        const auto value = isNumber(column) ? number(row, column) : std::nullopt;
+        return std::max(m_decimals[static_cast<std::size_t>(column)],
+                        value ? decimalsOf(shortNumber(*value)) : 0);
+    }
     case WarningRole:
         if (contracts(map.map)) return QString();
         return tr("Map %1 does not contract: it stretches by up to %2. The system may still have an "

@@ -16,6 +16,7 @@
 #include <QColorDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
@@ -226,6 +227,7 @@ QWidget* MapsPanel::makeTable() {
     auto* header = m_table->horizontalHeader();
     header->setMinimumSectionSize(24);
     header->setHighlightSections(false);
+    header->setResizeContentsPrecision(200); // rows, besides those in sight
     header->setSectionResizeMode(QHeaderView::Interactive);
 
     connect(delegate, &MapsDelegate::refused, this, &MapsPanel::message);
@@ -395,9 +397,11 @@ void MapsPanel::updateActions() {
 
 Rows MapsPanel::selectedRows() const {
     Rows rows;
-    for (const QModelIndex& index : m_table->selectionModel()->selectedRows(MapsModel::Enabled))
-        rows.push_back(index.row());
+    for (const QItemSelectionRange& range : m_table->selectionModel()->selection()) // of whole rows
+        for (int row = range.top(); row <= range.bottom(); ++row)
+            rows.push_back(row);
     std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     return rows;
 }
 
@@ -408,14 +412,28 @@ std::vector<ifs::MapId> MapsPanel::selectedMaps() const {
     return ids;
 }
 
+// In the order of the ids; maps that are gone have none.
+Rows MapsPanel::rowsOf(const std::vector<ifs::MapId>& ids) const {
+    QHash<ifs::MapId, int> known;
+    known.reserve(m_model->rowCount());
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        known.insert(m_model->idAt(row), row);
+    Rows rows;
+    for (const ifs::MapId id : ids)
+        if (const auto row = known.constFind(id); row != known.constEnd()) rows.push_back(*row);
+    return rows;
+}
+
 void MapsPanel::selectMaps(const std::vector<ifs::MapId>& ids) {
-    QItemSelection selection;
-    QModelIndex first;
-    for (const ifs::MapId id : ids) {
-        const int row = m_model->rowOf(id);
-        if (row < 0) continue;
-        selection.select(m_model->index(row, 0), m_model->index(row, MapsModel::ColumnCount - 1));
-        if (!first.isValid()) first = m_model->index(row, m_keptColumn);
+    Rows rows = rowsOf(ids);
+    const QModelIndex first = rows.empty() ? QModelIndex() : m_model->index(rows.front(), m_keptColumn);
+    std::sort(rows.begin(), rows.end());
+    QItemSelection selection; // of as few ranges as there are
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const int top = rows[i];
+        while (i + 1 < rows.size() && rows[i + 1] <= rows[i] + 1)
+            ++i;
+        selection.select(m_model->index(top, 0), m_model->index(rows[i], MapsModel::ColumnCount - 1));
     }
     auto* model = m_table->selectionModel();
     if (first.isValid()) model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
@@ -434,9 +452,7 @@ void MapsPanel::keepSelection() {
 
 void MapsPanel::restoreSelection() {
     m_shape->setMap(ifs::MapId::None);
-    const bool any =
-        std::any_of(m_kept.begin(), m_kept.end(), [this](ifs::MapId id) { return m_model->rowOf(id) >= 0; });
-    if (any)
+    if (!rowsOf(m_kept).empty())
         selectMaps(m_kept);
     else if (m_model->rowCount() > 0)
         selectMaps({m_model->idAt(0)});

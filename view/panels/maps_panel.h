@@ -76,6 +76,7 @@ private:
     void moveSelection(int before);
     void chooseColour(const QModelIndex& index);
     Rows selectedRows() const;
+    Rows rowsOf(const std::vector<ifs::MapId>& ids) const;
     void keepSelection();
     void restoreSelection();
 

@@ -93,9 +93,11 @@ QList<ProblemsModel::Row> ProblemsModel::collect() const {
             rows.append({entry.id, problem});
             rows.last().problem.entry = entry.fractal->name;
         }
-    std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    const auto isBefore = [](const Row& a, const Row& b) {
         return std::pair(a.problem.line, a.problem.column) < std::pair(b.problem.line, b.problem.column);
-    });
+    };
+    if (!std::is_sorted(rows.begin(), rows.end(), isBefore))
+        std::stable_sort(rows.begin(), rows.end(), isBefore);
     return rows;
 }
 

@@ -3,11 +3,12 @@
 
 #include "document/fractal_file.h"
 
+#include <QFuture>
 #include <QList>
 #include <QString>
 #include <QStringList>
 
-namespace view {
+namespace io {
 
 // One file of a collection: what it is about, and its entries.
 struct CollectionTheme {
@@ -26,4 +27,8 @@ QStringList collectionIn(const QString& folder);
 // Title and description come from the index beside the file if there is one, else from the file's name.
 CollectionTheme readTheme(const QString& path);
 
-} // namespace view
+// Reads the bundled files, or those of a folder when one is named, in a thread of its own: a result for each,
+// as soon as it is there, and the number of files as progress. Ends behind the present file when cancelled.
+QFuture<CollectionTheme> readThemes(const QString& folder);
+
+} // namespace io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "panels/collection_source.h"
+#include "io/collection_source.h"
 
+#include "io/background.h"
 #include "io/fractint_reader.h"
 #include "io/save_file.h"
 
@@ -12,7 +13,7 @@
 #include <QJsonObject>
 #include <QStandardPaths>
 
-namespace view {
+namespace io {
 namespace {
 
 // What the index of the bundled collection says, for the translators; long sentences are in two parts.
@@ -71,10 +72,7 @@ QString bundledFolder() {
 QJsonArray themesIn(const QString& folder) {
     const QString index = folder + QStringLiteral("/index.json");
     if (!QFileInfo(index).isFile()) return {};
-    return QJsonDocument::fromJson(io::loadFile(index).bytes)
-        .object()
-        .value(QLatin1String("themes"))
-        .toArray();
+    return QJsonDocument::fromJson(loadFile(index).bytes).object().value(QLatin1String("themes")).toArray();
 }
 
 } // namespace
@@ -112,12 +110,24 @@ CollectionTheme readTheme(const QString& path) {
             theme.title = translated(entry.value(QLatin1String("title")));
         theme.description = translated(entry.value(QLatin1String("description")));
     }
-    const io::Loaded loaded = io::loadFile(path);
+    const Loaded loaded = loadFile(path);
     if (loaded.failure)
         theme.description = *loaded.failure;
     else
-        theme.entries = io::readFractint(loaded.bytes, info.completeBaseName()).entries;
+        theme.entries = readFractint(loaded.bytes, info.completeBaseName()).entries;
     return theme;
 }
 
-} // namespace view
+QFuture<CollectionTheme> readThemes(const QString& folder) {
+    return inBackground<CollectionTheme>([folder](QPromise<CollectionTheme>& themes) {
+        const QStringList paths = folder.isEmpty() ? bundledCollection() : collectionIn(folder);
+        const auto count = static_cast<int>(paths.size());
+        themes.setProgressRange(0, count);
+        for (int i = 0; i < count && !themes.isCanceled(); ++i) {
+            themes.addResult(readTheme(paths[i]));
+            themes.setProgressValue(i + 1);
+        }
+    });
+}
+
+} // namespace io

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "main_window.h"
+#include "panels/collection_panel.h"
+#include "panels/entries_panel.h"
+#include "panels/maps_panel.h"
+#include "support/own_settings.h"
+#include "support/watchdog.h"
+
+#include <QAction>
+#include <QFile>
+#include <QLineEdit>
+#include <QListView>
+#include <QPointer>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+#include <functional>
+
+namespace {
+
+support::WatchedApplication* application() {
+    return static_cast<support::WatchedApplication*>(QCoreApplication::instance());
+}
+
+void put(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no test file");
+}
+
+QByteArray rows(int count) {
+    QByteArray text;
+    for (int i = 0; i < count; ++i)
+        text +=
+            " .01 0 0 .01 " + QByteArray::number(i % 317) + ' ' + QByteArray::number(i / 317) + " .00001\n";
+    return text;
+}
+
+QByteArray entries(int count, int maps, const QByteArray& comment = {}) {
+    QByteArray text;
+    for (int i = 0; i < count; ++i)
+        text += "entry" + QByteArray::number(i) + " {" + comment + '\n' + rows(maps) + "}\n";
+    return text;
+}
+
+} // namespace
+
+// Whatever is done to large files, the window answers: no event keeps it longer than the watchdog allows.
+class LargeFilesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QApplication::setQuitOnLastWindowClosed(false); }
+    void init() {
+        support::useOwnSettings();
+        m_window = new MainWindow;
+        m_window->resize(1280, 800);
+        m_window->show();
+        QTest::qWait(300);
+        application()->takeLate();
+    }
+    void cleanup() {
+        delete m_window;
+        application()->takeLate();
+    }
+
+    void entriesAreEdited_data();
+    void entriesAreEdited();
+    void mapsAreSelected();
+    void aFolderIsBrowsed();
+
+private:
+    // As an event of its own, and until what follows is done.
+    void doing(const char* what, const std::function<void()>& action) {
+        bool isDone = false;
+        QMetaObject::invokeMethod(
+            this,
+            [&] {
+                action();
+                isDone = true;
+            },
+            Qt::QueuedConnection);
+        while (!isDone)
+            QTest::qWait(10);
+        QTest::qWait(150);
+        for (const QString& late : application()->takeLate())
+            m_late << QString::fromLatin1(what) + QStringLiteral(": ") + late;
+    }
+    QString takeLate() { return std::exchange(m_late, {}).join(u'\n'); }
+    void openLarge(const QByteArray& text) {
+        const QString path = m_folder.filePath(QStringLiteral("large.ifs"));
+        put(path, text);
+        doing("open", [&] { m_window->openPath(path); });
+    }
+
+    QTemporaryDir m_folder;
+    QPointer<MainWindow> m_window;
+    QStringList m_late;
+};
+
+void LargeFilesTest::entriesAreEdited_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("100 000 entries") << entries(100'000, 2);
+    QTest::newRow("100 MB") << entries(10'000, 2, " ; " + QByteArray(10'000, 'x'));
+}
+
+void LargeFilesTest::entriesAreEdited() {
+    QFETCH(QByteArray, text);
+    openLarge(text);
+    auto* panel = m_window->findChild<view::EntriesPanel*>();
+    auto* list = panel->findChild<QListView*>();
+    auto* filter = panel->findChild<QLineEdit*>();
+    QUndoStack* history = m_window->document().undoStack();
+    const auto press = [&](Qt::Key key) { return [list, key] { QTest::keyClick(list, key); }; };
+    doing("next", press(Qt::Key_Down));
+    doing("last", press(Qt::Key_End));
+    doing("first", press(Qt::Key_Home));
+    doing("scroll", [&] { list->verticalScrollBar()->setValue(list->verticalScrollBar()->maximum() / 2); });
+    doing("filter", [&] { filter->setText(QStringLiteral("9")); });
+    doing("filter more", [&] { filter->setText(QStringLiteral("99")); });
+    doing("filter no more", [&] { filter->clear(); });
+    doing("rename", [&] {
+        document::Fractal fractal = m_window->document().fractal();
+        fractal.name = QStringLiteral("mine");
+        m_window->document().edit(QStringLiteral("rename"), fractal);
+    });
+    doing("undo", [&] { history->undo(); });
+    doing("redo", [&] { history->redo(); });
+    doing("remove", [&] { panel->removeSelected(); });
+    doing("undo removing", [&] { history->undo(); });
+    doing("add", [&] { panel->addEntry(); });
+    doing("move", [&] { panel->moveDown(); });
+    doing("undo moving", [&] { history->undo(); });
+    doing("select all", [&] { list->selectAll(); });
+    doing("copy all", [&] { panel->copySelected(); });
+    doing("save", [&] {
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->shortcut() == QKeySequence(QKeySequence::Save)) return action->trigger();
+    });
+    QVERIFY(!m_window->document().isModified());
+    doing("close", [&] { m_window->close(); });
+    QTRY_VERIFY(!m_window);
+    QCOMPARE(takeLate(), QString());
+}
+
+void LargeFilesTest::mapsAreSelected() {
+    openLarge(entries(1, 100'000));
+    m_late.clear(); // opening is not what is asked here
+    auto* table = m_window->findChild<view::MapsPanel*>()->findChild<QTableView*>();
+    QCOMPARE(table->model()->rowCount(), 100'000);
+    doing("select all", [&] { table->selectAll(); });
+    doing("select one", [&] { table->selectRow(50'000); });
+    doing("scroll", [&] { table->scrollToBottom(); });
+    QCOMPARE(takeLate(), QString());
+}
+
+void LargeFilesTest::aFolderIsBrowsed() {
+    const QTemporaryDir folder;
+    for (const char* name : {"a.ifs", "b.ifs", "c.ifs"})
+        put(folder.filePath(QString::fromLatin1(name)), entries(2000, 2));
+    auto* panel = m_window->findChild<view::CollectionPanel*>();
+    auto* grid = panel->findChild<QListView*>();
+    auto* search = panel->findChild<QLineEdit*>();
+    QTest::qWait(500);
+    const int before = grid->model()->rowCount();
+    doing("add", [&] { panel->addFolder(folder.path()); });
+    QTRY_COMPARE(grid->model()->rowCount(), before + 3 * 2001);
+    doing("scroll", [&] { grid->verticalScrollBar()->setValue(grid->verticalScrollBar()->maximum() / 2); });
+    for (const char* typed : {"e", "en", "entry1", "entry19", ""})
+        doing("search", [&] { search->setText(QString::fromLatin1(typed)); });
+    doing("remove", [&] { panel->removeFolder(folder.path()); });
+    QCOMPARE(grid->model()->rowCount(), before);
+    QCOMPARE(takeLate(), QString());
+}
+
+int main(int argc, char** argv) {
+    support::WatchedApplication watched(argc, argv);
+    LargeFilesTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "large_files_test.moc"
