@@ -489,10 +489,10 @@ void CagePanel::updateActions() {
     m_define->setEnabled(plane);
     m_fit->setEnabled(plane);
     m_fit->setToolTip(tr("Hold the picture by a fitted cage; the picture stays"));
-    const bool atRest = isAtRest(fractal);
-    m_reset->setEnabled(plane && !atRest);
-    m_reset->setToolTip(atRest ? tr("The cage is at rest.")
-                               : tr("Put the cage and the picture back to rest"));
+    const QString nothingToReset = resetObstacle(fractal);
+    m_reset->setEnabled(nothingToReset.isEmpty());
+    m_reset->setToolTip(nothingToReset.isEmpty() ? tr("Put the cage and the picture back to rest")
+                                                 : nothingToReset);
     const QString obstacle = bakeObstacle(fractal);
     m_bake->setEnabled(obstacle.isEmpty());
     m_bake->setToolTip(obstacle.isEmpty() ? tr("Make the displayed picture the code; the cage then rests")
