@@ -70,6 +70,8 @@ MainWindow::MainWindow(QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     setDockNestingEnabled(true);
+    setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West); // in any language there is room for the names
+    setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
     setCentralWidget(m_canvas);
     setStatusBar(m_status);
 
