@@ -65,6 +65,13 @@ std::optional<document::Fractal> baked(const document::Fractal& fractal) {
     return bakeObstacle(fractal).isEmpty() ? document::withCageBaked(fractal) : std::nullopt;
 }
 
+QString resetObstacle(const document::Fractal& fractal) {
+    if (!document::system2(fractal))
+        return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry has no maps of the plane."));
+    if (isAtRest(fractal)) return sentence(QT_TRANSLATE_NOOP("CageEdits", "The cage is at rest."));
+    return {};
+}
+
 document::Fractal withCageAtRest(document::Fractal fractal) {
     if (fractal.cage) fractal.cage->current = fractal.cage->rest;
     return fractal;

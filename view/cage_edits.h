@@ -16,6 +16,8 @@ QString bakeObstacle(const document::Fractal& fractal);
 // The code that shows what is displayed, its cage at rest; nullopt when there is an obstacle.
 std::optional<document::Fractal> baked(const document::Fractal& fractal);
 
+// Why there is nothing to reset; empty when there is.
+QString resetObstacle(const document::Fractal& fractal);
 // The cage back to rest: the code as it is.
 document::Fractal withCageAtRest(document::Fractal fractal);
 

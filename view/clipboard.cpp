@@ -74,6 +74,7 @@ FoundEntries entriesIn(const QByteArray& text) {
         found.problems += entry.problems;
         found.entries.append(std::move(entry));
     }
+    found.areFlames = collection.format == u"flame";
     if (areColumnsOpen(collection, text)) found.table = QString::fromUtf8(text);
     return found;
 }

@@ -27,6 +27,7 @@ struct FoundEntries {
     // The text, when it is a table that does not say what its columns are: its entry is in the order of
     // Fractint, and the user is to be asked.
     QString table{};
+    bool areFlames = false;
 };
 FoundEntries entriesIn(const QByteArray& text); // any thread
 QByteArray entriesTextIn(const QMimeData& mimeData);

@@ -3,6 +3,7 @@
 
 #include "dialogs/paste_table_dialog.h"
 #include "dialogs/save_file_dialog.h"
+#include "flame_card.h"
 #include "io/background.h"
 #include "io/fractint_reader.h"
 #include "panels/analysis_panel.h"
@@ -70,6 +71,8 @@ MainWindow::MainWindow(QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     setDockNestingEnabled(true);
+    setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West); // in any language there is room for the names
+    setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
     setCentralWidget(m_canvas);
     setStatusBar(m_status);
 
@@ -151,6 +154,8 @@ void MainWindow::createPanels() {
     });
     m_canvas->selectMaps(maps->selectedMaps());
     connect(entries, &view::EntriesPanel::message, this, &MainWindow::say);
+    connect(entries, &view::EntriesPanel::flamesPasted, this,
+            [this](const QList<document::EntryId>& ids) { FlameCard::offer(this, ids); });
     connect(maps, &view::MapsPanel::message, this, &MainWindow::say);
     connect(cage, &view::CagePanel::message, this, &MainWindow::say);
     connect(appearance, &view::AppearancePanel::message, this, &MainWindow::say);
@@ -207,6 +212,12 @@ void MainWindow::connectDocument() {
     connect(&m_file, &OpenFile::pathChanged, this, &MainWindow::updateTitle);
     connect(&m_file, &OpenFile::orderAssumed, this, [this](const QString& table) {
         view::PasteTableDialog::askForColumns(&m_document, table, this);
+    });
+    connect(&m_file, &OpenFile::flamesOpened, this, [this] {
+        QList<document::EntryId> flames;
+        for (const document::Entry& entry : m_document.file().entries)
+            flames << entry.id;
+        FlameCard::offer(this, flames);
     });
     connect(m_canvas, &view::CanvasView::message, this, &MainWindow::say);
     connect(&m_recovery, &Recovery::cannotKeep, this,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cage_edits.h"
 #include "canvas/cage_actions.h"
 #include "dialogs/aifs_dialog.h"
 #include "dialogs/command_palette.h"
@@ -88,7 +89,8 @@ void MainWindow::createFileActions() {
             tr("Save the file under another name"), [this] { saveAs(); });
     QAction* revertAction = command(m_fileMenu, {}, tr("Re&vert"), {},
                                     tr("Go back to the file as it is on disk"), [this] { revert(); });
-    connect(m_fileMenu, &QMenu::aboutToShow, revertAction,
+    revertAction->setEnabled(false);
+    connect(&m_file, &OpenFile::pathChanged, revertAction,
             [this, revertAction] { revertAction->setEnabled(!m_file.path().isEmpty()); });
     m_fileMenu->addSeparator();
     QAction* exportAction =
@@ -219,6 +221,16 @@ void MainWindow::createCageActions() {
             if (const auto sentence = operation(m_document)) say(*sentence);
         });
     };
+    // Where it would do nothing, the tool tip says why.
+    const auto possibleUnless = [this](QAction* action, QString (*obstacle)(const document::Fractal&)) {
+        const auto follow = [this, action, obstacle, tip = action->toolTip()] {
+            const QString why = obstacle(m_document.fractal());
+            action->setEnabled(why.isEmpty());
+            action->setToolTip(why.isEmpty() ? tip : why);
+        };
+        connect(&m_document, &document::Document::changed, action, follow);
+        follow();
+    };
     QAction* fitSimplex = operate(QStringLiteral("fit-simplex"), tr("Fit &Minimal Canonical Simplex"), {},
                                   tr("Hold the attractor in the smallest isosceles right triangle around it"),
                                   &view::fitMinimalCanonicalSimplex);
@@ -228,10 +240,14 @@ void MainWindow::createCageActions() {
         operate(QStringLiteral("bake"), tr("&Bake"), QKeySequence(tr("Ctrl+B")),
                 tr("Make the placement part of the code: the picture stays, the coefficients change"),
                 &view::bakeCage);
-    operate({}, tr("&Unbake"), {},
-            tr("Take the placement out of the code: the picture stays, the code becomes that of the triangle "
-               "(0, 0), (1, 0), (0, 1)"),
-            &view::unbakeCage);
+    QAction* unbake = operate(
+        {}, tr("&Unbake"), {},
+        tr("Take the placement out of the code: the picture stays, the code becomes that of the triangle "
+           "(0, 0), (1, 0), (0, 1)"),
+        &view::unbakeCage);
+    possibleUnless(reset, &view::resetObstacle);
+    possibleUnless(bake, &view::bakeObstacle);
+    possibleUnless(unbake, &view::unbakeObstacle);
     operate({}, tr("Make Re&gular"), {}, tr("Put the vertices on the regular polygon nearest to them"),
             &view::makeCageRegular);
     command(m_cageMenu, {}, tr("Affine &Invariant Form…"), {},

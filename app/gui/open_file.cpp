@@ -112,6 +112,7 @@ io::Failure OpenFile::open(const QString& path) {
     else
         remember({}, {});
     recent_files::add(path);
+    if (collection.format == QLatin1String("flame")) emit flamesOpened();
     if (collection.isOrderAssumed) emit orderAssumed(QString::fromUtf8(loaded.bytes));
     return std::nullopt;
 }

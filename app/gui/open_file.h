@@ -44,6 +44,7 @@ signals:
     void pathChanged();
     // A table was opened whose text does not say what its columns are.
     void orderAssumed(const QString& text);
+    void flamesOpened();
 
 private:
     io::Failure write(const QString& path);

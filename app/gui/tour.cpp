@@ -2,6 +2,7 @@
 #include "tour.h"
 
 #include "canvas/canvas_view.h"
+#include "panels/maps_panel.h"
 
 #include <QDockWidget>
 #include <QHBoxLayout>
@@ -10,6 +11,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QSettings>
+#include <QTimer>
 #include <QToolBar>
 
 #include <iterator>
@@ -23,6 +25,7 @@ struct Step {
     const char* target; // empty: the canvas
     const char* title;
     const char* text;
+    int column = -1; // of the table of maps, that is spoken of
 };
 
 constexpr Step steps[] = {
@@ -31,13 +34,15 @@ constexpr Step steps[] = {
                        "Every row of this table is a map that makes a smaller copy of the whole, and the "
                        "picture is all copies together. Double-click a number and type another: the copy "
                        "moves as you type. ‖A‖ is the most by which a map stretches. While it is less than "
-                       "1, the map contracts. Ctrl+Z takes everything back.")},
+                       "1, the map contracts. Ctrl+Z takes everything back."),
+     view::MapsModel::Contraction},
     {"maps", QT_TRANSLATE_NOOP("Tour", "Fixed point"),
      QT_TRANSLATE_NOOP("Tour",
                        "A map that contracts leaves exactly one point where it is: its fixed point. Switch "
                        "off all maps but two by the boxes on the left, and see how little is left of the "
                        "picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings "
-                       "the maps back.")},
+                       "the maps back."),
+     view::MapsModel::Enabled},
     {"arising", QT_TRANSLATE_NOOP("Tour", "Chaos game"),
      QT_TRANSLATE_NOOP("Tour",
                        "Press Chaos Game and then the triangle that starts it. One point jumps about, each "
@@ -179,6 +184,8 @@ void Tour::showStep(int step) {
         }
     }
     if (m_target) follow(m_target);
+    if (auto* maps = host()->findChild<view::MapsPanel*>(); maps && !asking && steps[step].column >= 0)
+        QTimer::singleShot(0, maps, [maps, step] { maps->reveal(steps[step].column); });
     m_place->setText(asking ? QString() : tr("%1 of %2").arg(step + 1).arg(stepCount));
     m_back->setVisible(step > 0);
     m_next->setText(asking ? tr("&Start the Tour") : step + 1 == stepCount ? tr("&Done") : tr("&Next"));

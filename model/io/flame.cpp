@@ -51,13 +51,6 @@ std::optional<ifs::AffineMap<2>> affine(QStringView text) {
     return ifs::affineMap(c[0], c[2], c[1], c[3], c[4], c[5]);
 }
 
-ifs::AffineMap<2> flipped(ifs::AffineMap<2> map) {
-    map.linear(0, 1) = -map.linear(0, 1);
-    map.linear(1, 0) = -map.linear(1, 0);
-    map.translation.y() = -map.translation.y();
-    return map;
-}
-
 // What an xform's attributes say that is not one of its variations.
 bool isPlainAttribute(QStringView name) {
     static const QStringList plain{QStringLiteral("weight"),
@@ -340,6 +333,13 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
 }
 
 } // namespace
+
+ifs::AffineMap<2> flipped(ifs::AffineMap<2> map) {
+    map.linear(0, 1) = -map.linear(0, 1);
+    map.linear(1, 0) = -map.linear(1, 0);
+    map.translation.y() = -map.translation.y();
+    return map;
+}
 
 document::FractalFile readFlame(const QByteArray& bytes, FlameAxis axis) {
     const XmlText xml = xmlText(bytes);

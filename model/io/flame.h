@@ -15,6 +15,7 @@ namespace io {
 // Flames grow y downwards. Flipped gives the code that looks the same way up here (A → JAJ, b → Jb, J =
 // diag(1,−1)).
 enum class FlameAxis { Flipped, AsWritten };
+ifs::AffineMap<2> flipped(ifs::AffineMap<2> map); // exact, and its own inverse
 
 // One entry for every flame that is affine; for each of the others an error that says why it is refused.
 document::FractalFile readFlame(const QByteArray& bytes, FlameAxis axis = FlameAxis::Flipped);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/table_columns.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +13,10 @@ namespace io {
 namespace {
 
 using enum TableColumn;
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -31,12 +37,35 @@ bool isWeight(TableColumn column) {
     return column == Weight || column == Cumulative;
 }
 
+bool isPolar(TableColumn column) {
+    return column >= R && column <= Phi;
+}
+
+std::optional<TableColumn> columnOf(const QString& name) {
+    const auto* const known =
+        std::find_if(columnsByName.begin(), columnsByName.end(), [&name](const Name& candidate) {
+            return name.compare(QString::fromUtf8(candidate.name), Qt::CaseInsensitive) == 0;
+        });
+    return known == columnsByName.end() ? std::nullopt : std::optional(known->column);
+}
+
 bool isComplete(TableColumns columns) {
     std::sort(columns.begin(), columns.end());
     return columns == TableColumns{A, B, C, D, E, F, Weight} ||
            columns == TableColumns{A, B, C, D, E, F, Cumulative} ||
            columns == TableColumns{R, S, Theta, Phi, E, F, Weight} ||
            columns == TableColumns{R, S, Theta, Phi, E, F, Cumulative};
+}
+
+// The words, or the letters of the only one.
+QStringList namesIn(QString text) {
+    text.replace(u',', u' ');
+    const QStringList names = text.simplified().split(u' ', Qt::SkipEmptyParts);
+    if (names.size() != 1) return names;
+    QStringList letters;
+    for (const QChar letter : names.first())
+        letters << QString(letter);
+    return letters;
 }
 
 } // namespace
@@ -48,26 +77,39 @@ TableColumns fractintColumns() {
 std::optional<TableColumns> tableColumns(const QStringList& names) {
     TableColumns columns;
     for (const QString& name : names) {
-        const auto* const known =
-            std::find_if(columnsByName.begin(), columnsByName.end(), [&name](const Name& candidate) {
-                return name.compare(QString::fromUtf8(candidate.name), Qt::CaseInsensitive) == 0;
-            });
-        if (known == columnsByName.end()) return std::nullopt;
-        columns.push_back(known->column);
+        const std::optional<TableColumn> column = columnOf(name);
+        if (!column) return std::nullopt;
+        columns.push_back(*column);
     }
     if (std::none_of(columns.begin(), columns.end(), isWeight)) columns.push_back(Weight);
     return isComplete(columns) ? std::optional(columns) : std::nullopt;
 }
 
 std::optional<TableColumns> tableColumns(const QString& text) {
-    QString spaced = text;
-    spaced.replace(u',', u' ');
-    const QStringList names = spaced.split(u' ', Qt::SkipEmptyParts);
-    if (names.size() != 1) return tableColumns(names);
-    QStringList letters;
-    for (const QChar letter : names.first())
-        letters << QString(letter);
-    return tableColumns(letters);
+    return tableColumns(namesIn(text));
+}
+
+QString columnsObstacle(const QString& text) {
+    TableColumns columns;
+    for (const QString& name : namesIn(text)) {
+        const std::optional<TableColumn> column = columnOf(name);
+        if (!column)
+            return Text::tr("No column is called “%1”: they are a b c d or r s theta phi, e f, and p or "
+                            "cumulative.")
+                .arg(name);
+        if (std::find(columns.begin(), columns.end(), *column) != columns.end())
+            return Text::tr("“%1” is there twice.").arg(name);
+        columns.push_back(*column);
+    }
+    if (std::count_if(columns.begin(), columns.end(), isWeight) > 1)
+        return Text::tr("A row has one weight: p or cumulative.");
+    const bool polar = std::any_of(columns.begin(), columns.end(), isPolar);
+    TableColumns missing = polar ? TableColumns{R, S, Theta, Phi, E, F} : TableColumns{A, B, C, D, E, F};
+    for (const TableColumn column : columns)
+        if (std::erase(missing, column) == 0 && !isWeight(column))
+            return Text::tr("a b c d and r s theta phi do not go together.");
+    if (missing.empty()) return {};
+    return Text::tr("Missing: %1.").arg(columnNames(missing).join(u' '));
 }
 
 QStringList columnNames(const TableColumns& columns) {

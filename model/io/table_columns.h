@@ -29,6 +29,9 @@ std::optional<TableColumns> tableColumns(const QStringList& names);
 // The same out of "a b c d e f p" or "abecdfp".
 std::optional<TableColumns> tableColumns(const QString& text);
 
+// Why a text names no such order, as a sentence; empty when it does.
+QString columnsObstacle(const QString& text);
+
 QStringList columnNames(const TableColumns& columns);
 
 // One number for every column, or none for the weight when it is missing from the row (`numbers` is one

@@ -243,6 +243,10 @@
         <source>This system has no attractor that could be enclosed.</source>
         <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden könnte.</translation>
     </message>
+    <message>
+        <source>The cage is at rest.</source>
+        <translation>Der Käfig ist in Ruhe.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>
@@ -352,33 +356,48 @@
     </message>
 </context>
 <context>
-    <name>ColumnOrders</name>
-    <message>
-        <source>a b c d e f p: Fractint, Barnsley</source>
-        <translation>a b c d e f p: Fractint, Barnsley</translation>
-    </message>
-    <message>
-        <source>a b e c d f p: each equation in a row</source>
-        <translation>a b e c d f p: jede Gleichung in einer Reihe</translation>
-    </message>
-    <message>
-        <source>a c b d e f p: column by column</source>
-        <translation>a c b d e f p: Spalte für Spalte</translation>
-    </message>
-    <message>
-        <source>p a b c d e f: the weight first</source>
-        <translation>p a b c d e f: das Gewicht zuerst</translation>
-    </message>
-    <message>
-        <source>r s theta phi e f p: scales, and angles in degrees</source>
-        <translation>r s theta phi e f p: Skalierungen, und Winkel in Grad</translation>
-    </message>
-</context>
-<context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
         <translation>Für dieses Bild reicht der Speicher nicht. Machen Sie es kleiner oder verringern Sie die Überabtastung.</translation>
+    </message>
+</context>
+<context>
+    <name>FlameCard</name>
+    <message>
+        <source>Flames</source>
+        <translation>Flames</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n flames</source>
+        <translation>
+            <numerusform>%n Flame</numerusform>
+            <numerusform>%n Flames</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In flames y grows downwards. They were turned over, so that they look here as they do in flame programs.</source>
+        <translation>In Flames wächst y nach unten. Sie wurden umgedreht, damit sie hier aussehen wie in Flame-Programmen.</translation>
+    </message>
+    <message>
+        <source>Leave &amp;y as it is written</source>
+        <translation>&amp;y lassen, wie es geschrieben ist</translation>
+    </message>
+    <message>
+        <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
+        <translation>Nimmt die Zahlen der Flames, wie sie im Text stehen. Das Bild steht dann auf dem Kopf.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Leave y as it is written</source>
+        <translation>y lassen, wie es geschrieben ist</translation>
+    </message>
+    <message>
+        <source>Turn the flames over</source>
+        <translation>Flames umdrehen</translation>
     </message>
 </context>
 <context>
@@ -2137,6 +2156,26 @@
             <numerusform>%n weitere Abbildungen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No column is called “%1”: they are a b c d or r s theta phi, e f, and p or cumulative.</source>
+        <translation>Keine Spalte heißt „%1“: Es gibt a b c d oder r s theta phi, e f, und p oder cumulative.</translation>
+    </message>
+    <message>
+        <source>“%1” is there twice.</source>
+        <translation>„%1“ kommt zweimal vor.</translation>
+    </message>
+    <message>
+        <source>A row has one weight: p or cumulative.</source>
+        <translation>Eine Zeile hat ein Gewicht: p oder cumulative.</translation>
+    </message>
+    <message>
+        <source>a b c d and r s theta phi do not go together.</source>
+        <translation>a b c d und r s theta phi passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Missing: %1.</source>
+        <translation>Es fehlt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2890,10 +2929,6 @@
         <translation>Das minimale kanonische Simplex anpassen</translation>
     </message>
     <message>
-        <source>The cage is at rest already.</source>
-        <translation>Der Käfig ist schon in Ruhe.</translation>
-    </message>
-    <message>
         <source>Reset the cage</source>
         <translation>Den Käfig zurücksetzen</translation>
     </message>
@@ -3206,10 +3241,6 @@
     <message>
         <source>Hold the picture by a fitted cage; the picture stays</source>
         <translation>Das Bild mit einem angepassten Käfig halten; das Bild bleibt</translation>
-    </message>
-    <message>
-        <source>The cage is at rest.</source>
-        <translation>Der Käfig ist in Ruhe.</translation>
     </message>
     <message>
         <source>Put the cage and the picture back to rest</source>
@@ -3810,6 +3841,49 @@
     <message>
         <source>Click to choose another colour.</source>
         <translation>Klicken, um eine andere Farbe zu wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ColumnOrders</name>
+    <message>
+        <source>a b c d e f p: Fractint, Barnsley</source>
+        <translation>a b c d e f p: Fractint, Barnsley</translation>
+    </message>
+    <message>
+        <source>a b e c d f p: each equation in a row</source>
+        <translation>a b e c d f p: jede Gleichung in einer Reihe</translation>
+    </message>
+    <message>
+        <source>a c b d e f p: column by column</source>
+        <translation>a c b d e f p: Spalte für Spalte</translation>
+    </message>
+    <message>
+        <source>p a b c d e f: the weight first</source>
+        <translation>p a b c d e f: das Gewicht zuerst</translation>
+    </message>
+    <message>
+        <source>r s theta phi e f p: scales, and angles in degrees</source>
+        <translation>r s theta phi e f p: Skalierungen, und Winkel in Grad</translation>
+    </message>
+    <message>
+        <source>a b c d e f, and weights that add up row by row</source>
+        <translation>a b c d e f, und Gewichte, die sich Zeile für Zeile aufsummieren</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Andere …</translation>
+    </message>
+    <message>
+        <source>Order of the columns</source>
+        <translation>Reihenfolge der Spalten</translation>
+    </message>
+    <message>
+        <source>Names of the columns in their order</source>
+        <translation>Namen der Spalten in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>The names of the columns in their order: a b c d or r s theta phi, then e and f, each once, and p for a weight or cumulative for a sum of weights where there is one. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
+        <translation>Die Namen der Spalten in ihrer Reihenfolge: a b c d oder r s theta phi, dazu e und f, jeder einmal, und p für ein Gewicht oder cumulative für eine Summe von Gewichten, wo es sie gibt. x′ = a·x + b·y + e und y′ = c·x + d·y + f.</translation>
     </message>
 </context>
 <context>
@@ -5464,10 +5538,6 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>Paste a Table</source>
         <translation>Eine Tabelle einfügen</translation>
-    </message>
-    <message>
-        <source>Order of the columns</source>
-        <translation>Reihenfolge der Spalten</translation>
     </message>
     <message>
         <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>

@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>FlameCard</name>
+    <message numerus="yes">
+        <source>%n flames</source>
+        <translation>
+            <numerusform>%n flame</numerusform>
+            <numerusform>%n flames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message numerus="yes">
         <source>%n entries</source>

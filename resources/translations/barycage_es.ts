@@ -243,6 +243,10 @@
         <source>This system has no attractor that could be enclosed.</source>
         <translation>Este sistema no tiene un atractor que se pueda encerrar.</translation>
     </message>
+    <message>
+        <source>The cage is at rest.</source>
+        <translation>La jaula está en reposo.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>
@@ -352,33 +356,48 @@
     </message>
 </context>
 <context>
-    <name>ColumnOrders</name>
-    <message>
-        <source>a b c d e f p: Fractint, Barnsley</source>
-        <translation>a b c d e f p: Fractint, Barnsley</translation>
-    </message>
-    <message>
-        <source>a b e c d f p: each equation in a row</source>
-        <translation>a b e c d f p: cada ecuación en una fila</translation>
-    </message>
-    <message>
-        <source>a c b d e f p: column by column</source>
-        <translation>a c b d e f p: columna por columna</translation>
-    </message>
-    <message>
-        <source>p a b c d e f: the weight first</source>
-        <translation>p a b c d e f: primero el peso</translation>
-    </message>
-    <message>
-        <source>r s theta phi e f p: scales, and angles in degrees</source>
-        <translation>r s theta phi e f p: escalas, y ángulos en grados</translation>
-    </message>
-</context>
-<context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
         <translation>No hay memoria suficiente para esta imagen. Hágala más pequeña o use menos supermuestreo.</translation>
+    </message>
+</context>
+<context>
+    <name>FlameCard</name>
+    <message>
+        <source>Flames</source>
+        <translation>Flames</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n flames</source>
+        <translation>
+            <numerusform>%n flame</numerusform>
+            <numerusform>%n flames</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In flames y grows downwards. They were turned over, so that they look here as they do in flame programs.</source>
+        <translation>En los flames, y crece hacia abajo. Se han invertido para que se vean aquí como en los programas de flames.</translation>
+    </message>
+    <message>
+        <source>Leave &amp;y as it is written</source>
+        <translation>Dejar &amp;y como está escrita</translation>
+    </message>
+    <message>
+        <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
+        <translation>Toma los números de los flames como están en el texto. La imagen queda entonces cabeza abajo.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Leave y as it is written</source>
+        <translation>Dejar y como está escrita</translation>
+    </message>
+    <message>
+        <source>Turn the flames over</source>
+        <translation>Invertir los flames</translation>
     </message>
 </context>
 <context>
@@ -2137,6 +2156,26 @@
             <numerusform>%n aplicaciones más</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No column is called “%1”: they are a b c d or r s theta phi, e f, and p or cumulative.</source>
+        <translation>Ninguna columna se llama «%1»: son a b c d o r s theta phi, e f, y p o cumulative.</translation>
+    </message>
+    <message>
+        <source>“%1” is there twice.</source>
+        <translation>«%1» aparece dos veces.</translation>
+    </message>
+    <message>
+        <source>A row has one weight: p or cumulative.</source>
+        <translation>Una fila tiene un solo peso: p o cumulative.</translation>
+    </message>
+    <message>
+        <source>a b c d and r s theta phi do not go together.</source>
+        <translation>a b c d y r s theta phi no van juntos.</translation>
+    </message>
+    <message>
+        <source>Missing: %1.</source>
+        <translation>Falta: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2890,10 +2929,6 @@
         <translation>Ajustar el símplex canónico mínimo</translation>
     </message>
     <message>
-        <source>The cage is at rest already.</source>
-        <translation>La jaula ya está en reposo.</translation>
-    </message>
-    <message>
         <source>Reset the cage</source>
         <translation>Restablecer la jaula</translation>
     </message>
@@ -3206,10 +3241,6 @@
     <message>
         <source>Hold the picture by a fitted cage; the picture stays</source>
         <translation>Sujetar la imagen con una jaula ajustada; la imagen no cambia</translation>
-    </message>
-    <message>
-        <source>The cage is at rest.</source>
-        <translation>La jaula está en reposo.</translation>
     </message>
     <message>
         <source>Put the cage and the picture back to rest</source>
@@ -3810,6 +3841,49 @@
     <message>
         <source>Click to choose another colour.</source>
         <translation>Haga clic para elegir otro color.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ColumnOrders</name>
+    <message>
+        <source>a b c d e f p: Fractint, Barnsley</source>
+        <translation>a b c d e f p: Fractint, Barnsley</translation>
+    </message>
+    <message>
+        <source>a b e c d f p: each equation in a row</source>
+        <translation>a b e c d f p: cada ecuación en una fila</translation>
+    </message>
+    <message>
+        <source>a c b d e f p: column by column</source>
+        <translation>a c b d e f p: columna por columna</translation>
+    </message>
+    <message>
+        <source>p a b c d e f: the weight first</source>
+        <translation>p a b c d e f: primero el peso</translation>
+    </message>
+    <message>
+        <source>r s theta phi e f p: scales, and angles in degrees</source>
+        <translation>r s theta phi e f p: escalas, y ángulos en grados</translation>
+    </message>
+    <message>
+        <source>a b c d e f, and weights that add up row by row</source>
+        <translation>a b c d e f, y pesos que se acumulan fila a fila</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Otro…</translation>
+    </message>
+    <message>
+        <source>Order of the columns</source>
+        <translation>Orden de las columnas</translation>
+    </message>
+    <message>
+        <source>Names of the columns in their order</source>
+        <translation>Nombres de las columnas en su orden</translation>
+    </message>
+    <message>
+        <source>The names of the columns in their order: a b c d or r s theta phi, then e and f, each once, and p for a weight or cumulative for a sum of weights where there is one. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
+        <translation>Los nombres de las columnas en su orden: a b c d o r s theta phi, además e y f, cada uno una vez, y p para un peso o cumulative para una suma de pesos donde la haya. x′ = a·x + b·y + e e y′ = c·x + d·y + f.</translation>
     </message>
 </context>
 <context>
@@ -5464,10 +5538,6 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>Paste a Table</source>
         <translation>Pegar una tabla</translation>
-    </message>
-    <message>
-        <source>Order of the columns</source>
-        <translation>Orden de las columnas</translation>
     </message>
     <message>
         <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>

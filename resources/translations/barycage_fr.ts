@@ -243,6 +243,10 @@
         <source>This system has no attractor that could be enclosed.</source>
         <translation>Ce système n’a pas d’attracteur à entourer.</translation>
     </message>
+    <message>
+        <source>The cage is at rest.</source>
+        <translation>La cage est au repos.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>
@@ -352,33 +356,48 @@
     </message>
 </context>
 <context>
-    <name>ColumnOrders</name>
-    <message>
-        <source>a b c d e f p: Fractint, Barnsley</source>
-        <translation>a b c d e f p&#x202f;: Fractint, Barnsley</translation>
-    </message>
-    <message>
-        <source>a b e c d f p: each equation in a row</source>
-        <translation>a b e c d f p&#x202f;: chaque équation sur une ligne</translation>
-    </message>
-    <message>
-        <source>a c b d e f p: column by column</source>
-        <translation>a c b d e f p&#x202f;: colonne par colonne</translation>
-    </message>
-    <message>
-        <source>p a b c d e f: the weight first</source>
-        <translation>p a b c d e f&#x202f;: le poids en premier</translation>
-    </message>
-    <message>
-        <source>r s theta phi e f p: scales, and angles in degrees</source>
-        <translation>r s theta phi e f p&#x202f;: facteurs d’échelle, et angles en degrés</translation>
-    </message>
-</context>
-<context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
         <translation>La mémoire ne suffit pas pour cette image. Réduisez-la, ou diminuez le suréchantillonnage.</translation>
+    </message>
+</context>
+<context>
+    <name>FlameCard</name>
+    <message>
+        <source>Flames</source>
+        <translation>Flammes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n flames</source>
+        <translation>
+            <numerusform>%n flamme</numerusform>
+            <numerusform>%n flammes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In flames y grows downwards. They were turned over, so that they look here as they do in flame programs.</source>
+        <translation>Dans les flammes, y croît vers le bas. Elles ont été retournées, pour avoir ici la même allure que dans les programmes de flammes.</translation>
+    </message>
+    <message>
+        <source>Leave &amp;y as it is written</source>
+        <translation>Laisser &amp;y comme il est écrit</translation>
+    </message>
+    <message>
+        <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
+        <translation>Prend les nombres des flammes tels qu’ils sont dans le texte. L’image est alors à l’envers.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Leave y as it is written</source>
+        <translation>Laisser y comme il est écrit</translation>
+    </message>
+    <message>
+        <source>Turn the flames over</source>
+        <translation>Retourner les flammes</translation>
     </message>
 </context>
 <context>
@@ -2137,6 +2156,26 @@
             <numerusform>%n autres applications</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No column is called “%1”: they are a b c d or r s theta phi, e f, and p or cumulative.</source>
+        <translation>Aucune colonne ne s’appelle «&#x202f;%1&#x202f;»&#x202f;: il y a a b c d ou r s theta phi, e f, et p ou cumulative.</translation>
+    </message>
+    <message>
+        <source>“%1” is there twice.</source>
+        <translation>«&#x202f;%1&#x202f;» apparaît deux fois.</translation>
+    </message>
+    <message>
+        <source>A row has one weight: p or cumulative.</source>
+        <translation>Une ligne a un seul poids&#x202f;: p ou cumulative.</translation>
+    </message>
+    <message>
+        <source>a b c d and r s theta phi do not go together.</source>
+        <translation>a b c d et r s theta phi ne vont pas ensemble.</translation>
+    </message>
+    <message>
+        <source>Missing: %1.</source>
+        <translation>Il manque&#x202f;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2890,10 +2929,6 @@
         <translation>Ajuster le simplexe canonique minimal</translation>
     </message>
     <message>
-        <source>The cage is at rest already.</source>
-        <translation>La cage est déjà au repos.</translation>
-    </message>
-    <message>
         <source>Reset the cage</source>
         <translation>Réinitialiser la cage</translation>
     </message>
@@ -3206,10 +3241,6 @@
     <message>
         <source>Hold the picture by a fitted cage; the picture stays</source>
         <translation>Tenir l’image par une cage ajustée&#x202f;; l’image reste</translation>
-    </message>
-    <message>
-        <source>The cage is at rest.</source>
-        <translation>La cage est au repos.</translation>
     </message>
     <message>
         <source>Put the cage and the picture back to rest</source>
@@ -3810,6 +3841,49 @@
     <message>
         <source>Click to choose another colour.</source>
         <translation>Cliquez pour choisir une autre couleur.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ColumnOrders</name>
+    <message>
+        <source>a b c d e f p: Fractint, Barnsley</source>
+        <translation>a b c d e f p&#x202f;: Fractint, Barnsley</translation>
+    </message>
+    <message>
+        <source>a b e c d f p: each equation in a row</source>
+        <translation>a b e c d f p&#x202f;: chaque équation sur une ligne</translation>
+    </message>
+    <message>
+        <source>a c b d e f p: column by column</source>
+        <translation>a c b d e f p&#x202f;: colonne par colonne</translation>
+    </message>
+    <message>
+        <source>p a b c d e f: the weight first</source>
+        <translation>p a b c d e f&#x202f;: le poids en premier</translation>
+    </message>
+    <message>
+        <source>r s theta phi e f p: scales, and angles in degrees</source>
+        <translation>r s theta phi e f p&#x202f;: facteurs d’échelle, et angles en degrés</translation>
+    </message>
+    <message>
+        <source>a b c d e f, and weights that add up row by row</source>
+        <translation>a b c d e f, et des poids qui se cumulent ligne par ligne</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Autre…</translation>
+    </message>
+    <message>
+        <source>Order of the columns</source>
+        <translation>Ordre des colonnes</translation>
+    </message>
+    <message>
+        <source>Names of the columns in their order</source>
+        <translation>Noms des colonnes dans leur ordre</translation>
+    </message>
+    <message>
+        <source>The names of the columns in their order: a b c d or r s theta phi, then e and f, each once, and p for a weight or cumulative for a sum of weights where there is one. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
+        <translation>Les noms des colonnes dans leur ordre&#x202f;: a b c d ou r s theta phi, puis e et f, chacun une fois, et p pour un poids ou cumulative pour une somme de poids s’il y en a. x′ = a·x + b·y + e et y′ = c·x + d·y + f.</translation>
     </message>
 </context>
 <context>
@@ -5464,10 +5538,6 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>Paste a Table</source>
         <translation>Coller un tableau</translation>
-    </message>
-    <message>
-        <source>Order of the columns</source>
-        <translation>Ordre des colonnes</translation>
     </message>
     <message>
         <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>

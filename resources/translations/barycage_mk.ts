@@ -244,6 +244,10 @@
         <source>This system has no attractor that could be enclosed.</source>
         <translation>Овој систем нема атрактор што би можел да се опфати.</translation>
     </message>
+    <message>
+        <source>The cage is at rest.</source>
+        <translation>Кафезот е во мирување.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>
@@ -353,33 +357,49 @@
     </message>
 </context>
 <context>
-    <name>ColumnOrders</name>
-    <message>
-        <source>a b c d e f p: Fractint, Barnsley</source>
-        <translation>a b c d e f p: Fractint, Барнсли</translation>
-    </message>
-    <message>
-        <source>a b e c d f p: each equation in a row</source>
-        <translation>a b e c d f p: секоја равенка во една редица</translation>
-    </message>
-    <message>
-        <source>a c b d e f p: column by column</source>
-        <translation>a c b d e f p: колона по колона</translation>
-    </message>
-    <message>
-        <source>p a b c d e f: the weight first</source>
-        <translation>p a b c d e f: прво тежината</translation>
-    </message>
-    <message>
-        <source>r s theta phi e f p: scales, and angles in degrees</source>
-        <translation>r s theta phi e f p: размери, и агли во степени</translation>
-    </message>
-</context>
-<context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
         <translation>Нема доволно меморија за оваа слика. Намалете ја или намалете го суперсемплирањето.</translation>
+    </message>
+</context>
+<context>
+    <name>FlameCard</name>
+    <message>
+        <source>Flames</source>
+        <translation>Пламени</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n flames</source>
+        <translation>
+            <numerusform>%n пламен</numerusform>
+            <numerusform>%n пламени</numerusform>
+            <numerusform>%n пламени</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In flames y grows downwards. They were turned over, so that they look here as they do in flame programs.</source>
+        <translation>Во пламените y расте надолу. Превртени се, за тука да изгледаат како во flame-програмите.</translation>
+    </message>
+    <message>
+        <source>Leave &amp;y as it is written</source>
+        <translation>Остави ја &amp;y како што е запишана</translation>
+    </message>
+    <message>
+        <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
+        <translation>Ги зема броевите на пламените како што се во текстот. Сликата тогаш е превртена.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Затвори</translation>
+    </message>
+    <message>
+        <source>Leave y as it is written</source>
+        <translation>Остави ја y како што е запишана</translation>
+    </message>
+    <message>
+        <source>Turn the flames over</source>
+        <translation>Преврти ги пламените</translation>
     </message>
 </context>
 <context>
@@ -2142,6 +2162,26 @@
             <numerusform>уште %n пресликувања</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No column is called “%1”: they are a b c d or r s theta phi, e f, and p or cumulative.</source>
+        <translation>Ниедна колона не се вика „%1“: тие се a b c d или r s theta phi, e f, и p или cumulative.</translation>
+    </message>
+    <message>
+        <source>“%1” is there twice.</source>
+        <translation>„%1“ се јавува двапати.</translation>
+    </message>
+    <message>
+        <source>A row has one weight: p or cumulative.</source>
+        <translation>Една редица има една тежина: p или cumulative.</translation>
+    </message>
+    <message>
+        <source>a b c d and r s theta phi do not go together.</source>
+        <translation>a b c d и r s theta phi не одат заедно.</translation>
+    </message>
+    <message>
+        <source>Missing: %1.</source>
+        <translation>Недостасува: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2895,10 +2935,6 @@
         <translation>Опфаќање со минимален каноничен симплекс</translation>
     </message>
     <message>
-        <source>The cage is at rest already.</source>
-        <translation>Кафезот веќе е во мирување.</translation>
-    </message>
-    <message>
         <source>Reset the cage</source>
         <translation>Враќање на кафезот во мирување</translation>
     </message>
@@ -3212,10 +3248,6 @@
     <message>
         <source>Hold the picture by a fitted cage; the picture stays</source>
         <translation>Опфати ја сликата со нов кафез; сликата останува иста</translation>
-    </message>
-    <message>
-        <source>The cage is at rest.</source>
-        <translation>Кафезот е во мирување.</translation>
     </message>
     <message>
         <source>Put the cage and the picture back to rest</source>
@@ -3816,6 +3848,49 @@
     <message>
         <source>Click to choose another colour.</source>
         <translation>Кликнете за да изберете друга боја.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ColumnOrders</name>
+    <message>
+        <source>a b c d e f p: Fractint, Barnsley</source>
+        <translation>a b c d e f p: Fractint, Барнсли</translation>
+    </message>
+    <message>
+        <source>a b e c d f p: each equation in a row</source>
+        <translation>a b e c d f p: секоја равенка во една редица</translation>
+    </message>
+    <message>
+        <source>a c b d e f p: column by column</source>
+        <translation>a c b d e f p: колона по колона</translation>
+    </message>
+    <message>
+        <source>p a b c d e f: the weight first</source>
+        <translation>p a b c d e f: прво тежината</translation>
+    </message>
+    <message>
+        <source>r s theta phi e f p: scales, and angles in degrees</source>
+        <translation>r s theta phi e f p: размери, и агли во степени</translation>
+    </message>
+    <message>
+        <source>a b c d e f, and weights that add up row by row</source>
+        <translation>a b c d e f, и тежини што се собираат редица по редица</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Друго…</translation>
+    </message>
+    <message>
+        <source>Order of the columns</source>
+        <translation>Редослед на колоните</translation>
+    </message>
+    <message>
+        <source>Names of the columns in their order</source>
+        <translation>Имињата на колоните по ред</translation>
+    </message>
+    <message>
+        <source>The names of the columns in their order: a b c d or r s theta phi, then e and f, each once, and p for a weight or cumulative for a sum of weights where there is one. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
+        <translation>Имињата на колоните по ред: a b c d или r s theta phi, потоа e и f, секое еднаш, и p за тежина или cumulative за збир на тежини каде што го има. x′ = a·x + b·y + e и y′ = c·x + d·y + f.</translation>
     </message>
 </context>
 <context>
@@ -5476,10 +5551,6 @@ The entry is kept as it is.</source>
     <message>
         <source>Paste a Table</source>
         <translation>Вметнување табела</translation>
-    </message>
-    <message>
-        <source>Order of the columns</source>
-        <translation>Редослед на колоните</translation>
     </message>
     <message>
         <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>

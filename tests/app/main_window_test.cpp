@@ -2,7 +2,9 @@
 #include "dialogs/command_palette.h"
 #include "dialogs/paste_table_dialog.h"
 #include "dialogs/preferences_dialog.h"
+#include "flame_card.h"
 #include "main_window.h"
+#include "panels/entries_panel.h"
 #include "preferences.h"
 #include "recovery.h"
 #include "session.h"
@@ -12,6 +14,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
@@ -24,8 +27,11 @@
 #include <QScreen>
 #include <QSet>
 #include <QSettings>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolBar>
+#include <QTranslator>
 #include <QUndoStack>
 
 // The window as a whole: what it opens and how it divides its room.
@@ -49,6 +55,11 @@ private slots:
     void whatOthersCopiedIsPasted();
     void theHintGoesWithAnotherTool();
     void commandsOfThePanelsAreFound();
+    void buttonsAreFoundAsCommands();
+    void flamesAreReadEitherWayUp();
+    void cageCommandsAreOfferedWhereTheyDoSomething();
+    void namesOfPanelsAreSeenWhole_data();
+    void namesOfPanelsAreSeenWhole();
 
 private:
     static QList<MainWindow*> windows() { return session::windows(); }
@@ -228,7 +239,10 @@ void MainWindowTest::panelsAreWhereTheyWereLeft() {
     first->addDockWidget(Qt::LeftDockWidgetArea, panel(first, "analysis"));
     panel(first, "appearance")->raise();
     first->resizeDocks({panel(first, "maps")}, {390}, Qt::Horizontal);
-    QTRY_COMPARE(panel(first, "appearance")->width(), 390);
+    const auto* names =
+        panel(first, "appearance")->parentWidget()->findChild<QTabBar*>({}, Qt::FindDirectChildrenOnly);
+    QTRY_COMPARE(panel(first, "appearance")->width(), 390 - names->width());
+    const int width = panel(first, "appearance")->width();
     first->close();
     QTRY_VERIFY(windows().isEmpty());
 
@@ -240,7 +254,7 @@ void MainWindowTest::panelsAreWhereTheyWereLeft() {
     QCOMPARE(second->dockWidgetArea(panel(second, "analysis")), Qt::LeftDockWidgetArea);
     QTRY_VERIFY(!panel(second, "appearance")->visibleRegion().isEmpty());
     QVERIFY(panel(second, "maps")->visibleRegion().isEmpty()); // behind it
-    QTRY_COMPARE(panel(second, "appearance")->width(), 390);
+    QTRY_COMPARE(panel(second, "appearance")->width(), width);
     QSettings().clear();
 }
 
@@ -379,6 +393,146 @@ void MainWindowTest::commandsOfThePanelsAreFound() {
     for (const view::NamedAction& action : view::actionsOf(*window))
         named = named || action.path == QStringLiteral("Edit › Undo");
     QVERIFY(named);
+}
+
+void MainWindowTest::buttonsAreFoundAsCommands() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    const auto command = [window](const char* path) -> QAction* {
+        for (const view::NamedAction& action : view::actionsOf(*window))
+            if (action.path == QString::fromUtf8(path)) return action.action;
+        return nullptr;
+    };
+    for (const char* path : {"Cage › Show the rest cage", "Analysis › On the canvas › Hull",
+                             "Analysis › On the canvas › Cylinders", "Appearance › Reset to Default",
+                             "Appearance › Edit Palette", "Maps › Show columns: Effective code",
+                             "How It Arises › Steps Wⁿ", "How It Arises › Chaos Game"})
+        QVERIFY2(command(path), path);
+    // Those of what is not unfolded come with it.
+    const char* reverse = "Appearance › Palette editor › Reverse";
+    QVERIFY(!command(reverse));
+    command("Appearance › Edit Palette")->trigger();
+    const attractor::Palette before = window->document().fractal().appearance.palette;
+    QVERIFY(command(reverse));
+    command(reverse)->trigger();
+    QVERIFY(!(window->document().fractal().appearance.palette == before));
+    // A button that can do nothing does nothing as a command.
+    QVERIFY(command("Appearance › Reset to Default")->isEnabled());
+    command("Appearance › Reset to Default")->trigger();
+    QVERIFY(!command("Appearance › Reset to Default")->isEnabled());
+
+    // Where the button is, is shown.
+    const auto* bar = window->findChild<QToolBar*>(QStringLiteral("arising"));
+    QVERIFY(bar->isHidden() && !command("How It Arises › Start"));
+    view::CommandPalette palette(view::actionsOf(*window));
+    palette.show();
+    QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("arises chaos"));
+    QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+    QVERIFY(bar->isVisible());
+    QVERIFY(command("How It Arises › Start"));
+    window->document().undoStack()->setClean();
+}
+
+// Opened and pasted flames are turned over, and a check box lets them be as they are written.
+void MainWindowTest::flamesAreReadEitherWayUp() {
+    const QString flame = QStringLiteral("<flames><flame name=\"ember\"><xform weight=\"1\" linear=\"1\" "
+                                         "coefs=\"0.5 0.25 -0.125 0.5 1 2\"/></flame></flames>");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("ember.flame"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(flame.toUtf8());
+    file.close();
+
+    MainWindow* window = shown(path);
+    document::Document& document = window->document();
+    const auto map = [&](qsizetype entry) {
+        return document::system2(*document.file().entries[entry].fractal)->maps.front().map;
+    };
+    const ifs::AffineMap<2> written = ifs::affineMap(0.5, -0.125, 0.25, 0.5, 1, 2);
+    const ifs::AffineMap<2> turned = ifs::affineMap(0.5, 0.125, -0.25, 0.5, 1, -2);
+    const auto card = [window] { return window->findChild<FlameCard*>(); };
+    QVERIFY(card() && card()->isVisible());
+    QVERIFY(map(0) == turned);
+    card()->findChild<QCheckBox*>()->click();
+    QVERIFY(map(0) == written);
+    QCOMPARE(document.undoStack()->count(), 1);
+    card()->findChild<QCheckBox*>()->click();
+    QVERIFY(map(0) == turned);
+    document.undoStack()->undo(); // somebody goes on: the question is settled
+    QVERIFY(map(0) == written);
+    QTRY_VERIFY(!card());
+
+    QGuiApplication::clipboard()->setText(flame);
+    window->findChild<view::EntriesPanel*>()->paste();
+    QCOMPARE(document.file().entries.size(), 2);
+    QVERIFY(card() && map(1) == turned);
+    card()->findChild<QCheckBox*>()->click();
+    QVERIFY(map(1) == written && map(0) == written); // the one that was there stays
+    card()->findChild<QCheckBox*>()->click();
+    QVERIFY(map(1) == turned && map(0) == written);
+    document.undoStack()->setClean();
+}
+
+void MainWindowTest::cageCommandsAreOfferedWhereTheyDoSomething() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    document::Document& document = window->document();
+    const auto offered = [window](const char* name) {
+        for (const view::NamedAction& action : view::actionsOf(window->menuWidget()))
+            if (action.path == QString::fromUtf8(name)) return action.action->isEnabled();
+        return false;
+    };
+    const auto offers = [&](bool reset, bool bake, bool unbake) {
+        return offered("Cage › Reset") == reset && offered("Cage › Bake") == bake &&
+               offered("Cage › Unbake") == unbake;
+    };
+    QVERIFY(offers(false, false, true)); // at rest
+    document::Fractal fractal = document.fractal();
+    fractal.cage = document::effectiveCage(fractal);
+    fractal.cage->current[0] += ifs::Vector<2>(1, 1);
+    document.edit(QStringLiteral("place"), fractal);
+    QVERIFY(offers(true, true, false));
+    fractal.cage->current[0] = fractal.cage->current[1]; // flat: it can be opened, and nothing else
+    document.edit(QStringLiteral("flatten"), fractal);
+    QVERIFY(offers(true, false, false));
+    document.undoStack()->undo();
+    QVERIFY(offers(true, true, false));
+    document.undoStack()->undo();
+    QVERIFY(offers(false, false, true));
+    document::Fractal space;
+    space.system = document::System3{};
+    document.edit(QStringLiteral("space"), space);
+    QVERIFY(offers(false, false, false));
+    QVERIFY(!offered("File › Revert")); // it has no file
+    document.undoStack()->setClean();
+}
+
+void MainWindowTest::namesOfPanelsAreSeenWhole_data() {
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"en", "de", "es", "fr", "mk"})
+        QTest::newRow(language) << QString::fromLatin1(language);
+}
+
+void MainWindowTest::namesOfPanelsAreSeenWhole() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    MainWindow* window = shown({});
+    window->resize(1024, 768);
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    int names = 0;
+    for (const auto* bar : window->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        for (int i = 0; i < bar->count(); ++i, ++names) {
+            const QSize room = bar->tabRect(i).size();
+            const int needed = bar->fontMetrics().horizontalAdvance(bar->tabText(i));
+            QVERIFY2(std::max(room.width(), room.height()) > needed, qPrintable(bar->tabText(i)));
+            QVERIFY(bar->rect().contains(bar->tabRect(i)));
+        }
+    QCOMPARE(names, 5);
+    const int half = window->findChild<view::CanvasView*>()->width() * 100 / 46;
+    QVERIFY2(half >= window->width(), "the panels are too wide in this language");
 }
 
 QTEST_MAIN(MainWindowTest)

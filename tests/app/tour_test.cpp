@@ -2,14 +2,17 @@
 #include "tour.h"
 
 #include "app/window_fixture.h"
+#include "panels/maps_panel.h"
 
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
+#include <QTableView>
 #include <QTest>
 #include <QToolBar>
+#include <QToolButton>
 #include <QUndoStack>
 
 // The tour shows its six steps where things are, locks nothing, and leaves the window as it found it.
@@ -36,6 +39,8 @@ private:
 };
 
 void TourTest::sixStepsPointAtWhatTheySpeakOf() {
+    for (auto* toggle : m_window->findChild<view::MapsPanel*>()->findChildren<QToolButton*>())
+        if (toggle->accessibleName().endsWith(QStringLiteral("Facts"))) toggle->click(); // it hides them
     Tour::start(m_window.get());
     const char* targets[] = {"maps", "maps", "arising", "appearance", "", "analysis"};
     QSet<QString> texts;
@@ -43,6 +48,14 @@ void TourTest::sixStepsPointAtWhatTheySpeakOf() {
         settle();
         QCOMPARE(tour()->step(), step);
         QVERIFY(tour()->target() && tour()->target()->isVisible());
+        if (step < 2) { // the column that it speaks of is seen whole
+            const auto* maps = m_window->findChild<view::MapsPanel*>();
+            const int column = step == 0 ? view::MapsModel::Contraction : view::MapsModel::Enabled;
+            const auto* table = maps->table();
+            QTRY_VERIFY(!table->isColumnHidden(column) && table->columnViewportPosition(column) >= 0 &&
+                        table->columnViewportPosition(column) + table->columnWidth(column) <=
+                            table->viewport()->width());
+        }
         if (*targets[step]) {
             QCOMPARE(tour()->target()->objectName(), QLatin1String(targets[step]));
             QTRY_VERIFY(!tour()->target()->visibleRegion().isEmpty()); // not behind another tab

@@ -33,6 +33,39 @@ class TableReaderTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void whyTextIsNoOrderOfColumns_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("why");
+        QTest::newRow("words") << "p A b, c d e f"
+                               << "";
+        QTest::newRow("letters") << "pabcdef"
+                                 << "";
+        QTest::newRow("no weight") << "r s theta phi e f"
+                                   << "";
+        QTest::newRow("sums") << "cumulative a b c d e f"
+                              << "";
+        QTest::newRow("nothing") << ""
+                                 << "Missing: a b c d e f.";
+        QTest::newRow("begun") << "r s"
+                               << "Missing: theta phi e f.";
+        QTest::newRow("twice") << "a b c d e f a"
+                               << "“a” is there twice.";
+        QTest::newRow("unknown")
+            << "a b c d x y"
+            << "No column is called “x”: they are a b c d or r s theta phi, e f, and p or "
+               "cumulative.";
+        QTest::newRow("two weights") << "a b c d e f p cumulative"
+                                     << "A row has one weight: p or cumulative.";
+        QTest::newRow("mixed") << "a b theta phi e f"
+                               << "a b c d and r s theta phi do not go together.";
+    }
+    void whyTextIsNoOrderOfColumns() {
+        QFETCH(QString, text);
+        QFETCH(QString, why);
+        QCOMPARE(io::columnsObstacle(text), why);
+        QCOMPARE(io::tableColumns(text).has_value(), why.isEmpty());
+    }
+
     void tables_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("rows");

@@ -5,7 +5,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -60,6 +62,21 @@ void ExportDataDialogTest::everyFormatIsWrittenAsItIsShown() {
     }
     dialog.findChildren<QComboBox*>().last()->setCurrentIndex(1);
     QVERIFY(written(dialog).startsWith("a\tb\te\tc\td\tf\tp\n"));
+    auto* columns = dialog.findChildren<QComboBox*>().last();
+    columns->setCurrentIndex(columns->count() - 1); // the one that is typed
+    auto* typed = columns->parentWidget()->findChild<QLineEdit*>();
+    typed->clear();
+    QTest::keyClicks(typed, QStringLiteral("fedcba cumulative"));
+    const auto isOffered = [&dialog] {
+        for (const auto* button : dialog.findChildren<QPushButton*>())
+            if (button->text().contains(QStringLiteral("Export"))) return button->isEnabled();
+        return false;
+    };
+    QVERIFY(!isOffered()); // letters alone are an order, letters and a word are not
+    typed->clear();
+    QTest::keyClicks(typed, QStringLiteral("f e d c b a cumulative"));
+    QVERIFY(isOffered());
+    QVERIFY(written(dialog).startsWith("f\te\td\tc\tb\ta\tcumulative\n"));
 }
 
 void ExportDataDialogTest::bakesWhatIsShown() {

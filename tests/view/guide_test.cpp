@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
@@ -13,6 +14,7 @@ class GuideTest : public QObject {
 
 private slots:
     void showsTextAndPictures();
+    void nothingIsBesideANarrowWindow();
 };
 
 void GuideTest::showsTextAndPictures() {
@@ -35,6 +37,17 @@ void GuideTest::showsTextAndPictures() {
     QVERIFY(source.open(QIODevice::ReadOnly));
     QCOMPARE(pictures, source.readAll().count("!["));
     QVERIFY(pictures > 3);
+}
+
+void GuideTest::nothingIsBesideANarrowWindow() {
+    QWidget window;
+    view::showGuide(&window);
+    auto* browser = window.findChild<QTextBrowser*>();
+    for (const int width : {browser->window()->width(), 360, 900}) {
+        browser->window()->resize(width, 600);
+        QTRY_COMPARE(browser->window()->width(), width);
+        QTRY_COMPARE(browser->horizontalScrollBar()->maximum(), 0);
+    }
 }
 
 QTEST_MAIN(GuideTest)

@@ -9,8 +9,11 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QShortcut>
 #include <QSignalSpy>
 #include <QTableView>
@@ -224,6 +227,42 @@ private slots:
         QCOMPARE(systemOf(*m_document).maps[1].map.translation.y(), 1.0);
         QCOMPARE(m_panel->selectedMaps().size(), 2);
         QCOMPARE(messages.size(), 1);
+    }
+
+    // Weights that rise to 1 from row to row are sums; any other order is typed, and told what it lacks.
+    void everyOrderOfColumnsCanBeSaid() {
+        QGuiApplication::clipboard()->setText(
+            QStringLiteral("0.5 0.1 0.2 0.4 3 5 0.25\n0.3 0 0 0.3 2 1 1\n"));
+        m_panel->appendPasted();
+        auto* dialog = m_panel->findChild<view::PasteTableDialog*>();
+        QVERIFY(dialog);
+        auto* columns = dialog->findChild<QComboBox*>();
+        auto* typed = dialog->findChild<QLineEdit*>();
+        QCOMPARE(columns->currentData().toString(), QStringLiteral("a b c d e f cumulative"));
+        QCOMPARE(systemOf(*m_document).maps.back().weight, 0.75);
+        QVERIFY(!typed->isVisibleTo(dialog));
+
+        columns->setCurrentIndex(columns->count() - 1);
+        QVERIFY(typed->isVisibleTo(dialog));
+        QCOMPARE(typed->text(), QStringLiteral("a b c d e f cumulative"));
+        const auto* accept = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        const auto said = [dialog](const QString& sentence) {
+            for (const auto* label : dialog->findChildren<QLabel*>())
+                if (label->text() == sentence) return true;
+            return false;
+        };
+        typed->selectAll();
+        QTest::keyClicks(typed, QStringLiteral("d c b a f"));
+        QVERIFY(said(QStringLiteral("Missing: e.")));
+        QVERIFY(!accept->isEnabled());
+        QCOMPARE(m_panel->model()->rowCount(), 4); // nothing to see yet
+        QTest::keyClicks(typed, QStringLiteral(" e p"));
+        QVERIFY(accept->isEnabled());
+        QCOMPARE(m_panel->model()->rowCount(), 6);
+        QCOMPARE(coefficient(4, 0, 0), 0.4);
+        QCOMPARE(systemOf(*m_document).maps[4].map.translation.x(), 5.0);
+        dialog->accept();
+        QCOMPARE(m_document->undoStack()->count(), 1);
     }
 
     // A header that names no order is no dead end.

@@ -48,8 +48,7 @@ Failure fitMinimalCanonicalSimplex(document::Document& document) {
 
 Failure resetCage(document::Document& document) {
     const document::Fractal& fractal = document.fractal();
-    if (!document::system2(fractal)) return notPlanar();
-    if (isAtRest(fractal)) return Actions::tr("The cage is at rest already.");
+    if (const QString obstacle = resetObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     document.edit(Actions::tr("Reset the cage"), withCageAtRest(fractal));
     return std::nullopt;
 }

@@ -2,30 +2,76 @@
 #include "dialogs/column_orders.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
+#include <QLineEdit>
+#include <QVBoxLayout>
 
 namespace view {
 
 namespace {
 
-struct ColumnOrders {
-    Q_DECLARE_TR_FUNCTIONS(ColumnOrders)
-};
+const QString cumulative = QStringLiteral("a b c d e f cumulative");
 
 } // namespace
 
-void addColumnOrders(QComboBox* box) {
+ColumnOrders::ColumnOrders(const QString& whatsThis, QWidget* parent)
+    : QWidget(parent), m_known(new QComboBox(this)), m_typed(new QLineEdit(this)) {
     for (const auto& [text, names] :
-         {std::pair{ColumnOrders::tr("a b c d e f p: Fractint, Barnsley"), "a b c d e f p"},
-          {ColumnOrders::tr("a b e c d f p: each equation in a row"), "a b e c d f p"},
-          {ColumnOrders::tr("a c b d e f p: column by column"), "a c b d e f p"},
-          {ColumnOrders::tr("p a b c d e f: the weight first"), "p a b c d e f"},
-          {ColumnOrders::tr("r s theta phi e f p: scales, and angles in degrees"), "r s theta phi e f p"}})
-        box->addItem(text, QString::fromLatin1(names));
+         {std::pair{tr("a b c d e f p: Fractint, Barnsley"), QStringLiteral("a b c d e f p")},
+          {tr("a b e c d f p: each equation in a row"), QStringLiteral("a b e c d f p")},
+          {tr("a c b d e f p: column by column"), QStringLiteral("a c b d e f p")},
+          {tr("p a b c d e f: the weight first"), QStringLiteral("p a b c d e f")},
+          {tr("r s theta phi e f p: scales, and angles in degrees"), QStringLiteral("r s theta phi e f p")},
+          {tr("a b c d e f, and weights that add up row by row"), cumulative}})
+        m_known->addItem(text, names);
+    m_known->addItem(tr("Other…"));
+    m_known->setAccessibleName(tr("Order of the columns"));
+    m_known->setWhatsThis(whatsThis);
+    m_typed->setAccessibleName(tr("Names of the columns in their order"));
+    m_typed->setWhatsThis(
+        tr("The names of the columns in their order: a b c d or r s theta phi, then e and f, "
+           "each once, and p for a weight or cumulative for a sum of weights where there is "
+           "one. x′ = a·x + b·y + e and y′ = c·x + d·y + f."));
+    m_typed->setToolTip(m_typed->whatsThis());
+    m_typed->hide();
+    setFocusProxy(m_known);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_known);
+    layout->addWidget(m_typed);
+    connect(m_known, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_typed->setVisible(index == count());
+        if (index < count())
+            m_typed->setText(m_known->currentData().toString()); // to begin the other one with
+        else
+            m_typed->setFocus();
+        emit changed();
+    });
+    m_typed->setText(m_known->currentData().toString());
+    connect(m_typed, &QLineEdit::textEdited, this, &ColumnOrders::changed);
 }
 
-io::TableColumns chosenColumns(const QComboBox* box) {
-    return io::tableColumns(box->currentData().toString()).value_or(io::fractintColumns());
+io::TableColumns ColumnOrders::columns() const {
+    return io::tableColumns(m_typed->text()).value_or(io::fractintColumns());
+}
+
+QString ColumnOrders::obstacle() const {
+    return io::columnsObstacle(m_typed->text());
+}
+
+int ColumnOrders::count() const {
+    return m_known->count() - 1;
+}
+
+void ColumnOrders::choose(int index) {
+    m_known->setCurrentIndex(index);
+}
+
+void ColumnOrders::chooseCumulative() {
+    choose(m_known->findData(cumulative));
+}
+
+bool ColumnOrders::isFractints() const {
+    return columns() == io::fractintColumns();
 }
 
 } // namespace view

@@ -3,12 +3,35 @@
 
 #include "io/table_columns.h"
 
+#include <QWidget>
+
 class QComboBox;
+class QLineEdit;
 
 namespace view {
 
-// The orders of columns that programs and books use, the most usual first.
-void addColumnOrders(QComboBox* box);
-io::TableColumns chosenColumns(const QComboBox* box);
+// The orders of columns that programs and books use, the most usual first; at the end any other, which is
+// typed.
+class ColumnOrders : public QWidget {
+    Q_OBJECT
+
+public:
+    ColumnOrders(const QString& whatsThis, QWidget* parent);
+
+    io::TableColumns columns() const; // Fractint's while what is typed is no order
+    QString obstacle() const;         // why it is none, as a sentence; empty when it is one
+
+    int count() const; // of the known ones
+    void choose(int index);
+    void chooseCumulative(); // Fractint's order, but for its weights
+    bool isFractints() const;
+
+signals:
+    void changed();
+
+private:
+    QComboBox* m_known;
+    QLineEdit* m_typed;
+};
 
 } // namespace view

@@ -13,6 +13,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QStandardItemModel>
+#include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -45,16 +46,54 @@ void collect(const QList<QAction*>& actions, const QString& path, QList<NamedAct
     }
 }
 
-// What the widgets of a panel have as actions of their own or in the menu of a button.
-QList<NamedAction> actionsIn(QDockWidget* panel) {
+// What a panel or a bar holds; the widget is in it, or is it.
+const QWidget* contentOf(const QWidget* panel, const QWidget* widget) {
+    while (widget->parentWidget() != panel)
+        widget = widget->parentWidget();
+    return widget;
+}
+
+// The panel, and the named parts of its content that the widget is in.
+QString placeOf(const QWidget* widget, const QWidget* panel) {
+    QStringList names;
+    for (const QWidget* at = widget; at != contentOf(panel, widget); at = at->parentWidget())
+        if (at != widget && !at->accessibleName().isEmpty()) names.prepend(at->accessibleName());
+    names.prepend(panel->windowTitle());
+    return names.join(QStringLiteral(" › "));
+}
+
+// Made once, and each time as the button is now.
+QAction* clickOf(QAbstractButton* button) {
+    static const QString clicking = QStringLiteral("clicking");
+    auto* action = button->findChild<QAction*>(clicking, Qt::FindDirectChildrenOnly);
+    if (!action) {
+        action = new QAction(button);
+        action->setObjectName(clicking);
+        QObject::connect(action, &QAction::triggered, button, &QAbstractButton::click);
+    }
+    action->setText(button->accessibleName().isEmpty() ? button->text() : button->accessibleName());
+    action->setIcon(button->icon());
+    action->setEnabled(button->isEnabled());
+    action->setStatusTip(button->toolTip());
+    action->setWhatsThis(button->whatsThis());
+    return action;
+}
+
+// What the widgets of a panel have as actions of their own, in the menu of a button, or as buttons.
+QList<NamedAction> actionsIn(QWidget* panel) {
     QList<NamedAction> found;
-    for (const QWidget* widget : panel->widget()->findChildren<QWidget*>()) {
-        if (qobject_cast<const QMenu*>(widget)) continue; // by its button
-        const auto* button = qobject_cast<const QToolButton*>(widget);
-        if (button && button->menu() && button->menu()->title().isEmpty())
-            collect(button->menu()->actions(), below(panel->windowTitle(), button->text()), found, panel);
-        else
-            collect(widget->actions(), panel->windowTitle(), found, panel);
+    for (QWidget* widget : panel->findChildren<QWidget*>()) {
+        if (widget->window() != panel->window()) continue; // menus come by their buttons
+        const QString place = placeOf(widget, panel);
+        const auto* tool = qobject_cast<const QToolButton*>(widget);
+        auto* button = qobject_cast<QAbstractButton*>(widget);
+        if (tool && tool->menu() && tool->menu()->title().isEmpty())
+            collect(tool->menu()->actions(), below(place, tool->text()), found, panel);
+        else if (!widget->actions().isEmpty())
+            collect(widget->actions(), place, found, panel);
+        else if (button && button != contentOf(panel, button) &&
+                 button->isVisibleTo(contentOf(panel, button)))
+            collect({clickOf(button)}, place, found, panel);
     }
     return found;
 }
@@ -82,15 +121,24 @@ QList<NamedAction> actionsOf(const QWidget* menuBar) {
 
 QList<NamedAction> actionsOf(const QMainWindow& window) {
     QList<NamedAction> found = actionsOf(window.menuWidget());
-    QSet<QString> known;
-    for (const NamedAction& action : std::as_const(found))
-        known.insert(action.path);
-    for (QDockWidget* panel : window.findChildren<QDockWidget*>())
+    QSet<QString> paths;
+    QSet<const QAction*> actions;
+    for (const NamedAction& action : std::as_const(found)) {
+        paths.insert(action.path);
+        actions.insert(action.action);
+    }
+    const auto add = [&](QWidget* panel) {
         for (const NamedAction& action : actionsIn(panel)) {
-            if (known.contains(action.path)) continue;
-            known.insert(action.path);
+            if (paths.contains(action.path) || actions.contains(action.action)) continue;
+            paths.insert(action.path);
+            actions.insert(action.action);
             found << action;
         }
+    };
+    for (QDockWidget* panel : window.findChildren<QDockWidget*>())
+        add(panel);
+    for (QToolBar* bar : window.findChildren<QToolBar*>())
+        add(bar);
     return found;
 }
 

@@ -13,14 +13,15 @@ class QStandardItemModel;
 
 namespace view {
 
-// An action and where it is found: through the menus ("View › Snap To › Grid") or in a panel ("Maps › Add").
+// An action and where it is found: through the menus ("View › Snap To › Grid"), in a panel ("Maps › Add") or
+// in a bar ("How It Arises › Chaos Game"). A button that has no action has one here, which clicks it.
 struct NamedAction {
     QAction* action;
     QString path;
-    QWidget* panel = nullptr; // that has it; null: the menu bar
+    QWidget* panel = nullptr; // or bar, that has it; null: the menu bar
 };
 QList<NamedAction> actionsOf(const QWidget* menuBar);
-// Those of the menu bar, then those of the panels that no menu has under the same path.
+// Those of the menu bar, then those of the panels and bars that no menu has.
 QList<NamedAction> actionsOf(const QMainWindow& window);
 
 // Every command of a window, found by typing a few letters of what it does.

@@ -80,10 +80,8 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
                         tr("Table with commas (.csv)"), tr("Table with tabs (.tsv)"), tr("Points (.csv)"),
                         tr("Points, coloured (.ply)")});
-    m_columns = new QComboBox(this);
-    m_columns->setWhatsThis(
-        tr("The order in which each row has its coefficients; other programs expect other orders."));
-    addColumnOrders(m_columns);
+    m_columns = new ColumnOrders(
+        tr("The order in which each row has its coefficients; other programs expect other orders."), this);
     m_points = new QSpinBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
     m_points->setRange(1, int(io::PointCloud::mostPoints));
@@ -104,7 +102,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     form->addRow(QString(), m_turnY);
     form->addRow(QString(), m_bake);
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDataDialog::update);
-    connect(m_columns, &QComboBox::currentIndexChanged, this, &ExportDataDialog::update);
+    connect(m_columns, &ColumnOrders::changed, this, &ExportDataDialog::update);
     connect(m_turnY, &QCheckBox::toggled, this, &ExportDataDialog::update);
     connect(m_bake, &QCheckBox::toggled, this, &ExportDataDialog::update);
 }
@@ -140,7 +138,7 @@ std::shared_ptr<const document::Fractal> ExportDataDialog::fractalToExport() con
 QByteArray ExportDataDialog::text() const {
     io::TextOptions options;
     options.axis = m_turnY->isChecked() ? io::FlameAxis::Flipped : io::FlameAxis::AsWritten;
-    options.columns = io::tableColumns(m_columns->currentData().toString()).value_or(io::fractintColumns());
+    options.columns = m_columns->columns();
     return io::textOf({fractalToExport()}, *textFormat(), options);
 }
 
@@ -154,12 +152,15 @@ void ExportDataDialog::update() {
     m_form->setRowVisible(m_bake, format && m_baked);
     m_copy->setVisible(format.has_value());
     m_preview->setVisible(format.has_value());
-    const bool possible = document::system2(m_fractal) != nullptr;
+    const QString obstacle = document::system2(m_fractal)
+                                 ? isTable ? m_columns->obstacle() : QString()
+                                 : tr("Only the numbers of plane systems can be exported.");
+    const bool possible = obstacle.isEmpty();
     m_export->setEnabled(possible);
     m_copy->setEnabled(possible);
     m_message->clear();
     if (!possible)
-        say(tr("Only the numbers of plane systems can be exported."));
+        say(obstacle);
     else if (!format)
         say(tr("The points of the chaos game where they are shown, without the first 14."));
     if (format && possible) m_preview->setPlainText(QString::fromUtf8(text().left(mostShown)));

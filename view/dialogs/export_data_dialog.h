@@ -21,6 +21,8 @@ class QSpinBox;
 
 namespace view {
 
+class ColumnOrders;
+
 // Hands the numbers of the current entry to other programs: flames, IFStile, tables, points. Shows what the
 // file will hold while its options are chosen.
 class ExportDataDialog : public QDialog {
@@ -52,7 +54,7 @@ private:
     std::shared_ptr<const document::Fractal> m_baked; // null where there is nothing to bake, or it cannot be
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
-    QComboBox* m_columns = nullptr;
+    ColumnOrders* m_columns = nullptr;
     QSpinBox* m_points = nullptr;
     QCheckBox* m_turnY = nullptr;
     QCheckBox* m_bake = nullptr;

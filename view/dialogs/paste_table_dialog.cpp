@@ -4,7 +4,6 @@
 #include "dialogs/column_orders.h"
 #include "panels/number_text.h"
 
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QHeaderView>
@@ -36,6 +35,13 @@ QStringList stretching(const MapRows& rows) {
     return found;
 }
 
+// No weights of their own do that.
+bool addUpToOneOrHundred(const MapRows& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!rows[i].weight || *rows[i].weight <= (i > 0 ? *rows[i - 1].weight : 0)) return false;
+    return rows.size() > 1 && (*rows.back().weight == 1 || *rows.back().weight == 100);
+}
+
 } // namespace
 
 PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& rows, const QString& text,
@@ -44,15 +50,14 @@ PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& row
       m_text(text),
       m_rows(rows),
       m_gesture(*document, tr("Paste maps")),
-      m_columns(new QComboBox(this)),
+      m_columns(
+          new ColumnOrders(tr("The rows do not say which column is which, and programs differ. Choose the "
+                              "order in which the picture "
+                              "behind this dialog is the one you expect."),
+                           this)),
       m_maps(new QTableWidget(0, 7, this)),
       m_verdict(new QLabel(this)) {
     setWindowTitle(tr("Paste a Table"));
-    addColumnOrders(m_columns);
-    m_columns->setAccessibleName(tr("Order of the columns"));
-    m_columns->setWhatsThis(tr("The rows do not say which column is which, and programs differ. Choose the "
-                               "order in which the picture "
-                               "behind this dialog is the one you expect."));
     m_maps->setHorizontalHeaderLabels({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"),
                                        QStringLiteral("d"), QStringLiteral("e"), QStringLiteral("f"),
                                        QStringLiteral("p")});
@@ -81,7 +86,7 @@ PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& row
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     guess();
-    connect(m_columns, &QComboBox::currentIndexChanged, this, &PasteTableDialog::update);
+    connect(m_columns, &ColumnOrders::changed, this, &PasteTableDialog::update);
     update();
 }
 
@@ -100,17 +105,20 @@ void PasteTableDialog::askForColumns(document::Document* document, const QString
 // The first order in which every map contracts.
 void PasteTableDialog::guess() {
     for (int i = 0; i < m_columns->count(); ++i) {
-        m_columns->setCurrentIndex(i);
-        const io::Table table = io::readTable(m_text, chosenColumns(m_columns));
-        if (errorsOf(table).isEmpty() && stretching(table.rows).isEmpty()) return;
+        m_columns->choose(i);
+        const io::Table table = io::readTable(m_text, m_columns->columns());
+        if (!errorsOf(table).isEmpty() || !stretching(table.rows).isEmpty()) continue;
+        if (m_columns->isFractints() && addUpToOneOrHundred(table.rows)) m_columns->chooseCumulative();
+        return;
     }
-    m_columns->setCurrentIndex(0);
+    m_columns->choose(0);
 }
 
 void PasteTableDialog::update() {
-    m_table = io::readTable(m_text, chosenColumns(m_columns));
+    m_table = io::readTable(m_text, m_columns->columns());
+    const QString obstacle = m_columns->obstacle();
     const document::Problems errors = errorsOf(m_table);
-    const bool usable = errors.isEmpty() && !m_table.rows.empty();
+    const bool usable = obstacle.isEmpty() && errors.isEmpty() && !m_table.rows.empty();
     m_accept->setEnabled(usable);
     m_maps->setRowCount(usable ? std::min(count(), shownMaps) : 0);
     for (int row = 0; row < m_maps->rowCount(); ++row) {
@@ -127,7 +135,8 @@ void PasteTableDialog::update() {
         }
     }
     if (!usable) {
-        m_verdict->setText(errors.isEmpty()
+        m_verdict->setText(!obstacle.isEmpty() ? obstacle
+                           : errors.isEmpty()
                                ? tr("There are no rows of 6 or 7 numbers.")
                                : tr("Line %1: %2").arg(errors.first().line).arg(errors.first().message));
         m_gesture.preview(m_gesture.before());

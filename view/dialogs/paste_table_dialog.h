@@ -7,12 +7,13 @@
 
 #include <QDialog>
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 class QTableWidget;
 
 namespace view {
+
+class ColumnOrders;
 
 // Rows of numbers that do not say which column is which: the user chooses, and sees the maps in the table of
 // the dialog and their picture on the canvas until it is right. One step of the history, or none.
@@ -45,7 +46,7 @@ private:
     document::EditGesture m_gesture;
     io::Table m_table;
     std::vector<ifs::MapId> m_touched;
-    QComboBox* m_columns;
+    ColumnOrders* m_columns;
     QTableWidget* m_maps;
     QLabel* m_verdict;
     QPushButton* m_accept = nullptr;

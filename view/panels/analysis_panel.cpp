@@ -94,6 +94,7 @@ QWidget* AnalysisPanel::makeOutlines() {
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(6);
     auto* title = new QLabel(tr("On the canvas"), m_outlines);
+    m_outlines->setAccessibleName(title->text());
     title->setForegroundRole(QPalette::PlaceholderText);
     grid->addWidget(title, 0, 0, 1, 2);
     const auto add = [&](Outline kind, const QString& text, const QString& tip, int row, int column) {

@@ -189,18 +189,18 @@ QLayout* CagePanel::makeButtons() {
     addPolygons(tr("Convex Hull, Simplified to"), PolygonChoice::Hull);
     addPolygons(tr("Regular Polygon with"), PolygonChoice::Regular);
 
-    auto* row = new QHBoxLayout;
-    row->setSpacing(2);
-    const auto button = [&](QAction* action) {
+    auto* grid = new QGridLayout; // narrow in every language
+    grid->setSpacing(2);
+    grid->setColumnStretch(2, 1);
+    const auto button = [&](QAction* action, int row, int column) {
         auto* made = new QToolButton(this);
         made->setDefaultAction(action);
         made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         made->setAutoRaise(true);
         made->setAccessibleName(action->text());
-        row->addWidget(made);
-        return made;
+        grid->addWidget(made, row, column);
     };
-    button(m_define);
+    button(m_define, 0, 0);
     m_fit = new QToolButton(this);
     m_fit->setText(tr("Fit"));
     m_fit->setIcon(icon(QStringLiteral("fit-simplex")));
@@ -209,11 +209,10 @@ QLayout* CagePanel::makeButtons() {
     m_fit->setMenu(menu);
     m_fit->setPopupMode(QToolButton::InstantPopup);
     m_fit->setAutoRaise(true);
-    row->addWidget(m_fit);
-    button(m_reset);
-    row->addStretch();
-    button(m_bake);
-    return row;
+    grid->addWidget(m_fit, 0, 1);
+    button(m_reset, 1, 0);
+    button(m_bake, 1, 1);
+    return grid;
 }
 
 QWidget* CagePanel::makeVertices() {
@@ -489,10 +488,10 @@ void CagePanel::updateActions() {
     m_define->setEnabled(plane);
     m_fit->setEnabled(plane);
     m_fit->setToolTip(tr("Hold the picture by a fitted cage; the picture stays"));
-    const bool atRest = isAtRest(fractal);
-    m_reset->setEnabled(plane && !atRest);
-    m_reset->setToolTip(atRest ? tr("The cage is at rest.")
-                               : tr("Put the cage and the picture back to rest"));
+    const QString nothingToReset = resetObstacle(fractal);
+    m_reset->setEnabled(nothingToReset.isEmpty());
+    m_reset->setToolTip(nothingToReset.isEmpty() ? tr("Put the cage and the picture back to rest")
+                                                 : nothingToReset);
     const QString obstacle = bakeObstacle(fractal);
     m_bake->setEnabled(obstacle.isEmpty());
     m_bake->setToolTip(obstacle.isEmpty() ? tr("Make the displayed picture the code; the cage then rests")

@@ -2,6 +2,7 @@
 #include "panels/entries_edits.h"
 
 #include "document/unique_names.h"
+#include "io/flame.h"
 
 #include <QCoreApplication>
 #include <QSet>
@@ -113,6 +114,20 @@ FractalFile moved(FractalFile file, const QList<EntryId>& ids, EntryId before) {
 FractalFile replaced(FractalFile file, EntryId id, document::Fractal fractal) {
     if (const qsizetype place = document::indexOf(file, id); place >= 0)
         file.entries[place].fractal = std::make_shared<const document::Fractal>(std::move(fractal));
+    return file;
+}
+
+FractalFile turnedOver(FractalFile file, const QList<EntryId>& ids) {
+    for (const EntryId id : ids) {
+        const qsizetype place = document::indexOf(file, id);
+        if (place < 0) continue;
+        document::Fractal fractal = *file.entries[place].fractal;
+        document::System2* system = document::system2(fractal);
+        if (!system) continue;
+        for (auto& map : system->maps)
+            map.map = io::flipped(map.map);
+        file = replaced(std::move(file), id, std::move(fractal));
+    }
     return file;
 }
 

@@ -28,6 +28,9 @@ document::FractalFile moved(document::FractalFile file, const QList<document::En
 
 document::FractalFile replaced(document::FractalFile file, document::EntryId id, document::Fractal fractal);
 
+// The plane systems among those entries with y as −y: what is up is down.
+document::FractalFile turnedOver(document::FractalFile file, const QList<document::EntryId>& ids);
+
 // Why the entry cannot be called `name`, as a sentence for the user; nullopt when it can.
 std::optional<QString> nameProblem(const document::FractalFile& file, document::EntryId id,
                                    const QString& name);

@@ -271,11 +271,12 @@ QList<Entry> EntriesPanel::entriesOf(const QList<EntryId>& ids) const {
     return entries;
 }
 
-void EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId after, const QString& text) {
+QList<EntryId> EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId after, const QString& text) {
     const Inserted result = inserted(m_document->file(), entries, after);
     m_document->editFile(text, result.file, result.ids.front());
     if (!m_filtered->mapFromSource(m_model->indexOf(result.ids.front())).isValid()) m_filter->clear();
     m_list->select(result.ids);
+    return result.ids;
 }
 
 void EntriesPanel::insertFrom(const QMimeData& mimeData, EntryId after) {
@@ -292,14 +293,16 @@ void EntriesPanel::insertFrom(const QMimeData& mimeData, EntryId after) {
         return;
     }
     const auto count = static_cast<int>(found.entries.size());
-    insertEntries(found.entries, after,
-                  count == 1 ? tr("Paste %1").arg(quotedName(found.entries.front()))
-                             : tr("Paste %n entries", nullptr, count));
+    const QList<EntryId> ids =
+        insertEntries(found.entries, after,
+                      count == 1 ? tr("Paste %1").arg(quotedName(found.entries.front()))
+                                 : tr("Paste %n entries", nullptr, count));
     const auto unreadable = std::count_if(found.entries.begin(), found.entries.end(),
                                           [](const Entry& entry) { return !isReadable(entry); });
     if (unreadable > 0)
         emit message(tr("%n pasted entries could not be read; their text is kept as it is.", nullptr,
                         static_cast<int>(unreadable)));
+    if (found.areFlames) emit flamesPasted(ids);
     if (!found.table.isEmpty()) PasteTableDialog::askForColumns(m_document, found.table, this);
 }
 

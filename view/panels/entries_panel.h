@@ -37,6 +37,7 @@ public slots:
 
 signals:
     void message(const QString& text); // something the user should know, a whole sentence
+    void flamesPasted(const QList<document::EntryId>& ids);
 
 protected:
     bool event(QEvent* event) override;
@@ -57,7 +58,9 @@ private:
     void makeCurrent(const QModelIndex& index);
 
     QList<document::Entry> entriesOf(const QList<document::EntryId>& ids) const;
-    void insertEntries(const QList<document::Entry>& entries, document::EntryId after, const QString& text);
+    // Their new ids.
+    QList<document::EntryId> insertEntries(const QList<document::Entry>& entries, document::EntryId after,
+                                           const QString& text);
     void insertFrom(const QMimeData& mimeData, document::EntryId after);
     void moveEntries(const QList<document::EntryId>& ids, document::EntryId before);
 

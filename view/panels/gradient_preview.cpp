@@ -11,7 +11,7 @@ namespace view {
 
 namespace {
 
-constexpr QSize previewSize(112, 14);
+constexpr QSize previewSize(88, 14);
 
 // The names of the built-in palettes, for the translators: the palettes themselves know no Qt.
 [[maybe_unused]] constexpr const char* paletteNames[] = {

@@ -177,6 +177,7 @@ QToolButton* MapsPanel::columnToggle(const QString& text, const QString& tip, Co
     toggle->setChecked(shown);
     toggle->setAutoRaise(true);
     connect(toggle, &QToolButton::toggled, this, [this, group](bool on) { showColumns(group, on); });
+    m_columnToggles[group] = toggle;
     showColumns(group, shown);
     return toggle;
 }
@@ -193,9 +194,7 @@ QWidget* MapsPanel::makeColumnBar() {
                                    tr("Show the maps as they act on the picture under the current cage"),
                                    Columns::Effective, false));
     layout->addStretch();
-    QToolButton* bakeButton = button(m_bake);
-    bakeButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    layout->addWidget(bakeButton);
+    layout->addWidget(button(m_bake));
     return bar;
 }
 
@@ -287,29 +286,38 @@ QWidget* MapsPanel::makeNotice() {
     return page;
 }
 
+std::pair<int, int> MapsPanel::columnsOf(Columns group) {
+    switch (group) {
+    case Columns::Code:
+        return {MapsModel::A, MapsModel::F};
+    case Columns::Facts:
+        return {MapsModel::Determinant, MapsModel::Kind};
+    case Columns::Effective:
+        break;
+    }
+    return {MapsModel::EffectiveA, MapsModel::EffectiveF};
+}
+
 void MapsPanel::showColumns(Columns group, bool shown) {
-    const auto show = [&](int first, int last) {
-        for (int column = first; column <= last; ++column)
-            m_table->setColumnHidden(column, !shown);
-        // What was asked for is seen, and its first column first of all.
-        if (!shown || !m_table->isVisible()) return;
+    const auto [first, last] = columnsOf(group);
+    for (int column = first; column <= last; ++column)
+        m_table->setColumnHidden(column, !shown);
+    // What was asked for is seen, and its first column first of all.
+    if (shown && m_table->isVisible()) {
         m_table->doItemsLayout(); // the new width is there to scroll in
         const int row = std::max(0, m_table->currentIndex().row());
         m_table->scrollTo(m_model->index(row, last));
         m_table->scrollTo(m_model->index(row, first));
-    };
-    switch (group) {
-    case Columns::Code:
-        show(MapsModel::A, MapsModel::F);
-        break;
-    case Columns::Facts:
-        show(MapsModel::Determinant, MapsModel::Kind);
-        break;
-    case Columns::Effective:
-        show(MapsModel::EffectiveA, MapsModel::EffectiveF);
-        break;
     }
     fitColumns();
+}
+
+void MapsPanel::reveal(int column) {
+    for (const auto& [group, toggle] : m_columnToggles)
+        if (const auto [first, last] = columnsOf(group); column >= first && column <= last)
+            toggle->setChecked(true);
+    m_table->doItemsLayout();
+    m_table->scrollTo(m_model->index(std::max(0, m_table->currentIndex().row()), column));
 }
 
 void MapsPanel::fitColumns() {

@@ -6,6 +6,9 @@
 
 #include <QWidget>
 
+#include <map>
+#include <utility>
+
 class QAction;
 class QLabel;
 class QStackedWidget;
@@ -43,6 +46,7 @@ public:
 
     enum class Columns { Code, Facts, Effective };
     void showColumns(Columns group, bool shown);
+    void reveal(int column); // in sight, with the others of its group where it was hidden
 
 signals:
     void message(const QString& text); // a sentence for the status bar
@@ -61,6 +65,7 @@ private:
     QWidget* makeTable();
     QWidget* makeNotice();
     QToolButton* columnToggle(const QString& text, const QString& tip, Columns group, bool shown);
+    static std::pair<int, int> columnsOf(Columns group); // the first and the last one
     QToolButton* weightsButton();
 
     void follow(const document::Change& change);
@@ -99,6 +104,7 @@ private:
     QAction* m_append;
     QAction* m_bake;
     QList<QAction*> m_weightActions;
+    std::map<Columns, QToolButton*> m_columnToggles;
     std::vector<ifs::MapId> m_kept; // selected before the model was reset
     int m_keptColumn = MapsModel::A;
     bool m_hasFitColumns = false;
