@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace view {
@@ -352,7 +354,7 @@ SnapTargets CanvasScene::snapTargets(const CanvasPart& part, const std::vector<i
     if (m_taken == Taken::Cage) targets.vertices = m_cage->rest;
     addStill(m_cage->current, m_taken == Taken::Cage);
     for (int child = 0; child < childCount(); ++child) {
-        const bool whole = part.kind != Kind::Vertex && isChildSelected(child) && !moving.empty();
+        const bool whole = part.kind != Kind::Vertex && !moving.empty() && isChildSelected(child);
         if (!whole) addStill(childCorners(child), child == part.map);
     }
     return targets;
@@ -417,11 +419,12 @@ void CanvasScene::placeMaps() {
         add(m_branchHandles->handles, m_branchHandles->place, 0,
             m_mapColours.at(std::size_t(m_branch.front())), true);
     }
-    for (int place = 0; m_taken != Taken::Branch && place < mapCount(); ++place) {
-        if (m_taken != Taken::Maps && !isSelected(place)) continue;
-        const auto index = std::size_t(place);
-        add(*m_handles, index, place, m_mapColours.at(index), isSelected(place));
-    }
+    std::vector<bool> selected(std::size_t(mapCount()), false);
+    for (const std::size_t place : selectedPlaces())
+        selected[place] = true;
+    for (std::size_t place = 0; m_taken != Taken::Branch && place < selected.size(); ++place)
+        if (m_taken == Taken::Maps || selected[place])
+            add(*m_handles, place, int(place), m_mapColours.at(place), selected[place]);
     m_mapFrames->setFrames(std::move(frames),
                            m_taken == Taken::Cage ? MapFramesItem::Mode::Hint : MapFramesItem::Mode::Held);
 }
@@ -472,11 +475,12 @@ ifs::Word CanvasScene::addressAt(const QPointF& position) {
 std::vector<ifs::Vector<2>> CanvasScene::takenPoints() const {
     if (!m_cage) return {};
     if (m_taken == Taken::Cage) return m_cage->current;
+    if (m_taken == Taken::Branch && !m_branchHandles) return {};
+    if (m_taken == Taken::Branch) return childCorners(0);
     std::vector<ifs::Vector<2>> points;
-    for (int child = 0; child < childCount(); ++child)
-        if (isChildSelected(child))
-            for (const ifs::Vector<2>& corner : childCorners(child))
-                points.push_back(corner);
+    for (const std::size_t place : selectedPlaces())
+        for (const ifs::Vector<2>& corner : m_handles->corners(place))
+            points.push_back(corner);
     return points;
 }
 
@@ -492,16 +496,18 @@ void CanvasScene::setTaken(Taken taken) {
 }
 
 void CanvasScene::setSelectedMaps(const std::vector<ifs::MapId>& maps) {
+    const std::unordered_set<ifs::MapId> wanted(maps.begin(), maps.end());
     std::vector<std::size_t> places;
     for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)
-        if (std::ranges::find(maps, m_handles->maps()[place].id) != maps.end()) places.push_back(place);
+        if (wanted.contains(m_handles->maps()[place].id)) places.push_back(place);
     setSelectedPlaces(places);
 }
 
 void CanvasScene::setSelectedPlaces(const std::vector<std::size_t>& places) {
+    const std::set<std::size_t> wanted(places.begin(), places.end());
     std::vector<ifs::MapId> selected;
-    for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)
-        if (std::ranges::find(places, place) != places.end()) selected.push_back(m_handles->maps()[place].id);
+    for (const std::size_t place : wanted)
+        if (place < std::size_t(mapCount())) selected.push_back(m_handles->maps()[place].id);
     if (selected == m_selectedMaps) return;
     m_selectedMaps = std::move(selected);
     if (m_taken == Taken::Maps) m_pivot.reset();
@@ -511,8 +517,12 @@ void CanvasScene::setSelectedPlaces(const std::vector<std::size_t>& places) {
 
 std::vector<std::size_t> CanvasScene::selectedPlaces() const {
     std::vector<std::size_t> places;
-    for (int place = 0; place < mapCount(); ++place)
-        if (isSelected(place)) places.push_back(std::size_t(place));
+    auto next = m_selectedMaps.begin(); // they are in the system's order
+    for (int place = 0; place < mapCount() && next != m_selectedMaps.end(); ++place) {
+        if (m_handles->maps()[std::size_t(place)].id != *next) continue;
+        places.push_back(std::size_t(place));
+        ++next;
+    }
     return places;
 }
 

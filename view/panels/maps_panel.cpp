@@ -27,6 +27,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace view {
 
@@ -409,13 +410,18 @@ std::vector<ifs::MapId> MapsPanel::selectedMaps() const {
 }
 
 void MapsPanel::selectMaps(const std::vector<ifs::MapId>& ids) {
+    const std::unordered_set<ifs::MapId> wanted(ids.begin(), ids.end());
     QItemSelection selection;
     QModelIndex first;
-    for (const ifs::MapId id : ids) {
-        const int row = m_model->rowOf(id);
-        if (row < 0) continue;
-        selection.select(m_model->index(row, 0), m_model->index(row, MapsModel::ColumnCount - 1));
-        if (!first.isValid()) first = m_model->index(row, m_keptColumn);
+    const int last = m_model->rowCount();
+    int begin = -1; // of rows in one run: of many ranges Qt makes hard work
+    for (int row = 0; row <= last; ++row) {
+        const bool isWanted = row < last && wanted.contains(m_model->idAt(row));
+        if (isWanted && begin < 0) begin = row;
+        if (isWanted && !first.isValid()) first = m_model->index(row, m_keptColumn);
+        if (isWanted || begin < 0) continue;
+        selection.select(m_model->index(begin, 0), m_model->index(row - 1, MapsModel::ColumnCount - 1));
+        begin = -1;
     }
     auto* model = m_table->selectionModel();
     if (first.isValid()) model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
@@ -434,12 +440,8 @@ void MapsPanel::keepSelection() {
 
 void MapsPanel::restoreSelection() {
     m_shape->setMap(ifs::MapId::None);
-    const bool any =
-        std::any_of(m_kept.begin(), m_kept.end(), [this](ifs::MapId id) { return m_model->rowOf(id) >= 0; });
-    if (any)
-        selectMaps(m_kept);
-    else if (m_model->rowCount() > 0)
-        selectMaps({m_model->idAt(0)});
+    selectMaps(m_kept);
+    if (!m_table->selectionModel()->hasSelection() && m_model->rowCount() > 0) selectMaps({m_model->idAt(0)});
     updateActions();
 }
 
