@@ -226,6 +226,7 @@ QWidget* MapsPanel::makeTable() {
     m_table->setMinimumHeight(120);
     auto* header = m_table->horizontalHeader();
     header->setMinimumSectionSize(24);
+    header->setResizeContentsPrecision(200); // rows, besides those in sight, that columns are measured by
     header->setHighlightSections(false);
     header->setSectionResizeMode(QHeaderView::Interactive);
 
