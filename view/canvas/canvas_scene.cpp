@@ -17,8 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <unordered_set>
 #include <utility>
 
 namespace view {
@@ -412,8 +410,9 @@ void CanvasScene::placeMaps() {
     };
     const auto add = [&](const document::MapHandles& handles, std::size_t place, int child,
                          const QColor& colour, bool selected) {
-        frames.push_back({child, inPixels(handles.corners(place)), inPixels(handles.outline(place)), colour,
-                          selected, handles.maps()[place].enabled});
+        frames.push_back({child,
+                          m_taken == Taken::Cage ? QPolygonF() : inPixels(handles.corners(place)), // a hint
+                          inPixels(handles.outline(place)), colour, selected, handles.maps()[place].enabled});
     };
     if (m_taken == Taken::Branch && m_branchHandles) {
         add(m_branchHandles->handles, m_branchHandles->place, 0,
@@ -496,15 +495,18 @@ void CanvasScene::setTaken(Taken taken) {
 }
 
 void CanvasScene::setSelectedMaps(const std::vector<ifs::MapId>& maps) {
-    const std::unordered_set<ifs::MapId> wanted(maps.begin(), maps.end());
+    std::vector<ifs::MapId> wanted = maps;
+    std::ranges::sort(wanted);
     std::vector<std::size_t> places;
     for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)
-        if (wanted.contains(m_handles->maps()[place].id)) places.push_back(place);
+        if (std::ranges::binary_search(wanted, m_handles->maps()[place].id)) places.push_back(place);
     setSelectedPlaces(places);
 }
 
 void CanvasScene::setSelectedPlaces(const std::vector<std::size_t>& places) {
-    const std::set<std::size_t> wanted(places.begin(), places.end());
+    std::vector<std::size_t> wanted = places;
+    std::ranges::sort(wanted);
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     std::vector<ifs::MapId> selected;
     for (const std::size_t place : wanted)
         if (place < std::size_t(mapCount())) selected.push_back(m_handles->maps()[place].id);
