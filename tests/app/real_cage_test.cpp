@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/camera.h"
 #include "canvas/canvas_scene.h"
-#include "panels/maps_panel.h"
 #include "support/window_on_x.h"
-
-#include <QDialog>
 
 #include <Eigen/Geometry>
 
@@ -15,7 +12,7 @@ using ifs::Vector;
 using view::CanvasPart;
 using Kind = view::CanvasPart::Kind;
 
-// The gestures of the paper, and all others on the canvas, with a real pointer and real keys.
+// The gestures of the paper, and all others that take the cage, with a real pointer and real keys.
 class RealCageTest : public support::WindowOnX {
     Q_OBJECT
 
