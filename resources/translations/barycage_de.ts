@@ -3800,8 +3800,8 @@
         <translation>Ordner mit .ifs-Dateien</translation>
     </message>
     <message>
-        <source>Shows only the fractals whose name, theme or comment has these words.</source>
-        <translation>Zeigt nur die Fraktale, deren Name, Thema oder Kommentar diese Wörter enthält.</translation>
+        <source>Shows only the fractals whose name, theme or comment has these words. Enter opens the first of them.</source>
+        <translation>Zeigt nur die Fraktale, deren Name, Thema oder Kommentar diese Wörter enthält. Eingabe öffnet das erste davon.</translation>
     </message>
     <message>
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>

@@ -3800,8 +3800,8 @@
         <translation>Carpeta de archivos .ifs</translation>
     </message>
     <message>
-        <source>Shows only the fractals whose name, theme or comment has these words.</source>
-        <translation>Muestra solo los fractales cuyo nombre, tema o comentario contiene estas palabras.</translation>
+        <source>Shows only the fractals whose name, theme or comment has these words. Enter opens the first of them.</source>
+        <translation>Muestra solo los fractales cuyo nombre, tema o comentario contiene estas palabras. Intro abre el primero.</translation>
     </message>
     <message>
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>

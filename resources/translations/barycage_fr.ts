@@ -3800,8 +3800,8 @@
         <translation>Dossier de fichiers .ifs</translation>
     </message>
     <message>
-        <source>Shows only the fractals whose name, theme or comment has these words.</source>
-        <translation>N’affiche que les fractales dont le nom, le thème ou le commentaire contient ces mots.</translation>
+        <source>Shows only the fractals whose name, theme or comment has these words. Enter opens the first of them.</source>
+        <translation>N’affiche que les fractales dont le nom, le thème ou le commentaire contient ces mots. Entrée ouvre la première.</translation>
     </message>
     <message>
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>

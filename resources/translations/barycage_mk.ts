@@ -3807,8 +3807,8 @@
         <translation>Папка со .ifs-датотеки</translation>
     </message>
     <message>
-        <source>Shows only the fractals whose name, theme or comment has these words.</source>
-        <translation>Ги прикажува само фракталите чие име, тема или коментар ги содржи овие зборови.</translation>
+        <source>Shows only the fractals whose name, theme or comment has these words. Enter opens the first of them.</source>
+        <translation>Ги прикажува само фракталите чие име, тема или коментар ги содржи овие зборови. Enter го отвора првиот од нив.</translation>
     </message>
     <message>
         <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>

@@ -4,11 +4,13 @@
 #include "io/fractint_reader.h"
 #include "io/fractint_writer.h"
 #include "io/own_comments.h"
+#include "io/text_formats.h"
 #include "support/paths.h"
 #include "support/window_on_x.h"
 
 #include <QClipboard>
 #include <QDir>
+#include <QDirIterator>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFileDialog>
@@ -101,6 +103,30 @@ Complaint complaintAbout(const document::FractalFile& file, const QString& bareN
     return {};
 }
 
+// A square of `side` times `side` small copies.
+std::shared_ptr<const document::Fractal> square(int side) {
+    document::System2 system;
+    for (int i = 0; i < side * side; ++i) {
+        ifs::WeightedMap<2> map;
+        map.id = static_cast<ifs::MapId>(i + 1);
+        map.map.linear = ifs::Matrix<2>::Identity() / (1.5 * side);
+        map.map.translation = ifs::Vector<2>(i % side, i / side) / side;
+        system.maps.push_back(map);
+    }
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("square%1").arg(side);
+    fractal.system = system;
+    return std::make_shared<const document::Fractal>(fractal);
+}
+
+QByteArray manyEntries(int count) {
+    QByteArray text;
+    for (int i = 0; i < count; ++i)
+        text += "entry" + QByteArray::number(i) + " {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 .5 0 .3\n .4 .1 0 .5 ." +
+                QByteArray::number(i % 97) + " .4 .4\n}\n";
+    return text;
+}
+
 double residentMegabytes() {
     malloc_trim(0);
     std::ifstream statm("/proc/self/statm");
@@ -113,7 +139,8 @@ double residentMegabytes() {
 
 // A monkey at the desk: seeded random pointing, typing and choosing, on a real X server. After each of its
 // actions the documents must be in order. BARYCAGE_MONKEY_SECONDS: for how long, 30 without;
-// BARYCAGE_MONKEY_SEED: another course; BARYCAGE_MONKEY_LOG: what it does, as it does it.
+// BARYCAGE_MONKEY_SEED: another course; BARYCAGE_MONKEY_LOG: what it does, as it does it; BARYCAGE_CORPUS: a
+// folder of files that it opens as well.
 class MonkeyTest : public WindowOnX {
     Q_OBJECT
 
@@ -122,6 +149,8 @@ private slots:
     void nothingBreaks();
 
 private:
+    void makeLargeFiles();
+    void put(const QString& name, const QByteArray& bytes);
     using Operation = std::function<void()>;
 
     void step();
@@ -156,6 +185,8 @@ private:
 
     QRandomGenerator m_random;
     std::unique_ptr<XInput> m_fingers;
+    QStringList m_large;     // files that it made
+    QStringList m_strangers; // and those of others
     QList<Operation> m_todo;
     QStringList m_actions; // the last ones
     QStringList m_complaints;
@@ -186,7 +217,28 @@ void MonkeyTest::initTestCase() {
         QFile::copy(file.filePath(), QDir(folder()).filePath(file.fileName()));
     copyOfCollection(QStringLiteral("paper"));
     copyOfCollection(QStringLiteral("ferns"));
+    makeLargeFiles();
+    if (const QString corpus = qEnvironmentVariable("BARYCAGE_CORPUS"); !corpus.isEmpty()) {
+        QDirIterator files(corpus, QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext())
+            m_strangers << files.next();
+        m_strangers.sort(); // the same course for the same seed
+    }
     m_fingers = std::make_unique<XInput>(std::chrono::milliseconds(0));
+}
+
+void MonkeyTest::makeLargeFiles() {
+    const std::shared_ptr<const document::Fractal> large = square(100);
+    put(QStringLiteral("maps.ifs"), io::writeFractint(document::fileOf(*large)));
+    put(QStringLiteral("entries.ifs"), manyEntries(2000));
+    for (const io::TextFormat format : {io::TextFormat::Flame, io::TextFormat::Csv})
+        put(QStringLiteral("maps.") + io::suffixOf(format), io::textOf({square(40)}, format, {}));
+}
+
+void MonkeyTest::put(const QString& name, const QByteArray& bytes) {
+    m_large << QDir(folder()).filePath(name);
+    QFile file(m_large.last());
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
 }
 
 void MonkeyTest::nothingBreaks() {
@@ -301,9 +353,12 @@ void MonkeyTest::check() {
         complain(QStringLiteral("warning: ") + warning);
     for (MainWindow* window : windows()) {
         const document::Document& document = window->document();
-        for (const document::Entry& entry : document.file().entries)
-            complain(complaintAbout(*entry.fractal));
-        complain(complaintAbout(document.file(), QFileInfo(window->windowFilePath()).completeBaseName()));
+        if (window->property("checked").toULongLong() != document.revision()) {
+            window->setProperty("checked", qulonglong(document.revision()));
+            for (const document::Entry& entry : document.file().entries)
+                complain(complaintAbout(*entry.fractal));
+            complain(complaintAbout(document.file(), QFileInfo(window->windowFilePath()).completeBaseName()));
+        }
         const attractor::Camera& camera = window->findChild<view::CanvasView*>()->camera();
         if (!camera.centre.allFinite() || !(camera.pixelsPerUnit > 0) || !std::isfinite(camera.pixelsPerUnit))
             complain(QStringLiteral("the camera is nowhere"));
@@ -363,7 +418,11 @@ QPoint MonkeyTest::pointOnCanvas() {
 void MonkeyTest::plan() {
     // Not while the program waits in a loop of its own.
     const bool mayStartAfresh = QThread::currentThread()->loopLevel() == m_ownLevel;
-    if (mayStartAfresh && (++m_sinceStart > 250 || windows().size() > 2 || !current())) return startAfresh();
+    if (mayStartAfresh && (++m_sinceStart > 250 || windows().size() > 2 || !current())) {
+        startAfresh();
+        if (any(2)) planFile();
+        return;
+    }
     if (!current()) return then([this] { m_fingers->key("Escape"); });
     for (MainWindow* window : windows())
         if (!window->property("followed").toBool()) {
@@ -384,9 +443,9 @@ void MonkeyTest::plan() {
         planClick();
     else if (what < 86)
         planWheel();
-    else if (what < 95)
+    else if (what < 94)
         planMenu();
-    else if (what < 98)
+    else if (what < 97)
         planClipboard();
     else
         planFile();
@@ -548,9 +607,21 @@ void MonkeyTest::planClipboard() {
     then([=] { QGuiApplication::clipboard()->setText(text); });
 }
 
+// What is saved stays in its own folder: the files of others are copied there.
 void MonkeyTest::planFile() {
-    const QStringList files = QDir(folder()).entryList(QDir::Files);
-    const QString path = QDir(folder()).filePath(oneOf(files));
+    QString path = QDir(folder()).filePath(oneOf(QDir(folder()).entryList(QDir::Files)));
+    if (!m_strangers.isEmpty() && any(2)) {
+        const QString stranger = oneOf(m_strangers);
+        path = QDir(folder()).filePath(QStringLiteral("stranger.") + QFileInfo(stranger).suffix());
+        note(QStringLiteral("copy ") + stranger);
+        then([=] {
+            QFile::remove(path);
+            QFile::copy(stranger, path);
+            QFile(path).setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+        });
+    } else if (any(3) == 0) {
+        path = oneOf(m_large);
+    }
     note(QStringLiteral("open ") + path);
     const QPointer<MainWindow> window = current();
     thenInAnEventOfItsOwn([=] {

@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "canvas/canvas_scene.h"
-#include "ifs/decomposition.h"
-#include "io/collection_reader.h"
-#include "io/save_file.h"
-#include "support/paths.h"
+#include "dialogs/command_palette.h"
 #include "support/window_on_x.h"
+#include "tour.h"
 
 #include <QComboBox>
-#include <QDir>
-#include <QDoubleSpinBox>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPrintPreviewDialog>
-#include <QProcess>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QTextBrowser>
 
-#include <cmath>
-
-// What goes through dialogs and through other programs, with a real pointer and real keys.
+// What is done or read in dialogs, with a real pointer and real keys.
 class RealDialogsTest : public support::WindowOnX {
     Q_OBJECT
 
@@ -30,127 +18,15 @@ private slots:
     void init() { openWindow(); }
     void cleanup() { closeWindow(); }
 
-    void exportsPng();
-    void exportsSvg();
-    void anExportUnderWayIsCancelled();
     void transformsAsPlacement();
     void transformsAsCode();
-    void printPreviewOpensAndCloses();
-    void aFileIsDroppedFromAnotherProgram();
-
-private:
-    QDialog* openDialog(const char* shortcut, const char* className);
-    void click(const QWidget* widget) { hand().clickAt(middleOf(widget)); }
-    void exportAs(QDialog& dialog, const QString& path); // begins it
-    static bool isWritten(const QDialog& dialog, const QString& path);
-    void type(QWidget* field, const QString& text);
+    void aCommandIsFoundByTyping();
+    void thePaletteIsLeftUndone();
+    void theColoursOfTheProgramAreChosen();
+    void theTourIsWalked();
+    void theGuideIsRead();
+    void whatIsThisIsAsked();
 };
-
-QDialog* RealDialogsTest::openDialog(const char* shortcut, const char* className) {
-    hand().key(shortcut);
-    QDialog* found = nullptr;
-    support::waitFor([&] {
-        for (auto* dialog : window().findChildren<QDialog*>())
-            if (dialog->isActiveWindow() && QByteArray(dialog->metaObject()->className()) == className)
-                found = dialog;
-        return found != nullptr;
-    });
-    return found;
-}
-
-void RealDialogsTest::type(QWidget* field, const QString& text) {
-    click(field);
-    hand().key("Control+a");
-    hand().type(text);
-    hand().key("Tab");
-}
-
-// Takes what the dialog suggests, which is to be `path`.
-void RealDialogsTest::exportAs(QDialog& dialog, const QString& path) {
-    const bool answered =
-        answer<QFileDialog>([&] { click(named<QPushButton>(dialog, QStringLiteral("Export…"))); },
-                            [&](QFileDialog& files) {
-                                const QStringList suggested = files.selectedFiles();
-                                hand().key(suggested == QStringList(path) ? "Return" : "Escape");
-                                QCOMPARE(suggested, QStringList(path));
-                            });
-    QVERIFY(answered);
-}
-
-// Whether the dialog says so. The file itself is there a little earlier, while the dialog still offers to
-// stop.
-bool RealDialogsTest::isWritten(const QDialog& dialog, const QString& path) {
-    return named<QLabel>(dialog, QStringLiteral("Result"))->text().contains(path) && QFileInfo::exists(path);
-}
-
-void RealDialogsTest::exportsPng() {
-    window().openPath(copyOfCollection(QStringLiteral("paper")));
-    QDialog* dialog = openDialog("Control+e", "view::ExportDialog");
-    QVERIFY(dialog);
-    photograph(QStringLiteral("export-png.png"));
-    const QString name = fractal().name;
-    exportAs(*dialog, folder() + u'/' + name + QStringLiteral(".png"));
-    const QString path = folder() + u'/' + name + QStringLiteral(".png");
-    QTRY_VERIFY_WITH_TIMEOUT(isWritten(*dialog, path), 30'000);
-    const QImage image(path);
-    QCOMPARE(image.size(), canvas().viewport()->size());
-    const io::Collection read = io::readCollection(io::loadFile(path).bytes);
-    QCOMPARE(read.file.entries.size(), 1);
-    QCOMPARE(read.file.entries.first().fractal->system, fractal().system);
-    click(named<QPushButton>(*dialog, QStringLiteral("Close")));
-    QTRY_VERIFY(!visible<QDialog>());
-    QVERIFY(!window().isWindowModified());
-}
-
-void RealDialogsTest::exportsSvg() {
-    window().openPath(copyOfCollection(QStringLiteral("paper")));
-    QDialog* dialog = openDialog("Control+e", "view::ExportDialog");
-    QVERIFY(dialog);
-    auto* format = named<QComboBox>(*dialog, QStringLiteral("Format"));
-    click(format);
-    hand().key("Down");
-    hand().key("Return");
-    QTRY_COMPARE(format->currentIndex(), 1);
-    QTest::qWait(300);
-    photograph(QStringLiteral("export-svg.png"));
-    const QString path = folder() + u'/' + fractal().name + QStringLiteral(".svg");
-    exportAs(*dialog, path);
-    QTRY_VERIFY_WITH_TIMEOUT(isWritten(*dialog, path), 30'000);
-    const io::Collection read = io::readCollection(io::loadFile(path).bytes);
-    QCOMPARE(read.format, QStringLiteral("svg"));
-    QCOMPARE(read.file.entries.first().fractal->system, fractal().system);
-    hand().key("Escape");
-    QTRY_VERIFY(!visible<QDialog>());
-}
-
-void RealDialogsTest::anExportUnderWayIsCancelled() {
-    window().openPath(copyOfCollection(QStringLiteral("paper")));
-    QDialog* dialog = openDialog("Control+e", "view::ExportDialog");
-    QVERIFY(dialog);
-    type(named<QDoubleSpinBox>(*dialog, QStringLiteral("Width")), QStringLiteral("4000"));
-    auto* quality = named<QComboBox>(*dialog, QStringLiteral("Quality"));
-    click(quality);
-    hand().key("End");
-    hand().key("Return");
-    QTRY_COMPARE(quality->currentIndex(), quality->count() - 1);
-    const QString path = folder() + u'/' + fractal().name + QStringLiteral(".png");
-    QFile::remove(path);
-    const QStringList before = QDir(folder()).entryList(QDir::Files | QDir::Hidden);
-    QVERIFY(!QFileInfo::exists(path));
-    exportAs(*dialog, path);
-    auto* progress = dialog->findChild<QProgressBar*>();
-    QTRY_VERIFY(progress->isVisible());
-    QTest::qWait(200);
-    photograph(QStringLiteral("export-under-way.png"));
-    click(named<QPushButton>(*dialog, QStringLiteral("Stop")));
-    QTRY_VERIFY(!progress->isVisible());
-    QVERIFY(named<QLabel>(*dialog, QStringLiteral("Result"))->text().contains(QStringLiteral("stopped")));
-    QVERIFY(!QFileInfo::exists(path));
-    QCOMPARE(QDir(folder()).entryList(QDir::Files | QDir::Hidden), before); // nor a part of it
-    QVERIFY(dialog->isVisible());                                           // to try again with less
-    hand().key("Escape");
-    QTRY_VERIFY(!visible<QDialog>());
-}
 
 void RealDialogsTest::transformsAsPlacement() {
     const QString path = copyOfCollection(QStringLiteral("paper"));
@@ -209,46 +85,92 @@ void RealDialogsTest::transformsAsCode() {
     QCOMPARE(savedEntry(path).system, fractal().system);
 }
 
-void RealDialogsTest::printPreviewOpensAndCloses() {
-    const bool answered = answer<QPrintPreviewDialog>([&] { hand().key("Control+p"); },
-                                                      [&](QPrintPreviewDialog&) {
-                                                          QTest::qWait(500);
-                                                          photograph(QStringLiteral("print-preview.png"));
-                                                          hand().key("Escape");
-                                                      });
-    QVERIFY(answered);
-    QVERIFY(window().isActiveWindow());
+void RealDialogsTest::aCommandIsFoundByTyping() {
+    const std::vector<ifs::Vector<2>> held = cage().current;
+    dragBy(vertex(1), {-50, 20});
+    QTRY_COMPARE(steps(), 1);
+    hand().key("Control+k");
+    QTRY_VERIFY(visible<view::CommandPalette>());
+    hand().type(QStringLiteral("cage res"));
+    hand().key("Return");
+    QTRY_COMPARE(steps(), 2);
+    QVERIFY(!visible<view::CommandPalette>());
+    QCOMPARE(cage().current, held);
+
+    hand().key("Control+k"); // what a panel has brings the panel to the front
+    hand().type(QStringLiteral("maps dupl"));
+    hand().key("Return");
+    QTRY_COMPARE(code().maps.size(), std::size_t{5});
+}
+
+void RealDialogsTest::thePaletteIsLeftUndone() {
+    hand().key("Control+k");
+    QTRY_VERIFY(visible<view::CommandPalette>());
+    hand().type(QStringLiteral("new"));
+    hand().key("Down");
+    hand().key("Escape");
+    QTRY_VERIFY(!visible<view::CommandPalette>());
+    QCOMPARE(fractal().name, QStringLiteral("maple"));
+}
+
+void RealDialogsTest::theColoursOfTheProgramAreChosen() {
+    const auto lightness = [this] { return window().palette().color(QPalette::Window).lightness(); };
+    QDialog* dialog = openDialog("Control+comma", "view::PreferencesDialog");
+    QVERIFY(dialog);
+    auto* theme = named<QComboBox>(*dialog, QStringLiteral("Theme"));
+    pick(theme, 2);
+    QTRY_VERIFY(lightness() < 100);
+    photograph(QStringLiteral("dark.png"));
+    pick(theme, 1);
+    QTRY_VERIFY(lightness() > 200);
+    click(named<QPushButton>(*dialog, QStringLiteral("Restore Defaults")));
+    QTRY_COMPARE(theme->currentIndex(), 0);
+    hand().key("Escape");
+    QTRY_VERIFY(!visible<QDialog>());
+}
+
+void RealDialogsTest::theTourIsWalked() {
+    choose({QStringLiteral("Help"), QStringLiteral("Tour")});
+    QStringList titles;
+    for (int step = 1; step <= 6; ++step) {
+        auto* tour = window().findChild<Tour*>();
+        QVERIFY(tour);
+        const QString place = QStringLiteral("%1 of 6").arg(step);
+        const auto isThere = [&] {
+            for (const auto* label : tour->findChildren<QLabel*>())
+                if (label->text() == place) return true;
+            return false;
+        };
+        QTRY_VERIFY(isThere());
+        QTest::qWait(200); // the card finds its place
+        click(named<QPushButton>(*tour, step == 6 ? QStringLiteral("Done") : QStringLiteral("Next")));
+    }
+    QTRY_VERIFY(!window().findChild<Tour*>());
     QVERIFY(!window().isWindowModified());
 }
 
-void RealDialogsTest::aFileIsDroppedFromAnotherProgram() {
-    QProcess other;
-    other.start(QStringLiteral(BARYCAGE_DRAG_SOURCE), {support::testData(QStringLiteral("shapes.ifs"))});
-    QByteArray said;
-    const auto says = [&](const char* word) {
-        return support::waitFor([&] {
-            said += other.readAllStandardOutput();
-            return said.contains(word);
-        });
+void RealDialogsTest::theGuideIsRead() {
+    const auto* guide = openDialog("F1", "QDialog");
+    QVERIFY(guide);
+    QVERIFY(
+        guide->findChild<QTextBrowser*>()->toPlainText().contains(QStringLiteral("Take it by its corners")));
+    hand().key("Escape");
+    QTRY_VERIFY(!visible<QDialog>());
+}
+
+void RealDialogsTest::whatIsThisIsAsked() {
+    const auto isExplained = [] {
+        for (const QWidget* widget : QApplication::topLevelWidgets())
+            if (widget->inherits("QWhatsThat") && widget->isVisible()) return true;
+        return false;
     };
-    QVERIFY(says("ready"));
-    const QPoint target = middleOf(canvas().viewport());
-    const QPoint source(60, 890);
-    hand().moveTo(source);
-    hand().press();
-    hand().moveTo(source + QPoint(12, -4)); // the drag begins
-    QTest::qWait(300);
-    for (const double part : {0.2, 0.5, 0.8, 0.97, 1.0}) {
-        hand().moveTo(source + (target - source) * part);
-        QTest::qWait(100);
-    }
-    photograph(QStringLiteral("drop.png"));
-    hand().release();
-    QTRY_COMPARE(window().windowTitle().section(QLatin1Char('['), 0, 0), QStringLiteral("shapes.ifs"));
-    QVERIFY(says("copied"));
-    QVERIFY(!window().isWindowModified());
-    other.terminate();
-    other.waitForFinished();
+    hand().key("Shift+F1");
+    hand().clickAt(onCanvas({40, 200}));
+    QTRY_VERIFY(isExplained());
+    hand().key("Escape");
+    QTRY_VERIFY(!isExplained());
+    dragBy(vertex(1), {-50, 20});
+    QTRY_COMPARE(steps(), 1);
 }
 
 int main(int argc, char** argv) {

@@ -6,6 +6,10 @@
 #include "io/fractint_reader.h"
 #include "io/save_file.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QDialog>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QMenu>
@@ -13,8 +17,21 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTabBar>
+
+#include <cmath>
 
 namespace support {
+
+namespace {
+
+QAction* actionNamed(const QWidget* menu, const QString& name) {
+    for (QAction* action : menu->actions())
+        if (action->text().remove(u'&').section(u'\t', 0, 0) == name) return action;
+    qFatal("no menu entry %s", qPrintable(name));
+}
+
+} // namespace
 
 bool waitFor(const std::function<bool()>& condition) {
     QElapsedTimer since;
@@ -82,20 +99,74 @@ document::Fractal WindowOnX::savedEntry(const QString& path) const {
     return *io::readFractint(io::loadFile(path).bytes).entries.at(index).fractal;
 }
 
+double WindowOnX::pixelsPerUnit() const {
+    return canvas().camera().pixelsPerUnit;
+}
+
+double WindowOnX::offsetInPixels(const ifs::Vector<2>& after, const ifs::Vector<2>& before,
+                                 const QPoint& by) const {
+    const ifs::Vector<2> offset = (after - before) * pixelsPerUnit();
+    return std::hypot(offset.x() - by.x(), offset.y() + by.y()); // y is up in the plane
+}
+
+void WindowOnX::dragBy(const QPoint& start, const QPoint& by) {
+    hand().drag(start, {start + by / 4, start + by * 2 / 3, start + by});
+}
+
+void WindowOnX::clickOn(QAbstractItemView* list, const QModelIndex& index) {
+    list->scrollTo(index);
+    hand().clickAt(list->viewport()->mapToGlobal(list->visualRect(index).center()));
+}
+
+void WindowOnX::type(QWidget* field, const QString& text) {
+    click(field);
+    hand().key("Control+a");
+    hand().type(text);
+    hand().key("Tab");
+}
+
+void WindowOnX::pick(QComboBox* box, int index) {
+    click(box);
+    hand().key("Home");
+    for (int i = 0; i < index; ++i)
+        hand().key("Down");
+    hand().key("Return");
+    QVERIFY(waitFor([&] { return box->currentIndex() == index; }));
+}
+
+QAction* WindowOnX::chooseFrom(const QMenu* menu, const QString& name) {
+    waitFor([&] { return menu->isVisible(); });
+    QAction* action = actionNamed(menu, name);
+    hand().clickAt(menu->mapToGlobal(menu->actionGeometry(action).center()));
+    return action;
+}
+
+void WindowOnX::showPanel(const QString& title) {
+    for (const auto* tabs : m_window->findChildren<QTabBar*>())
+        for (int i = 0; i < tabs->count(); ++i)
+            if (tabs->tabText(i) == title)
+                return hand().clickAt(tabs->mapToGlobal(tabs->tabRect(i).center()));
+    qFatal("no tab %s", qPrintable(title));
+}
+
+QDialog* WindowOnX::openDialog(const char* shortcut, const char* className) {
+    hand().key(shortcut);
+    QDialog* found = nullptr;
+    waitFor([&] {
+        for (auto* dialog : m_window->findChildren<QDialog*>())
+            if (dialog->isActiveWindow() && QByteArray(dialog->metaObject()->className()) == className)
+                found = dialog;
+        return found != nullptr;
+    });
+    QTest::qWait(200); // the window manager finds its place
+    return found;
+}
+
 void WindowOnX::choose(const QStringList& path) {
-    const auto actionNamed = [](const QWidget* menu, const QString& name) -> QAction* {
-        for (QAction* action : menu->actions())
-            if (action->text().remove(u'&') == name) return action;
-        qFatal("no menu entry %s", qPrintable(name));
-    };
     QAction* action = actionNamed(m_window->menuBar(), path.first());
     hand().clickAt(m_window->menuBar()->mapToGlobal(m_window->menuBar()->actionGeometry(action).center()));
-    for (const QString& name : path.mid(1)) {
-        QMenu* menu = action->menu();
-        QVERIFY(waitFor([&] { return menu->isVisible(); }));
-        action = actionNamed(menu, name);
-        hand().clickAt(menu->mapToGlobal(menu->actionGeometry(action).center()));
-    }
+    for (const QString& name : path.mid(1))
+        action = chooseFrom(action->menu(), name);
 }
 
 void WindowOnX::photograph(const QString& name) const {
@@ -103,12 +174,17 @@ void WindowOnX::photograph(const QString& name) const {
     if (!folder.isEmpty()) QVERIFY(m_window->screen()->grabWindow().save(folder + u'/' + name));
 }
 
-int run(QObject& test, int& argc, char** argv) {
+void useTestFolders() {
     QStandardPaths::setTestModeEnabled(true);
-    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    WatchedApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("Barycage"));
     QCoreApplication::setApplicationName(QStringLiteral("BarycageTest"));
+}
+
+int run(QObject& test, int& argc, char** argv) {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QStandardPaths::setTestModeEnabled(true);
+    WatchedApplication application(argc, argv);
+    useTestFolders();
     QApplication::setQuitOnLastWindowClosed(false); // tests close and open windows
     const int failures = QTest::qExec(&test, argc, argv);
     qInfo("%s", qPrintable(application.summary()));

@@ -15,6 +15,12 @@
 #include <functional>
 #include <memory>
 
+class QAbstractItemView;
+class QComboBox;
+class QDialog;
+class QMenu;
+class QModelIndex;
+
 namespace view {
 struct CanvasPart;
 }
@@ -38,12 +44,18 @@ protected:
     XInput& hand() const { return *m_hand; }
     document::Document& document() const { return m_window->document(); }
     const document::Fractal& fractal() const { return document().fractal(); }
+    const document::System2& code() const { return *document::system2(fractal()); }
     ifs::ControlCage<2> cage() const { return document::effectiveCage(fractal()); }
+    std::vector<ifs::Vector<2>> vertices() const { return cage().current; }
     int steps() const { return document().undoStack()->count(); }
 
     QPoint onScreen(const ifs::Vector<2>& world) const;
     QPoint handle(const view::CanvasPart& part) const;
     QPoint vertex(int index) const; // on the screen
+    QPoint insideTheCage() const { return (vertex(0) * 2 + vertex(1) * 3 + vertex(2) * 4) / 9; }
+    double pixelsPerUnit() const;
+    // How far the way from `before` to `after` in the plane is from `by` on the screen.
+    double offsetInPixels(const ifs::Vector<2>& after, const ifs::Vector<2>& before, const QPoint& by) const;
     QPoint onCanvas(const QPoint& pixel) const { return canvas().viewport()->mapToGlobal(pixel); }
     QString folder() const { return m_folder.path(); } // for what the test writes
     QPoint middleOf(const QWidget* widget) const { return widget->mapToGlobal(widget->rect().center()); }
@@ -51,6 +63,15 @@ protected:
     // The collection `name` of the program in a file of its own that can be written.
     QString copyOfCollection(const QString& name);
     document::Fractal savedEntry(const QString& path) const; // the current entry as it is in the file
+
+    void dragBy(const QPoint& start, const QPoint& by);
+    void click(const QWidget* widget) { hand().clickAt(middleOf(widget)); }
+    void clickOn(QAbstractItemView* list, const QModelIndex& index); // scrolls to it first
+    void type(QWidget* field, const QString& text);                  // instead of what is in it, then Tab
+    void pick(QComboBox* box, int index);
+    QAction* chooseFrom(const QMenu* menu, const QString& name);      // that opens; names without "&"
+    void showPanel(const QString& title);                             // by its tab
+    QDialog* openDialog(const char* shortcut, const char* className); // null when none appears
 
     // Opens the menus one by one with the pointer and clicks the last name. Names without "&".
     void choose(const QStringList& path);
@@ -107,6 +128,9 @@ private:
     std::unique_ptr<XInput> m_hand;
     QTemporaryDir m_folder;
 };
+
+// Names, and so settings and folders, away from the user's; of tests and of the programs that they start.
+void useTestFolders();
 
 // main() of a test that derives from WindowOnX.
 int run(QObject& test, int& argc, char** argv);

@@ -108,9 +108,12 @@ void XInput::clickAt(const QPoint& point, Button button) {
     click(button);
 }
 
+// Both clicks at once: on a busy machine two that are handled one by one may be too far apart.
 void XInput::doubleClickAt(const QPoint& point) {
-    clickAt(point);
-    click();
+    moveTo(point);
+    for (const bool down : {true, false, true, false})
+        fakeButton(Left, down);
+    settle();
 }
 
 void XInput::drag(const QPoint& from, const QList<QPoint>& through, Button button) {

@@ -73,16 +73,21 @@ void AnalysisItem::place() {
 }
 
 void AnalysisItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-    painter->setRenderHint(QPainter::Antialiasing);
     // Thousands of cylinders are drawn for every frame of a drag: thin, and without a halo each.
     constexpr std::size_t fewToOutline = 200;
+    constexpr std::size_t fewToSmooth = 2000;
     const bool many = m_shapes.size() > fewToOutline;
+    painter->setRenderHint(QPainter::Antialiasing, m_shapes.size() <= fewToSmooth);
     for (std::size_t k = 0; k < m_shapes.size(); ++k) {
         const auto& shape = m_shapes[k];
         const QColor colour = shape.colour
                                   ? QColor(shape.colour->red, shape.colour->green, shape.colour->blue)
                                   : outlineColour(shape.kind, m_style.onDark);
         const QPolygonF& pixels = m_pixels[k];
+        if (pixels.size() == 1 && many) {
+            painter->fillRect(QRectF(pixels.front() - QPointF(1.5, 1.5), QSizeF(3, 3)), colour);
+            continue;
+        }
         if (pixels.size() == 1) {
             painter->setPen(QPen(m_style.rim, 1.5));
             painter->setBrush(colour);

@@ -355,7 +355,7 @@ SnapTargets CanvasScene::snapTargets(const CanvasPart& part, const std::vector<i
     if (m_taken == Taken::Cage) targets.vertices = m_cage->rest;
     addStill(m_cage->current, m_taken == Taken::Cage);
     for (int child = 0; child < childCount(); ++child) {
-        const bool whole = part.kind != Kind::Vertex && isChildSelected(child) && !moving.empty();
+        const bool whole = part.kind != Kind::Vertex && !moving.empty() && isChildSelected(child);
         if (!whole) addStill(childCorners(child), child == part.map);
     }
     return targets;
@@ -413,8 +413,9 @@ void CanvasScene::placeMaps() {
     };
     const auto add = [&](const document::MapHandles& handles, std::size_t place, int child,
                          const QColor& colour, bool selected) {
-        frames.push_back({child, inPixels(handles.corners(place)), inPixels(handles.outline(place)), colour,
-                          selected, handles.maps()[place].enabled});
+        frames.push_back({child,
+                          m_taken == Taken::Cage ? QPolygonF() : inPixels(handles.corners(place)), // a hint
+                          inPixels(handles.outline(place)), colour, selected, handles.maps()[place].enabled});
     };
     if (m_taken == Taken::Branch && m_branchHandles) {
         add(m_branchHandles->handles, m_branchHandles->place, 0,

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,8 @@ using Kind = CanvasPart::Kind;
 constexpr double radius = 8; // of a corner of a selected frame
 constexpr double dot = 3.5;  // of any other
 constexpr double focusRadius = 13;
+constexpr double leastSide = 8;         // of a frame whose corners can be told apart
+constexpr std::ptrdiff_t mostHeld = 50; // selected frames that show their handles however small
 
 double area(const QPolygonF& polygon) {
     double doubled = 0;
@@ -135,20 +138,33 @@ void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const
 
 void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->setRenderHint(QPainter::Antialiasing);
+    const auto selectedCount = std::ranges::count_if(m_frames, &MapFrame::selected);
+    std::vector<const MapFrame*> whole;
+    for (const MapFrame& frame : m_frames) {
+        if (m_mode == Mode::Hint && !frame.selected) continue;
+        const QRectF box = frame.outline.boundingRect();
+        if (std::max(box.width(), box.height()) >= leastSide || isHovered(frame) ||
+            m_focused.map == frame.place || (frame.selected && selectedCount <= mostHeld)) {
+            whole.push_back(&frame);
+            continue;
+        }
+        // Of ten thousand no more can be seen, and painted in time.
+        const int side = frame.selected ? 4 : 2;
+        painter->fillRect(QRect(box.center().toPoint(), QSize(side, side)), frame.colour);
+    }
     if (m_mode == Mode::Hint) {
-        for (const MapFrame& frame : m_frames)
-            if (frame.selected)
-                strokeOutline(*painter, frame.outline, m_style, frame.colour, m_style.lineWidth, Qt::DotLine);
+        for (const MapFrame* frame : whole)
+            strokeOutline(*painter, frame->outline, m_style, frame->colour, m_style.lineWidth, Qt::DotLine);
         return;
     }
-    for (const MapFrame& frame : m_frames) // below all lines, which they would make fainter
-        painter->fillPath(closed(frame.outline),
-                          withOpacity(frame.colour, frame.selected || isHovered(frame) ? 0.16 : 0.05));
+    for (const MapFrame* frame : whole) // below all lines, which they would make fainter
+        painter->fillPath(closed(frame->outline),
+                          withOpacity(frame->colour, frame->selected || isHovered(*frame) ? 0.16 : 0.05));
     for (const bool selected : {false, true}) {
-        for (const MapFrame& frame : m_frames)
-            if (frame.selected == selected) paintFrame(*painter, frame);
-        for (const MapFrame& frame : m_frames)
-            if (frame.selected == selected) paintCorners(*painter, frame);
+        for (const MapFrame* frame : whole)
+            if (frame->selected == selected) paintFrame(*painter, *frame);
+        for (const MapFrame* frame : whole)
+            if (frame->selected == selected) paintCorners(*painter, *frame);
     }
 }
 

@@ -15,6 +15,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace view {
 
 namespace {
@@ -249,10 +251,15 @@ void AppearancePanel::showMapColours() {
         connect(button, &ColourButton::rejected, this, [this] { m_edit.cancel(); });
         m_mapButtons.push_back(button);
     }
-    for (std::size_t i = 0; i < m_mapButtons.size(); ++i) {
-        m_mapButtons[i]->setVisible(i < count);
-        if (i < count) m_mapButtons[i]->setColour(attractor::mapColour(appearance, system->maps[i].id, i));
+    const auto shown = std::ranges::count_if(m_mapButtons, [](const QWidget* b) { return !b->isHidden(); });
+    if (std::size_t(shown) != count) {
+        m_mapColours->hide(); // else the window is laid out for every button
+        for (std::size_t i = 0; i < m_mapButtons.size(); ++i)
+            m_mapButtons[i]->setVisible(i < count);
+        m_mapColours->show();
     }
+    for (std::size_t i = 0; i < count; ++i)
+        m_mapButtons[i]->setColour(attractor::mapColour(appearance, system->maps[i].id, i));
     m_mapColours->setEnabled(appearance.colourBy == ColourBy::Map);
     m_mapColoursLabel->setEnabled(m_mapColours->isEnabled());
 }

@@ -2,6 +2,7 @@
 #include "panels/branch_bar.h"
 
 #include "canvas/branch_tool.h"
+#include "canvas/canvas_scene.h"
 #include "document/addresses.h"
 
 #include <QComboBox>
@@ -168,11 +169,7 @@ void BranchBar::swingTo(int degrees) {
     const auto root = document::root(before);
     if (!document::system2(before) || !root) return;
     const document::MapHandles handles(before, document::effectiveCage(before));
-    std::vector<std::size_t> places;
-    for (std::size_t place = 0; place < handles.count(); ++place)
-        if (std::ranges::find(m_canvas->selectedMaps(), handles.maps()[place].id) !=
-            m_canvas->selectedMaps().end())
-            places.push_back(place);
+    const std::vector<std::size_t> places = m_canvas->canvas().selectedPlaces();
     const auto swung = [&](double angle) {
         return handles.withMapsSwung(places, *root, angle * std::numbers::pi / 180);
     };

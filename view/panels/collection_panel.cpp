@@ -46,7 +46,8 @@ CollectionPanel::CollectionPanel(QWidget* parent)
     setAccessibleName(tr("Collection"));
     m_thumbnails->setCache(std::make_unique<io::ThumbnailCache>(io::ThumbnailCache::usualFolder()));
     m_search->setAccessibleName(tr("Search the collection"));
-    m_search->setWhatsThis(tr("Shows only the fractals whose name, theme or comment has these words."));
+    m_search->setWhatsThis(tr("Shows only the fractals whose name, theme or comment has these words. Enter "
+                              "opens the first of them."));
     m_search->setPlaceholderText(tr("Search the collection"));
     m_search->setStatusTip(tr("Show only fractals whose name, title, theme or source contains these words."));
     m_search->setClearButtonEnabled(true);
@@ -98,10 +99,21 @@ void CollectionPanel::createGrid() {
     cover->addWidget(m_whyEmpty);
     connect(m_search, &QLineEdit::textChanged, m_filtered, &CollectionFilter::setWords);
     connect(m_search, &QLineEdit::textChanged, this, &CollectionPanel::sayWhyEmpty);
+    connect(m_search, &QLineEdit::textChanged, this, &CollectionPanel::chooseFound);
+    connect(m_search, &QLineEdit::returnPressed, this, [this] { m_open->trigger(); });
     connect(m_grid, &QListView::doubleClicked, this, [this] { m_open->trigger(); });
     connect(m_grid->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &CollectionPanel::updateActions);
     connect(m_grid, &QWidget::customContextMenuRequested, this, &CollectionPanel::showContextMenu);
+}
+
+// The first, so that Enter opens it.
+void CollectionPanel::chooseFound() {
+    if (m_search->text().isEmpty()) return;
+    for (int row = 0; row < m_filtered->rowCount(); ++row) {
+        const QModelIndex index = m_filtered->index(row, 0);
+        if (index.flags() & Qt::ItemIsSelectable) return m_grid->setCurrentIndex(index);
+    }
 }
 
 void CollectionPanel::sayWhyEmpty() {

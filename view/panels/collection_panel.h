@@ -54,6 +54,7 @@ private:
     void chooseFolder();
     void saveFolders() const;
     void updateActions();
+    void chooseFound();
     void sayWhyEmpty();
     const document::Fractal* current() const;
 

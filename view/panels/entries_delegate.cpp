@@ -124,8 +124,9 @@ QWidget* EntriesDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
 
 void EntriesDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
     auto* line = qobject_cast<QLineEdit*>(editor);
-    if (line && !line->isModified()) // a picture that arrives meanwhile must not undo the typing
-        line->setText(index.data(Qt::EditRole).toString());
+    const QString name = index.data(Qt::EditRole).toString();
+    // A picture that arrives meanwhile must not undo the typing, nor what is selected to be typed over.
+    if (line && !line->isModified() && line->text() != name) line->setText(name);
 }
 
 void EntriesDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,

@@ -116,7 +116,7 @@ QString columnTip(int column) {
     }
 }
 
-constexpr std::size_t aligned = 1000; // maps that decide where the decimal points of a column are
+constexpr int mostDecimals = 4; // that shortNumber() gives
 
 int decimalsOf(const QString& number) {
     const auto point = number.indexOf(u'.');
@@ -155,22 +155,32 @@ void MapsModel::follow(const document::Change& change) {
 void MapsModel::reload() {
     const document::Fractal& fractal = m_document->fractal();
     const document::System2* system = document::system2(fractal);
-    m_maps = system ? system->maps : std::vector<ifs::WeightedMap<2>>{};
-    m_probabilities = system ? ifs::probabilities(*system) : std::vector<double>{};
+    const bool sameCode = system && system->maps == m_maps; // as while the cage is dragged
+    if (!sameCode) {
+        m_maps = system ? system->maps : std::vector<ifs::WeightedMap<2>>{};
+        m_probabilities = system ? ifs::probabilities(*system) : std::vector<double>{};
+    }
     m_effective.clear();
     if (system && isAtRest(fractal))
         m_effective = m_maps;
     else if (const auto effective = system ? document::effectiveSystem(fractal) : std::nullopt)
         m_effective = effective->maps;
-    m_decimals.assign(ColumnCount, 0);
-    const auto rows = static_cast<int>(std::min(m_maps.size(), aligned));
-    for (int column = 0; column < ColumnCount; ++column) {
-        for (int row = 0; isNumber(column) && row < rows; ++row) {
-            const auto value = number(row, column);
-            auto& decimals = m_decimals[static_cast<std::size_t>(column)];
-            decimals = std::max(decimals, value ? decimalsOf(shortNumber(*value)) : 0);
-        }
+    m_decimals.resize(ColumnCount);
+    std::fill(m_decimals.begin() + (sameCode ? int(EffectiveA) : 0), m_decimals.end(), std::nullopt);
+}
+
+// Asked for by what is in sight: ten thousand numbers are not written out for a column that nobody sees.
+int MapsModel::decimals(int column) const {
+    std::optional<int>& most = m_decimals[static_cast<std::size_t>(column)];
+    if (most) return *most;
+    most = 0;
+    std::optional<double> previous;
+    for (int row = 0; isNumber(column) && row < rowCount() && *most < mostDecimals; ++row) {
+        const std::optional<double> value = number(row, column);
+        if (value && value != previous) most = std::max(*most, decimalsOf(shortNumber(*value)));
+        previous = value;
     }
+    return *most;
 }
 
 int MapsModel::rowCount(const QModelIndex& parent) const {
@@ -279,11 +289,8 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
         return {};
     case Qt::TextAlignmentRole:
         return alignment(column);
-    case DecimalsRole: {
-        const auto value = isNumber(column) ? number(row, column) : std::nullopt;
-        return std::max(m_decimals[static_cast<std::size_t>(column)],
-                        value ? decimalsOf(shortNumber(*value)) : 0);
-    }
+    case DecimalsRole:
+        return decimals(column);
     case WarningRole:
         if (contracts(map.map)) return QString();
         return tr("Map %1 does not contract: it stretches by up to %2. The system may still have an "

@@ -5,6 +5,7 @@
 
 #include <QAbstractTableModel>
 
+#include <optional>
 #include <vector>
 
 namespace view {
@@ -71,14 +72,15 @@ private:
     QString tip(int row, int column) const;
     QString editText(int row, int column) const;
     QVariant alignment(int column) const;
+    int decimals(int column) const;
     void change(document::Fractal& fractal, const QModelIndex& index, double value) const;
 
     document::Document* m_document;
     LiveEdit m_edit;
     std::vector<ifs::WeightedMap<2>> m_maps;
     std::vector<double> m_probabilities;
-    std::vector<ifs::WeightedMap<2>> m_effective; // empty while the placement is flat
-    std::vector<int> m_decimals;                  // per column
+    std::vector<ifs::WeightedMap<2>> m_effective;       // empty while the placement is flat
+    mutable std::vector<std::optional<int>> m_decimals; // per column, once they are asked for
 };
 
 } // namespace view

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/camera.h"
 #include "canvas/canvas_scene.h"
-#include "panels/maps_panel.h"
 #include "support/window_on_x.h"
-
-#include <QDialog>
 
 #include <Eigen/Geometry>
 
@@ -15,8 +12,8 @@ using ifs::Vector;
 using view::CanvasPart;
 using Kind = view::CanvasPart::Kind;
 
-// The gestures of the paper, and all others on the canvas, with a real pointer and real keys.
-class RealInputTest : public support::WindowOnX {
+// The gestures of the paper, and all others that take the cage, with a real pointer and real keys.
+class RealCageTest : public support::WindowOnX {
     Q_OBJECT
 
 private slots:
@@ -32,26 +29,11 @@ private slots:
     void thePivotCanBeMoved();
     void shiftConstrains();
     void draggedVerticesSnap();
-    void cursorIsAHandOverAVertexAndACrossElsewhere();
     void escapeTakesADragBack_data();
     void escapeTakesADragBack();
-    void arrowsNudge();
-    void tabWalksTheHandles();
     void squeezedFlatAndReopenedIsExactlyTheSame();
     void flatAndMirroredPicturesAreSavedAndOpened();
     void threeClicksDefineTheTriangle();
-    void mapsAreDragged();
-    void theWheelZoomsAtThePointer();
-    void thePlaneIsPanned();
-    void draggedFractalSavesAndReopens();
-    void aNewFileGivesUpTheDrag();
-
-private:
-    double pixelsPerUnit() const { return canvas().camera().pixelsPerUnit; }
-    std::vector<Vector<2>> vertices() const { return cage().current; }
-    double offsetInPixels(const Vector<2>& after, const Vector<2>& before, const QPoint& by) const;
-    void dragBy(const QPoint& start, const QPoint& by);
-    QPoint inside() const { return (vertex(0) * 2 + vertex(1) * 3 + vertex(2) * 4) / 9; }
 };
 
 namespace {
@@ -88,18 +70,7 @@ Vector<2> factors(const std::vector<Vector<2>>& from, const std::vector<Vector<2
 
 } // namespace
 
-void RealInputTest::dragBy(const QPoint& start, const QPoint& by) {
-    hand().drag(start, {start + by / 4, start + by * 2 / 3, start + by});
-}
-
-// How far the pointer's offset is from that of a point of the plane.
-double RealInputTest::offsetInPixels(const Vector<2>& after, const Vector<2>& before,
-                                     const QPoint& by) const {
-    const Vector<2> offset = (after - before) * pixelsPerUnit();
-    return std::hypot(offset.x() - by.x(), offset.y() + by.y()); // y is up in the plane
-}
-
-void RealInputTest::draggingAVertexIsOneStep() {
+void RealCageTest::draggingAVertexIsOneStep() {
     const document::Fractal before = fractal();
     const std::vector<Vector<2>> held = vertices();
     dragBy(vertex(1), {60, -55});
@@ -119,7 +90,7 @@ void RealInputTest::draggingAVertexIsOneStep() {
     QTRY_COMPARE(vertices(), moved);
 }
 
-void RealInputTest::draggingAnEdgeMovesBothItsEnds() {
+void RealCageTest::draggingAnEdgeMovesBothItsEnds() {
     const std::vector<Vector<2>> held = vertices();
     dragBy(handle({Kind::Edge, 1}), {-35, 48});
     QTRY_COMPARE(steps(), 1);
@@ -129,15 +100,15 @@ void RealInputTest::draggingAnEdgeMovesBothItsEnds() {
     QVERIFY(offsetInPixels(vertices()[2], held[2], {-35, 48}) < 1e-6);
 }
 
-void RealInputTest::draggingTheInsideMovesTheWholeCage() {
+void RealCageTest::draggingTheInsideMovesTheWholeCage() {
     const std::vector<Vector<2>> held = vertices();
-    dragBy(inside(), {-50, -20});
+    dragBy(insideTheCage(), {-50, -20});
     QTRY_COMPARE(steps(), 1);
     for (std::size_t i = 0; i < held.size(); ++i)
         QVERIFY(offsetInPixels(vertices()[i], held[i], {-50, -20}) < 1e-6);
 }
 
-void RealInputTest::theHandlesTurnAndScale() {
+void RealCageTest::theHandlesTurnAndScale() {
     const std::vector<Vector<2>> held = vertices();
     const Vector<2> pivot = canvas().canvas().pivot();
     const QPoint from = handle({Kind::Rotate, 0});
@@ -157,7 +128,7 @@ void RealInputTest::theHandlesTurnAndScale() {
     QVERIFY(std::abs(scale.x() - scale.y()) < 1e-9);
 }
 
-void RealInputTest::controlTurnsAndAltScales() {
+void RealCageTest::controlTurnsAndAltScales() {
     const std::vector<Vector<2>> held = vertices();
     const Vector<2> pivot = canvas().canvas().pivot();
     hand().hold("Control");
@@ -168,7 +139,7 @@ void RealInputTest::controlTurnsAndAltScales() {
 
     const std::vector<Vector<2>> turned = vertices();
     hand().hold("Alt");
-    dragBy(inside() + QPoint(20, 20), {60, 60});
+    dragBy(insideTheCage() + QPoint(20, 20), {60, 60});
     hand().letGo("Alt");
     QTRY_COMPARE(steps(), 2);
     const Vector<2> scale = factors(turned, vertices(), pivot);
@@ -181,7 +152,7 @@ void RealInputTest::controlTurnsAndAltScales() {
 }
 
 // For window managers that take a press with Alt for themselves.
-void RealInputTest::aKeyPressedDuringTheDragCounts() {
+void RealCageTest::aKeyPressedDuringTheDragCounts() {
     const std::vector<Vector<2>> held = vertices();
     const Vector<2> pivot = canvas().canvas().pivot();
     const QPoint start = vertex(2);
@@ -201,7 +172,7 @@ void RealInputTest::aKeyPressedDuringTheDragCounts() {
     QCOMPARE(document().undoStack()->undoText(), QStringLiteral("Scale the cage"));
 }
 
-void RealInputTest::thePivotCanBeMoved() {
+void RealCageTest::thePivotCanBeMoved() {
     const std::vector<Vector<2>> held = vertices();
     const QPoint start = handle({Kind::Pivot, 0});
     hand().drag(start, {start + QPoint(20, 10), vertex(0) + QPoint(3, 2)}); // drawn to the vertex
@@ -213,7 +184,7 @@ void RealInputTest::thePivotCanBeMoved() {
     QVERIFY(std::abs(turn(held, vertices(), held[0])) > 0.1);
 }
 
-void RealInputTest::shiftConstrains() {
+void RealCageTest::shiftConstrains() {
     std::vector<Vector<2>> held = vertices();
     hand().hold("Shift");
     dragBy(vertex(1), {70, -25}); // along one axis
@@ -237,7 +208,7 @@ void RealInputTest::shiftConstrains() {
     hand().letGo("Shift");
 }
 
-void RealInputTest::draggedVerticesSnap() {
+void RealCageTest::draggedVerticesSnap() {
     const std::vector<Vector<2>> held = vertices();
     choose({QStringLiteral("View"), QStringLiteral("Snap To"), QStringLiteral("Vertices")});
     hand().drag(vertex(0), {vertex(0) + QPoint(10, 10), vertex(1) + QPoint(5, -4)});
@@ -260,24 +231,7 @@ void RealInputTest::draggedVerticesSnap() {
     QTRY_VERIFY((vertices()[1] - crossing).norm() < 1e-9);
 }
 
-void RealInputTest::cursorIsAHandOverAVertexAndACrossElsewhere() {
-    const auto shape = [this] { return canvas().viewport()->cursor().shape(); };
-    hand().moveTo(vertex(0));
-    QTRY_COMPARE(shape(), Qt::OpenHandCursor);
-    photograph(QStringLiteral("cursor-over-vertex.png"));
-    hand().press();
-    hand().moveTo(vertex(0) + QPoint(8, 8));
-    QTRY_COMPARE(shape(), Qt::ClosedHandCursor);
-    hand().moveTo(onCanvas({12, canvas().viewport()->height() / 2}));
-    QTRY_COMPARE(shape(), Qt::ClosedHandCursor); // wherever the pointer gets to
-    hand().release();
-    hand().moveTo(onCanvas({12, 60}));
-    QTRY_COMPARE(shape(), Qt::CrossCursor);
-    hand().moveTo(inside());
-    QTRY_COMPARE(shape(), Qt::CrossCursor);
-}
-
-void RealInputTest::escapeTakesADragBack_data() {
+void RealCageTest::escapeTakesADragBack_data() {
     QTest::addColumn<CanvasPart>("part");
     QTest::newRow("vertex") << CanvasPart{Kind::Vertex, 2};
     QTest::newRow("edge") << CanvasPart{Kind::Edge, 0};
@@ -286,10 +240,10 @@ void RealInputTest::escapeTakesADragBack_data() {
     QTest::newRow("scale handle") << CanvasPart{Kind::Scale, 0};
 }
 
-void RealInputTest::escapeTakesADragBack() {
+void RealCageTest::escapeTakesADragBack() {
     QFETCH(CanvasPart, part);
     const document::Fractal before = fractal();
-    const QPoint start = part.kind == Kind::Inside ? inside() : handle(part);
+    const QPoint start = part.kind == Kind::Inside ? insideTheCage() : handle(part);
     hand().moveTo(start);
     hand().press();
     hand().moveTo(start + QPoint(50, 20));
@@ -305,40 +259,7 @@ void RealInputTest::escapeTakesADragBack() {
     QTRY_COMPARE(steps(), 1);
 }
 
-void RealInputTest::arrowsNudge() {
-    const std::vector<Vector<2>> held = vertices();
-    hand().clickAt(onCanvas({10, 200}));
-    hand().key("Tab"); // vertex 1
-    hand().key("Right");
-    QTRY_VERIFY(offsetInPixels(vertices()[0], held[0], {1, 0}) < 1e-6);
-    hand().key("Shift+Up");
-    QTRY_VERIFY(offsetInPixels(vertices()[0], held[0], {1, -10}) < 1e-6);
-    hand().key("Alt+Left");
-    QTRY_VERIFY(std::abs((vertices()[0].x() - held[0].x()) * pixelsPerUnit() - 0.9) < 1e-6);
-    QTRY_COMPARE(steps(), 3);
-    hand().hold("Down"); // long enough to repeat
-    QVERIFY(support::waitFor([&] { return (vertices()[0].y() - held[0].y()) * pixelsPerUnit() < 5.5; }));
-    hand().letGo("Down");
-    QTRY_COMPARE(steps(), 4); // one step, however often it repeated
-    QCOMPARE(vertices()[1], held[1]);
-}
-
-void RealInputTest::tabWalksTheHandles() {
-    hand().clickAt(onCanvas({10, 200}));
-    const std::vector<CanvasPart> handles = canvas().canvas().handles();
-    for (const CanvasPart& part : handles) {
-        hand().key("Tab");
-        QTRY_COMPARE(canvas().canvas().focused(), part);
-    }
-    hand().key("Tab");
-    QTRY_COMPARE(canvas().canvas().focused(), handles.front());
-    hand().key("Shift+Tab");
-    QTRY_COMPARE(canvas().canvas().focused(), handles.back());
-    hand().key("F6");
-    QTRY_VERIFY(!canvas().hasFocus());
-}
-
-void RealInputTest::squeezedFlatAndReopenedIsExactlyTheSame() {
+void RealCageTest::squeezedFlatAndReopenedIsExactlyTheSame() {
     const document::Fractal before = fractal();
     const QPoint start = vertex(2);
     // Through the opposite edge (the middle of the other two vertices), to the mirror side, and home.
@@ -348,7 +269,7 @@ void RealInputTest::squeezedFlatAndReopenedIsExactlyTheSame() {
     QCOMPARE(steps(), 0);
 }
 
-void RealInputTest::flatAndMirroredPicturesAreSavedAndOpened() {
+void RealCageTest::flatAndMirroredPicturesAreSavedAndOpened() {
     const QString path = copyOfCollection(QStringLiteral("paper"));
     window().openPath(path);
     const std::vector<Vector<2>> held = vertices();
@@ -372,7 +293,7 @@ void RealInputTest::flatAndMirroredPicturesAreSavedAndOpened() {
     QCOMPARE(savedEntry(path).cage->current, vertices());
 }
 
-void RealInputTest::threeClicksDefineTheTriangle() {
+void RealCageTest::threeClicksDefineTheTriangle() {
     const QPoint middle = middleOf(canvas().viewport());
     hand().key("d");
     QTRY_COMPARE(canvas().tool(), view::CanvasView::Tool::DefineTriangle);
@@ -396,105 +317,9 @@ void RealInputTest::threeClicksDefineTheTriangle() {
     QCOMPARE(steps(), 1);
 }
 
-void RealInputTest::mapsAreDragged() {
-    hand().key("m");
-    QTRY_COMPARE(canvas().tool(), view::CanvasView::Tool::Maps);
-    const ifs::AffineMap<2> before = document::system2(fractal())->maps[2].map;
-    const Vector<2> vertex = cage().rest[1];
-    hand().moveTo(handle({Kind::Vertex, 1, 2}));
-    QTRY_COMPARE(canvas().viewport()->cursor().shape(), Qt::OpenHandCursor);
-    dragBy(handle({Kind::Vertex, 1, 2}), {14, -11});
-    QTRY_COMPARE(steps(), 1);
-    const auto& maps = document::system2(fractal())->maps;
-    QVERIFY(offsetInPixels(maps[2].map(vertex), before(vertex), {14, -11}) < 1e-6);
-    QCOMPARE(canvas().selectedMaps(), std::vector<ifs::MapId>{maps[2].id});
-    const auto* table = window().findChild<view::MapsPanel*>();
-    QVERIFY(table->selectedMaps() == canvas().selectedMaps());
-    photograph(QStringLiteral("maps"));
-
-    hand().key("Control+z");
-    QTRY_VERIFY(document::system2(fractal())->maps[2].map == before);
-    hand().key("c");
-    QTRY_COMPARE(canvas().tool(), view::CanvasView::Tool::Cage);
-}
-
-void RealInputTest::theWheelZoomsAtThePointer() {
-    const QPoint at = vertex(1) + QPoint(-40, 25);
-    const QPoint pixel = canvas().viewport()->mapFromGlobal(at);
-    const auto under = [&] { return attractor::toWorld(canvas().camera(), Vector<2>(pixel.x(), pixel.y())); };
-    const Vector<2> point = under();
-    const double before = pixelsPerUnit();
-    hand().moveTo(at);
-    hand().wheel(5);
-    QTRY_VERIFY(pixelsPerUnit() > 2 * before);
-    QVERIFY((under() - point).norm() * pixelsPerUnit() < 1e-6);
-    hand().wheel(-5);
-    QTRY_VERIFY(std::abs(pixelsPerUnit() / before - 1) < 1e-9);
-    QCOMPARE(steps(), 0);
-}
-
-void RealInputTest::thePlaneIsPanned() {
-    const attractor::Camera fitted = canvas().camera();
-    const std::vector<Vector<2>> held = vertices();
-    const QPoint corner = vertex(0);
-    hand().drag(vertex(1), {vertex(1) + QPoint(30, 12), vertex(1) + QPoint(90, -35)},
-                support::XInput::Middle);
-    QTRY_COMPARE(vertex(0), corner + QPoint(90, -35));
-
-    hand().hold("space");
-    QTRY_COMPARE(canvas().viewport()->cursor().shape(), Qt::OpenHandCursor);
-    hand().moveTo(vertex(1));
-    hand().press();
-    QTRY_COMPARE(canvas().viewport()->cursor().shape(), Qt::ClosedHandCursor);
-    QTest::qWait(900); // the key repeats meanwhile
-    hand().moveTo(vertex(1) + QPoint(-50, 5));
-    hand().release();
-    hand().letGo("space");
-    QTRY_COMPARE(vertex(0), corner + QPoint(40, -30));
-    QCOMPARE(vertices(), held);
-
-    hand().moveTo(onCanvas({30, 30}));
-    hand().press(support::XInput::Middle);
-    hand().moveTo(onCanvas({80, 90}));
-    hand().key("Escape");
-    hand().release(support::XInput::Middle);
-    QTRY_COMPARE(vertex(0), corner + QPoint(40, -30));
-
-    hand().key("f");
-    QTRY_VERIFY(canvas().camera() == fitted);
-    QCOMPARE(steps(), 0);
-}
-
-void RealInputTest::draggedFractalSavesAndReopens() {
-    const QString path = copyOfCollection(QStringLiteral("paper"));
-    window().openPath(path);
-    dragBy(vertex(1), {-60, -45});
-    const std::vector<Vector<2>> placed = vertices();
-    QVERIFY(window().isWindowModified());
-    hand().key("Control+s");
-    QTRY_VERIFY(!window().isWindowModified());
-    QCOMPARE(savedEntry(path).cage->current, placed);
-}
-
-// What is only half done is not kept as an edit: no question about it, no step.
-void RealInputTest::aNewFileGivesUpTheDrag() {
-    hand().moveTo(vertex(1));
-    hand().press();
-    hand().moveTo(vertex(1) + QPoint(40, -30));
-    QTRY_VERIFY(document().isModified());
-    hand().key("Control+n");
-    QTRY_COMPARE(fractal().name, document::sierpinskiTriangle().name);
-    const document::Fractal fresh = fractal();
-    hand().moveTo(vertex(1) + QPoint(-30, -60));
-    hand().release();
-    QVERIFY(fractal() == fresh);
-    QCOMPARE(steps(), 0);
-    QVERIFY(!visible<QDialog>());
-}
-
 int main(int argc, char** argv) {
-    RealInputTest test;
+    RealCageTest test;
     return support::run(test, argc, argv);
 }
 
-#include "real_input_test.moc"
+#include "real_cage_test.moc"
