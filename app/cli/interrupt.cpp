@@ -25,8 +25,7 @@ sigset_t watched() {
     sigemptyset(&set);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action {};
-        if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
-            sigaddset(&set, number);
+        if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) sigaddset(&set, number);
     }
     return set;
 }

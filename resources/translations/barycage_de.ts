@@ -2176,6 +2176,10 @@
         <source>Missing: %1.</source>
         <translation>Es fehlt: %1.</translation>
     </message>
+    <message>
+        <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
+        <translation>Der Umriss hat mehr Ecken, als Programme in einem Pfad lesen. Wählen Sie eine kleinere Tiefe.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

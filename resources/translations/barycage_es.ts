@@ -2176,6 +2176,10 @@
         <source>Missing: %1.</source>
         <translation>Falta: %1.</translation>
     </message>
+    <message>
+        <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
+        <translation>El contorno tiene más vértices de los que los programas leen en un solo trazado. Elija una profundidad menor.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

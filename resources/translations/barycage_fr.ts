@@ -2176,6 +2176,10 @@
         <source>Missing: %1.</source>
         <translation>Il manque&#x202f;: %1.</translation>
     </message>
+    <message>
+        <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
+        <translation>Le contour a plus de sommets que les programmes n’en lisent dans un seul tracé. Choisissez une profondeur plus petite.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -2182,6 +2182,10 @@
         <source>Missing: %1.</source>
         <translation>Недостасува: %1.</translation>
     </message>
+    <message>
+        <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
+        <translation>Контурот има повеќе темиња отколку што програмите читаат во една патека. Изберете помала длабочина.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -157,7 +157,7 @@ void RealTableTest::theColumnsOfPastedRowsAreChosen() {
     hand().key("Control+v");
     QTRY_VERIFY(visible<view::PasteTableDialog>());
     QVERIFY(QTest::qWaitForWindowActive(visible<view::PasteTableDialog>()));
-    QTest::qWait(200); // the window manager finds its place
+    QTest::qWait(200);                                                  // the window manager finds its place
     QTRY_COMPARE(code().maps[0].map.translation, ifs::Vector<2>(3, 5)); // seen at once: a b e c d f p
     QCOMPARE(steps(), 0);
     pick(visible<view::PasteTableDialog>()->findChild<QComboBox*>(), 0);
