@@ -205,7 +205,8 @@ void MainWindow::connectDocument() {
         using document::Change;
         const bool isAnother = change.parts & (Change::System | Change::Current | Change::File);
         if (isAnother || (!change.live && change.parts & Change::Cage))
-            m_status->showVerdict(m_document.fractal());
+            QMetaObject::invokeMethod( // nobody waits for it
+                m_status, [this] { m_status->showVerdict(m_document.fractal()); }, Qt::QueuedConnection);
         if (!change.live && change.parts & (Change::Name | Change::Current | Change::File)) updateTitle();
     });
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
@@ -273,13 +274,16 @@ void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
 }
 
 void MainWindow::openRecovered(const document::Abandoned& abandoned) {
-    const io::Failure failure = m_file.recover(abandoned.snapshot);
+    const std::optional<io::Failure> recovered = m_file.recover(abandoned.snapshot);
     m_canvas->fit();
+    if (!recovered)
+        return say(
+            tr("%1 was not recovered. It is offered again at the next start.").arg(abandoned.snapshot.title));
     m_recovery.keepNow([abandoned](bool kept) {
         if (kept) document::forget(abandoned);
     });
     say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
-    if (failure)
+    if (const io::Failure& failure = *recovered)
         fail(tr("%1 could not be opened").arg(QFileInfo(abandoned.snapshot.path).fileName()),
              *failure + u' ' + tr("The unsaved work is here all the same."));
 }

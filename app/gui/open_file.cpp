@@ -16,11 +16,18 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <optional>
 
 namespace {
 
 QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+}
+
+// A pipe or a device, which may never come to an end.
+bool isSpecial(const QString& path) {
+    const QFileInfo info(path);
+    return info.exists() && !info.isFile() && !info.isDir();
 }
 
 struct Reading {
@@ -35,6 +42,11 @@ QFuture<Reading> readBeside(const QString& path) {
         if (!reading.loaded.failure) {
             reading.collection = io::readCollection(reading.loaded.bytes, path);
             reading.digest = digestOf(reading.loaded.bytes);
+            // What showing the first entry takes is remembered.
+            const auto& entries = reading.collection.file.entries;
+            const auto shown = std::ranges::find_if(
+                entries, [](const auto& entry) { return document::system2(*entry.fractal) != nullptr; });
+            if (shown != entries.end()) document::supportFunction(*shown->fractal);
         }
         promise.addResult(std::move(reading));
     });
@@ -95,8 +107,9 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
 
 io::Failure OpenFile::open(const QString& path) {
     const QScopedValueRollback<bool> busy(m_isBusy, true);
-    QFuture<Reading> result = readBeside(path);
     const auto file = QFileInfo(path).fileName();
+    if (isSpecial(path)) return tr("“%1” is not an ordinary file and cannot be opened.").arg(file);
+    QFuture<Reading> result = readBeside(path);
     if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(file), m_window))
         return tr("Reading “%1” was cancelled.").arg(file);
     auto [loaded, collection, digest] = result.takeResult();
@@ -117,13 +130,21 @@ io::Failure OpenFile::open(const QString& path) {
     return std::nullopt;
 }
 
-io::Failure OpenFile::recover(const document::Snapshot& snapshot) {
+std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot) {
     io::Failure failure;
     if (!snapshot.path.isEmpty()) failure = open(snapshot.path);
     if (snapshot.path.isEmpty() || failure) startNew();
-    document::FractalFile recovered =
-        io::readFractint(snapshot.bytes, QFileInfo(snapshot.path).completeBaseName());
-    keepIds(recovered, m_document->file());
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
+    QFuture<document::FractalFile> reading = io::inBackground<document::FractalFile>(
+        [snapshot, before = m_document->file()](QPromise<document::FractalFile>& promise) {
+            document::FractalFile file =
+                io::readFractint(snapshot.bytes, QFileInfo(snapshot.path).completeBaseName());
+            keepIds(file, before);
+            promise.addResult(std::move(file));
+        });
+    if (!view::waitFor(QFuture<void>(reading), tr("Reading “%1”…").arg(snapshot.title), m_window))
+        return std::nullopt;
+    document::FractalFile recovered = reading.takeResult();
     const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
     const document::EntryId current =
         known ? recovered.entries[snapshot.current].id : document::EntryId::None;
@@ -150,6 +171,7 @@ io::Failure OpenFile::revert() {
 
 std::optional<bool> OpenFile::changedOnDisk() {
     if (m_path.isEmpty() || !QFileInfo::exists(m_path)) return false;
+    if (isSpecial(m_path)) return true;
     const QScopedValueRollback<bool> busy(m_isBusy, true);
     QFuture<bool> result = io::inBackground<bool>([path = m_path, known = m_digest](QPromise<bool>& promise) {
         const io::Loaded now = io::loadFile(path);

@@ -30,7 +30,8 @@ public:
     bool isBusy() const { return m_isBusy; }
     // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
     // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
-    io::Failure recover(const document::Snapshot& snapshot);
+    // nullopt when the user does not wait for it.
+    std::optional<io::Failure> recover(const document::Snapshot& snapshot);
     io::Failure save(); // to path()
     io::Failure saveAs(const QString& path);
     io::Failure revert();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recovery.h"
 
+#include "dialogs/wait_for.h"
+#include "io/background.h"
 #include "io/fractint_writer.h"
 
 #include <QDir>
@@ -88,7 +90,12 @@ void Recovery::reportDamaged() {
 }
 
 QList<document::Abandoned> Recovery::ask() {
-    const QList<document::Abandoned> found = document::abandonedSnapshots(folder());
+    QFuture<QList<document::Abandoned>> looking = io::inBackground<QList<document::Abandoned>>(
+        [folder = folder()](QPromise<QList<document::Abandoned>>& promise) {
+            promise.addResult(document::abandonedSnapshots(folder));
+        });
+    if (!view::waitFor(QFuture<void>(looking), tr("Looking for unsaved work…"), nullptr)) return {};
+    const QList<document::Abandoned> found = looking.takeResult();
     reportDamaged();
     if (found.isEmpty()) return {};
     QStringList lines;

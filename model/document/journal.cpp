@@ -4,6 +4,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLockFile>
@@ -13,6 +14,13 @@
 #include <QUuid>
 
 #include <algorithm>
+
+#ifdef Q_OS_UNIX
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#endif
 
 namespace document {
 
@@ -25,11 +33,36 @@ QString lockOf(const QString& journal) {
     return journal + QStringLiteral(".lock");
 }
 
-// The owner's process keeps the lock for as long as it lives; its age says nothing.
+// Whether some process has the lock file open as its own. The number of the process in it does not tell: in a
+// container the next start may have the same.
+bool isHeld(const QString& lockFile) {
+#ifdef Q_OS_UNIX
+    const int file = ::open(QFile::encodeName(lockFile).constData(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return errno != ENOENT;
+    const bool free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+    ::close(file); // and with it the lock
+    return !free;
+#else
+    return QFileInfo::exists(lockFile);
+#endif
+}
+
+// The owner's process keeps the lock for as long as it lives; its age says nothing. One that is only just
+// being made is nobody's for a moment.
 std::unique_ptr<QLockFile> lock(const QString& journal) {
+    constexpr int justNow = 2; // seconds
+    const QFileInfo left(lockOf(journal));
+    if (left.exists() && left.lastModified().secsTo(QDateTime::currentDateTime()) > justNow &&
+        !isHeld(left.filePath()))
+        QFile::remove(left.filePath());
     auto made = std::make_unique<QLockFile>(lockOf(journal));
     made->setStaleLockTime(0);
     return made->tryLock(0) ? std::move(made) : nullptr;
+}
+
+void makeFolder(const QString& folder) {
+    QDir().mkpath(folder);
+    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
 }
 
 std::optional<Snapshot> readJournal(const QString& path) {
@@ -72,8 +105,7 @@ std::optional<Snapshot> snapshotIn(const QByteArray& data) {
 }
 
 Journal::Journal(const QString& folder) {
-    QDir().mkpath(folder);
-    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    makeFolder(folder);
     m_path = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) +
                                    QStringLiteral(".journal"));
     m_lock = lock(m_path);
@@ -82,12 +114,19 @@ Journal::Journal(const QString& folder) {
 Journal::~Journal() = default;
 
 bool Journal::write(const Snapshot& snapshot) {
+    // There may have been no room for the lock, or somebody may have emptied the folder.
+    if (!m_lock || !QFileInfo::exists(lockOf(m_path))) {
+        makeFolder(QFileInfo(m_path).path());
+        m_lock.reset();
+        m_lock = lock(m_path);
+    }
     if (!m_lock) return false;
     QSaveFile file(m_path);
     if (!file.open(QIODevice::WriteOnly)) return false;
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     const QByteArray data = recoveryFile(snapshot);
-    return file.write(data) == data.size() && file.commit();
+    // commit() would not notice that what is still in memory finds no room.
+    return file.write(data) == data.size() && file.flush() && file.commit();
 }
 
 void Journal::discard() {

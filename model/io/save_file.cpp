@@ -9,6 +9,8 @@
 #include <QSaveFile>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #ifdef Q_OS_UNIX
 #include <cerrno>
@@ -35,28 +37,36 @@ QString shown(const QString& path) {
     return QDir::toNativeSeparators(path);
 }
 
-// The file that `path` leads to through symbolic links; a dangling link leads to the file it names.
-QString target(QString path) {
+// The file that `path` leads to through symbolic links; a dangling link leads to the file it names. Step by
+// step as the system does it: "..", after a link to a folder, is not the folder that the link lies in.
+QString target(const QString& path) {
+    namespace fs = std::filesystem;
     constexpr int mostLinks = 40; // as many as the kernel follows
-    for (int i = 0; i < mostLinks; ++i) {
-        const QFileInfo info(path);
-        if (!info.isSymLink()) break;
-        path = info.symLinkTarget();
+    std::error_code error;
+    fs::path at(QFile::encodeName(path).toStdString());
+    bool isLink = false;
+    for (int i = 0; i < mostLinks && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
+        const fs::path folder = fs::canonical(at.has_parent_path() ? at.parent_path() : ".", error);
+        if (error) return path;
+        const fs::path link = fs::read_symlink(at, error);
+        if (error) return path;
+        at = folder / link; // or `link`, if it begins at the root
+        isLink = true;
     }
-    return path;
+    return isLink ? QFile::decodeName(QByteArray::fromStdString(at.string())) : path;
 }
 
 Failure obstacle(const QString& path) {
     if (path.isEmpty()) return Text::tr("The file has no name. Choose one.");
     const QFileInfo info(path);
-    const QFileInfo folder(info.absolutePath());
+    const QFileInfo folder(info.path());
     if (info.isDir()) return Text::tr("“%1” is a folder. Choose a file name.").arg(shown(path));
     if (info.exists() && !info.isFile())
         return Text::tr("“%1” is not an ordinary file and is not replaced. Choose another name.")
             .arg(shown(path));
     if (!folder.isDir())
         return Text::tr("The folder “%1” does not exist. Create it, or save somewhere else.")
-            .arg(shown(folder.filePath()));
+            .arg(shown(info.absolutePath()));
     if (info.exists() && !info.isWritable())
         return Text::tr("“%1” is read-only. Save under another name, or change its permissions.")
             .arg(shown(path));
@@ -169,6 +179,12 @@ int keepAttributes(int file, const QByteArray& path) {
     return keepExtendedAttributes(file, path);
 }
 
+// Nothing is left out: "link/.." is not the folder that the link lies in.
+QByteArray folderOf(const QByteArray& path) {
+    const auto slash = path.lastIndexOf('/');
+    return slash < 0 ? QByteArray(".") : slash == 0 ? QByteArray("/") : path.left(slash);
+}
+
 // Tries names in the folder until one is free: call(name) is then 0 or more. Empty when none is.
 template <class Call> QByteArray freeName(const QByteArray& folder, Call call) {
     constexpr int attempts = 100;
@@ -207,7 +223,7 @@ int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* n
 struct NewFile::Temporary {
     explicit Temporary(const QString& path)
         : target(QFile::encodeName(path)),
-          folder(QFile::encodeName(QFileInfo(path).absolutePath())),
+          folder(folderOf(target)),
           file(createBeside(folder, target, &name)) {
         error = file.isOpen() ? 0 : errno;
     }
@@ -226,9 +242,15 @@ struct NewFile::Temporary {
         return !name.isEmpty();
     }
 
+    // Where there is no file yet, it needs no other name on the way.
+    bool becomesTarget() {
+        return name.isEmpty() && ::linkat(AT_FDCWD, linkOf(file.number()).constData(), AT_FDCWD,
+                                          target.constData(), AT_SYMLINK_FOLLOW) == 0;
+    }
+
     bool rename() {
-        isRenamed =
-            ::fsync(file.number()) == 0 && hasName() && ::rename(name.constData(), target.constData()) == 0;
+        isRenamed = ::fsync(file.number()) == 0 &&
+                    (becomesTarget() || (hasName() && ::rename(name.constData(), target.constData()) == 0));
         error = isRenamed ? 0 : errno;
         // The name must survive a power cut as well; some file systems refuse to sync a folder, which is no
         // failure.

@@ -26,6 +26,8 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include <sys/stat.h>
+
 namespace {
 
 const QByteArray twoEntries = "one { .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5 }\n\nother { .5 0 0 .5 0 0 1 }\n";
@@ -97,6 +99,7 @@ private slots:
     void unsavedWorkIsKeptWithinTwoSeconds();
     void aKilledEditorLeavesItsWork();
     void damagedWorkIsSaidOnce();
+    void aPipeIsNotOpened();
     void aLargeFileIsReadBesideTheWindow();
     void aLargeFileIsSavedBesideTheWindow();
     void aWindowMayCloseWhileItDrawsForPaper();
@@ -233,6 +236,19 @@ void WindowFilesTest::damagedWorkIsSaidOnce() {
     const QString kept = folder.filePath(QStringLiteral("old.damaged"));
     QCOMPARE(said, QStringList{QDir::toNativeSeparators(kept)});
     QVERIFY(contents(kept).endsWith("half of it"));
+}
+
+// Reading it would wait for somebody who writes, even after the window is gone.
+void WindowFilesTest::aPipeIsNotOpened() {
+    MainWindow* window = opened();
+    const QString pipe = m_folder->filePath(QStringLiteral("pipe.ifs"));
+    QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    QVERIFY(!window->openPath(pipe));
+    const auto boxes = window->findChildren<QMessageBox*>();
+    QCOMPARE(boxes.size(), 1);
+    QVERIFY(boxes.front()->informativeText().contains(QLatin1String("not an ordinary file")) ||
+            boxes.front()->text().contains(QLatin1String("not an ordinary file")));
+    boxes.front()->close();
 }
 
 // The window lives meanwhile, and does not close; reading can be cancelled, and then all is as before.

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <csignal>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 using document::Journal;
@@ -27,6 +29,9 @@ private slots:
     void damagedJournalsAreSetAside();
     void onlyTheOwnerMayRead();
     void aFolderThatMayNotBeWrittenIsSaid();
+    void withoutRoomTheLastSnapshotStays();
+    void lockAndFolderAreMadeAgain();
+    void aLockThatNamesNobodyHidesNothing();
     void hostileRecoveryFilesAreIgnored();
 };
 
@@ -46,6 +51,64 @@ QStringList journalsIn(const QString& folder) {
 }
 
 } // namespace
+
+// A file that may not grow is the nearest thing to a full disk that a test can have.
+void JournalTest::withoutRoomTheLastSnapshotStays() {
+    const QTemporaryDir folder;
+    Snapshot last = snapshot("kept");
+    {
+        Journal journal(folder.path());
+        QVERIFY(journal.write(last));
+        rlimit before{};
+        QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
+        rlimit none = before;
+        none.rlim_cur = 0;
+        const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &none), 0);
+        const bool written = journal.write(snapshot("lost"));
+        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &before), 0);
+        std::signal(SIGXFSZ, handler);
+        QVERIFY(!written);
+    }
+    const auto found = document::abandonedSnapshots(folder.path());
+    QCOMPARE(found.size(), 1);
+    QCOMPARE(found.front().snapshot, last);
+}
+
+void JournalTest::lockAndFolderAreMadeAgain() {
+    const QTemporaryDir folder;
+    const QString place = folder.filePath(QStringLiteral("recovery"));
+    QFile inTheWay(place); // no folder can be made there
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    Journal journal(place);
+    QVERIFY(!journal.write(snapshot("a")));
+    QVERIFY(inTheWay.remove());
+    QVERIFY(journal.write(snapshot("b")));
+    QVERIFY(document::abandonedSnapshots(place).isEmpty()); // it lives, and that is known
+    QVERIFY(QDir(place).removeRecursively());
+    QVERIFY(journal.write(snapshot("c")));
+    QCOMPARE(journalsIn(place).size(), 1);
+    QVERIFY(document::abandonedSnapshots(place).isEmpty());
+}
+
+void JournalTest::aLockThatNamesNobodyHidesNothing() {
+    const QTemporaryDir folder;
+    { QVERIFY(Journal(folder.path()).write(snapshot("a"))); }
+    const QString journal = folder.filePath(journalsIn(folder.path()).front());
+    QFile lock(journal + QStringLiteral(".lock"));
+    // Nobody's, or that of a process which now is another one: this.
+    for (const QByteArray& owner :
+         {QByteArray(), QByteArray::number(QCoreApplication::applicationPid()) + "\njournal_test\n" +
+                            QSysInfo::machineHostName().toUtf8() + "\n\n\n"}) {
+        QVERIFY(lock.open(QIODevice::WriteOnly));
+        QCOMPARE(lock.write(owner), owner.size());
+        lock.flush();
+        QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty()); // somebody may be writing it
+        QVERIFY(lock.setFileTime(QDateTime::currentDateTime().addSecs(-60), QFile::FileModificationTime));
+        lock.close();
+        QCOMPARE(document::abandonedSnapshots(folder.path()).size(), 1);
+    }
+}
 
 void JournalTest::aLivingWindowIsNotAbandoned() {
     const QTemporaryDir folder;

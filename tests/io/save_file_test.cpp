@@ -108,6 +108,24 @@ private slots:
         QCOMPARE(contents(m_path), QByteArray("new"));
     }
 
+    // A link to a folder has another folder above it than the one that it lies in.
+    void linksAreFollowedAsTheSystemDoes() {
+        const auto at = [this](const char* name) { return m_folder->filePath(QLatin1String(name)); };
+        QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("b/c")));
+        QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("a")));
+        QVERIFY(QFile::link(QStringLiteral("../b/c"), at("a/elsewhere")));
+        QVERIFY(QFile::link(QStringLiteral("../x.ifs"), at("b/c/link.ifs")));
+        put(at("a/x.ifs"), "another's");
+        put(at("b/x.ifs"), "old");
+        QCOMPARE(io::saveFile(at("a/elsewhere/link.ifs"), "new"), io::Failure());
+        QCOMPARE(contents(at("b/x.ifs")), QByteArray("new"));
+        QCOMPARE(contents(at("a/x.ifs")), QByteArray("another's"));
+        QVERIFY(QFileInfo(at("b/c/link.ifs")).isSymLink());
+        QCOMPARE(io::saveFile(at("a/elsewhere/../y.ifs"), "new"), io::Failure());
+        QVERIFY(QFileInfo::exists(at("b/y.ifs")));
+        QVERIFY(!QFileInfo::exists(at("a/y.ifs")));
+    }
+
     void danglingLinkGetsItsFile() {
         const QString link = m_folder->filePath(QStringLiteral("link.ifs"));
         QVERIFY(QFile::link(m_path, link));
