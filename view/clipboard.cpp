@@ -9,34 +9,38 @@
 #include <QMetaType>
 #include <QMimeData>
 
+#include <functional>
 #include <utility>
 
 namespace view {
 namespace {
 
 const QString ifsType = QStringLiteral("application/x-fractint-ifs");
+const QString mapsType = QStringLiteral("application/x-barycage-maps");
 
 bool isReadable(const document::Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
 }
 
-// Its text is written when somebody asks for it: that of a whole large file takes a while.
-class EntriesMimeData : public QMimeData {
+// Text that is written when somebody asks for it: that of a whole large file takes a while.
+class LateText : public QMimeData {
 public:
-    explicit EntriesMimeData(QList<document::Entry> entries) : m_entries(std::move(entries)) {}
+    LateText(QString type, std::function<QByteArray()> write)
+        : m_type(std::move(type)), m_write(std::move(write)) {}
 
-    QStringList formats() const override { return {ifsType, QStringLiteral("text/plain")}; }
+    QStringList formats() const override { return {m_type, QStringLiteral("text/plain")}; }
 
 protected:
     QVariant retrieveData(const QString& mimeType, QMetaType type) const override {
         if (!formats().contains(mimeType)) return {};
-        const QByteArray text = entriesText(m_entries);
+        const QByteArray text = m_write();
         if (type == QMetaType::fromType<QString>()) return QString::fromUtf8(text);
         return text;
     }
 
 private:
-    QList<document::Entry> m_entries;
+    QString m_type;
+    std::function<QByteArray()> m_write;
 };
 
 // Rows alone are Fractint's in a file; on the clipboard they may come from anywhere.
@@ -62,7 +66,42 @@ QByteArray entriesText(const QList<document::Entry>& entries) {
 }
 
 std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries) {
-    return std::make_unique<EntriesMimeData>(entries);
+    return std::make_unique<LateText>(ifsType, [entries] { return entriesText(entries); });
+}
+
+namespace {
+
+class MapsMimeData : public LateText {
+public:
+    explicit MapsMimeData(std::vector<ifs::WeightedMap<2>> maps)
+        : LateText(mapsType, [this] { return io::writeTable(m_maps).toUtf8(); }), m_maps(std::move(maps)) {
+        for (auto& map : m_maps)
+            map.id = ifs::MapId::None;
+    }
+    const std::vector<ifs::WeightedMap<2>>& maps() const { return m_maps; }
+
+private:
+    std::vector<ifs::WeightedMap<2>> m_maps;
+};
+
+} // namespace
+
+std::unique_ptr<QMimeData> mapsMimeData(std::vector<ifs::WeightedMap<2>> maps) {
+    return std::make_unique<MapsMimeData>(std::move(maps));
+}
+
+FoundMaps mapsIn(const QString& text, bool areOurs) {
+    if (areOurs) return {io::readTable(text, io::fractintColumns())};
+    return {io::readTable(text), io::isOrderOpen(text)};
+}
+
+bool holdsOurMaps(const QMimeData& mimeData) {
+    return mimeData.hasFormat(mapsType);
+}
+
+const std::vector<ifs::WeightedMap<2>>* ourMaps(const QMimeData& mimeData) {
+    const auto* ours = dynamic_cast<const MapsMimeData*>(&mimeData);
+    return ours ? &ours->maps() : nullptr;
 }
 
 FoundEntries entriesIn(const QByteArray& text) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "document/fractal_file.h"
+#include "io/table_reader.h"
 
 #include <QByteArray>
 #include <QList>
 #include <QString>
 
 #include <memory>
+#include <vector>
 
 class QMimeData;
 
@@ -32,6 +34,17 @@ struct FoundEntries {
 FoundEntries entriesIn(const QByteArray& text); // any thread
 QByteArray entriesTextIn(const QMimeData& mimeData);
 FoundEntries entriesIn(const QMimeData& mimeData);
+
+// Rows of maps likewise, as a table; those copied in this process are there as they were.
+std::unique_ptr<QMimeData> mapsMimeData(std::vector<ifs::WeightedMap<2>> maps);
+const std::vector<ifs::WeightedMap<2>>* ourMaps(const QMimeData& mimeData); // nullptr: not of this process
+bool holdsOurMaps(const QMimeData& mimeData); // of any process: the columns are known
+struct FoundMaps {
+    io::Table table;
+    bool isOrderOpen = false; // the text does not say what its columns are
+};
+FoundMaps mapsIn(const QString& text, bool areOurs); // any thread
+
 bool holdsText(const QMimeData& mimeData);      // not only blanks
 bool mayHoldEntries(const QMimeData& mimeData); // cheap; for enabling actions and accepting a drag
 

@@ -3,10 +3,13 @@
 
 #include "attractor/arithmetic.h"
 #include "ifs/attractor_existence.h"
+#include "ifs/support_function.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace attractor {
 
@@ -126,15 +129,17 @@ Enclosure::Values pilotExtent(const std::vector<ifs::AffineMap<2>>& centred,
     std::array<Vector<2>, Enclosure::count> directions;
     for (std::size_t j = 0; j < directions.size(); ++j)
         directions[j] = Enclosure::direction(static_cast<int>(j));
+    std::vector<double> cumulative;
+    cumulative.reserve(probabilities.size());
+    std::partial_sum(probabilities.begin(), probabilities.end(), std::back_inserter(cumulative));
     Enclosure::Values h{};
     Vector<2> x = Vector<2>::Zero();
     std::uint64_t state = 1;
     for (int n = 0; n < 1500; ++n) {
-        double u = static_cast<double>(mixed(++state) >> 11) * 0x1p-53;
-        std::size_t i = 0;
-        while (i + 1 < probabilities.size() && u >= probabilities[i])
-            u -= probabilities[i++];
-        x = centred[i](x);
+        const double u = static_cast<double>(mixed(++state) >> 11) * 0x1p-53;
+        const auto i =
+            std::ranges::upper_bound(cumulative.begin(), cumulative.end() - 1, u) - cumulative.begin();
+        x = centred[static_cast<std::size_t>(i)](x);
         if (!(x.cwiseAbs().maxCoeff() <= farAway)) x = Vector<2>::Zero();
         if (n < 100) continue;
         for (std::size_t j = 0; j < h.size(); ++j)
@@ -143,13 +148,26 @@ Enclosure::Values pilotExtent(const std::vector<ifs::AffineMap<2>>& centred,
     return h;
 }
 
+// Those that can lead to the border of the attractor: of many thousands, a few.
+std::vector<ifs::AffineMap<2>> outerMaps(const DrawableSystem& system,
+                                         const std::vector<ifs::AffineMap<2>>& centred) {
+    constexpr std::size_t few = 256;
+    if (system.maps.size() <= few) return centred;
+    const auto support = ifs::SupportFunction<2>::of(system.maps);
+    if (!support) return centred;
+    std::vector<ifs::AffineMap<2>> outer;
+    for (const std::size_t place : support->mapsToTheHull())
+        outer.push_back(centred[place]);
+    return outer;
+}
+
 void placeBox(DrawableSystem& system) {
     const Vector<2> start = startingPoint(system);
     const auto centred = centredMaps(system, start);
     Enclosure::Values h = pilotExtent(centred, system.probabilities);
     const Enclosure::Values pilot = h;
     double slack = 1e-2;
-    if (system.note != RenderNote::None || grow(h, supportSteps(centred), 400) > 1e-3) {
+    if (system.note != RenderNote::None || grow(h, supportSteps(outerMaps(system, centred)), 400) > 1e-3) {
         h = pilot;
         slack = 1;
     }

@@ -14,7 +14,7 @@ Addresses::Addresses(const Fractal& fractal) {
     const System2* system = system2(fractal);
     if (system == nullptr) return;
     m_active = ifs::activeMaps(*system);
-    m_attractor = ifs::SupportFunction<2>::of(m_active.maps);
+    m_attractor = supportFunction(fractal);
     m_placement = placement(fractal);
     m_pieces = ifs::pieces<2>(ifs::overMaps<2>(movedBranches(fractal), m_active.index), m_active.maps.size());
 }

@@ -3,8 +3,8 @@
 
 #include "document/fractal.h"
 #include "ifs/branch.h"
-#include "ifs/support_function.h"
 
+#include <memory>
 #include <optional>
 
 namespace document {
@@ -24,7 +24,7 @@ public:
 
 private:
     ifs::ActiveMaps<2> m_active;
-    std::optional<ifs::SupportFunction<2>> m_attractor;
+    std::shared_ptr<const ifs::SupportFunction<2>> m_attractor;
     ifs::Placement m_placement;
     std::vector<ifs::MovedBranch<2>> m_pieces; // of what is shown, words over the active maps
 };

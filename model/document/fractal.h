@@ -5,10 +5,12 @@
 #include "attractor/renderer.h"
 #include "ifs/control_cage.h"
 #include "ifs/iterated_function_system.h"
+#include "ifs/support_function.h"
 
 #include <QString>
 #include <QStringList>
 
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -46,6 +48,10 @@ inline System2* system2(Fractal& fractal) {
     return std::get_if<System2>(&fractal.system);
 }
 int dimension(const Fractal& fractal); // 2 or 3; 0 for an unreadable entry
+
+// The extent of the code's attractor; nullptr when it has none. Any thread. Those of the last few systems of
+// many maps are remembered: while only the cage moves, the same is asked for again and again.
+std::shared_ptr<const ifs::SupportFunction<2>> supportFunction(const Fractal& fractal);
 
 // The cage in force: the stored one, else the minimal canonical simplex of the code at rest (or, when the
 // code has no attractor, a unit triangle). Costs a certified simplex when none is stored.

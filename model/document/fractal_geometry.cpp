@@ -2,10 +2,12 @@
 #include "document/fractal.h"
 
 #include "attractor/address_cut.h"
-#include "ifs/support_function.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <mutex>
 
 namespace document {
 
@@ -14,12 +16,6 @@ namespace {
 // Looser than rounding, so that a slowly contracting code does not keep the user waiting for digits nobody
 // sees.
 constexpr double relativeTolerance = 1e-10;
-
-std::optional<ifs::SupportFunction<2>> supportFunction(const Fractal& fractal) {
-    const System2* system = system2(fractal);
-    if (system == nullptr) return std::nullopt;
-    return ifs::SupportFunction<2>::of(ifs::activeMaps(*system).maps);
-}
 
 // change∘w_word for every piece of what is shown, in coordinates of the code.
 std::vector<ifs::AffineMap<2>> shownPieces(const Fractal& fractal) {
@@ -61,14 +57,45 @@ std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& place
 
 } // namespace
 
+std::shared_ptr<const ifs::SupportFunction<2>> supportFunction(const Fractal& fractal) {
+    const System2* system = system2(fractal);
+    if (system == nullptr) return nullptr;
+    const auto computed = [&]() -> std::shared_ptr<const ifs::SupportFunction<2>> {
+        auto support = ifs::SupportFunction<2>::of(ifs::activeMaps(*system).maps);
+        return support ? std::make_shared<const ifs::SupportFunction<2>>(*std::move(support)) : nullptr;
+    };
+    constexpr std::size_t few = 256; // maps, for which comparing is hardly worth it
+    if (system->maps.size() <= few) return computed();
+    struct Known {
+        System2 system;
+        std::shared_ptr<const ifs::SupportFunction<2>> support;
+    };
+    static std::mutex mutex;
+    static std::array<Known, 4> newest;
+    const auto known = [&]() -> Known* {
+        const auto found = std::ranges::find(newest, *system, &Known::system);
+        return found == newest.end() ? nullptr : &*found;
+    };
+    {
+        const std::lock_guard lock(mutex);
+        if (const Known* found = known()) return found->support;
+    }
+    const auto support = computed();
+    const std::lock_guard lock(mutex);
+    if (!known()) {
+        std::ranges::rotate(newest, std::prev(newest.end()));
+        newest.front() = {*system, support};
+    }
+    return support;
+}
+
 ifs::Placement placement(const Fractal& fractal) {
     if (!fractal.cage || !ifs::isValid(*fractal.cage)) return {};
     if (!ifs::bends(*fractal.cage)) return ifs::displayMap(*fractal.cage);
     const auto support = supportFunction(fractal);
     std::vector<ifs::AffineMap<2>> pieces;
     if (support && !fractal.moved.empty()) pieces = shownPieces(fractal);
-    return {*fractal.cage,
-            ifs::suitableCoordinates(fractal.cage->rest, support ? &*support : nullptr, pieces)};
+    return {*fractal.cage, ifs::suitableCoordinates(fractal.cage->rest, support.get(), pieces)};
 }
 
 std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal) {
@@ -160,7 +187,8 @@ std::optional<Box> displayedBox(const Fractal& fractal) {
     if (!support) return std::nullopt;
     const ifs::Placement placed = placement(fractal);
     if (placed.bend() != nullptr) return boxOfBend(fractal, placed);
-    const std::vector<ifs::AffineMap<2>> pieces = shownPieces(fractal);
+    const std::vector<ifs::AffineMap<2>> pieces =
+        fractal.moved.empty() ? std::vector<ifs::AffineMap<2>>(1) : shownPieces(fractal);
     // h_{M(A)}(u) = h_A(Mᵀu) + ⟨u, t⟩
     const auto extent = [&](const ifs::Vector<2>& u) {
         double farthest = -HUGE_VAL;

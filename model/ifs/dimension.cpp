@@ -3,7 +3,6 @@
 
 #include "ifs/attractor_existence.h"
 #include "ifs/common_lines.h"
-#include "ifs/decomposition.h"
 #include "ifs/invariant_form.h"
 #include "ifs/iterated_function_system.h"
 #include "ifs/rank_one.h"
@@ -11,8 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <vector>
 
 namespace ifs {

@@ -65,6 +65,7 @@ class Itineraries {
 public:
     Itineraries(const SupportFunction<2>& support, const ConvexHull& fine)
         : m_maps(support.maps()),
+          m_outer(support.mapsToTheHull()),
           m_polygon(fine.vertices),
           m_corners(m_polygon),
           m_error(fine.error),
@@ -95,7 +96,7 @@ public:
 
     // A corner where others accumulate is farthest in one direction alone, which only its map knows.
     std::optional<PeriodicPoint> fixedAt(const Vector<2>& corner, const Vector<2>& direction) const {
-        for (std::size_t i = 0; i < m_maps.size(); ++i)
+        for (const std::size_t i : m_outer)
             if (const auto fixed = fixedPoint(m_maps[i]); fixed && (*fixed - corner).norm() <= 1e-12 * m_size)
                 if (auto found = settled({{}, {int(i)}, *fixed}, direction)) return found;
         return std::nullopt;
@@ -118,7 +119,7 @@ private:
         };
         const Vector<2> chosen = pointOf(std::size_t(symbol));
         double least = m_size;
-        for (std::size_t i = 0; i < m_maps.size(); ++i) {
+        for (const std::size_t i : m_outer) {
             if (int(i) == symbol) continue;
             const Vector<2> other = pointOf(i);
             if ((other - chosen).norm() <= 1e-13 * m_size) continue; // the same point by another address
@@ -130,7 +131,7 @@ private:
     std::optional<int> winner(const Vector<2>& v) const {
         int best = 0;
         double most = -std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < m_maps.size(); ++i) {
+        for (const std::size_t i : m_outer) {
             const Vector<2> turned = m_transposed[i] * v;
             const double height = v.dot(m_maps[i](m_polygon[m_corners.farthest(turned)]));
             if (height > most) {
@@ -244,6 +245,7 @@ private:
     }
 
     const std::vector<AffineMap<2>>& m_maps;
+    const std::vector<std::size_t>& m_outer; // no others lead to an extreme point
     std::vector<Matrix<2>> m_transposed;
     const Polygon& m_polygon;
     Corners m_corners;

@@ -82,9 +82,16 @@ template <int Dim> std::vector<double> probabilities(const IteratedFunctionSyste
     return result;
 }
 
+template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system) {
+    return system.maps.size() - std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
+}
+
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system) {
     ActiveMaps<Dim> active;
     std::vector<double> weights;
+    active.maps.reserve(system.maps.size());
+    active.index.reserve(system.maps.size());
+    weights.reserve(system.maps.size());
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const auto& map = system.maps[i];
         if (isOff(map)) continue;
@@ -130,6 +137,7 @@ std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& trans
     template MapId append(IteratedFunctionSystem<Dim>&, const AffineMap<Dim>&, std::optional<double>);       \
     template std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>&);                         \
     template std::vector<double> probabilities(const IteratedFunctionSystem<Dim>&);                          \
+    template std::size_t countActive(const IteratedFunctionSystem<Dim>&);                                    \
     template ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>&);                                 \
     template std::vector<double> determinantWeights(std::span<const AffineMap<Dim>>, double);                \
     template std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>&,                     \

@@ -4,6 +4,7 @@
 #include "ifs/attractor_existence.h"
 #include "ifs/direction_fan.h"
 #include "ifs/outline.h"
+#include "ifs/polygon.h"
 #include "ifs/sandwich.h"
 
 #include <Eigen/LU>
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <numbers>
+#include <numeric>
 #include <queue>
 
 namespace ifs {
@@ -69,12 +72,53 @@ Ellipsoid<Dim> enclosingEllipsoid(std::span<const AffineMap<Dim>> maps, const Co
     return {centre, radius(centre) * unroot};
 }
 
+// The maps that can lead to the hull of the attractor. One that takes all of the ellipsoid into the hull of
+// some points of the attractor does not: without it the hull solves the same equation h(u) = max_i ⟨u, t_i⟩ +
+// h(A_iᵀu), which has one solution. Few maps are left as they are.
+template <int Dim>
+std::vector<std::size_t> outerMaps(std::span<const AffineMap<Dim>> maps, const Ellipsoid<Dim>& ellipsoid) {
+    constexpr std::size_t Few = 256;
+    std::vector<std::size_t> places(maps.size());
+    std::iota(places.begin(), places.end(), std::size_t(0));
+    if constexpr (Dim == 2) {
+        constexpr int Directions = 32;
+        if (maps.size() <= Few) return places;
+        std::vector<Vector<2>> fixed;
+        for (const auto& map : maps)
+            if (const Vector<2> point = solveFixedPoint<2>(map); point.allFinite()) fixed.push_back(point);
+        if (fixed.empty()) return places;
+        std::vector<Vector<2>> inner;
+        for (int k = 0; k < Directions; ++k) {
+            const double angle = 2 * std::numbers::pi * k / Directions;
+            const Vector<2> u(std::cos(angle), std::sin(angle));
+            inner.push_back(*std::ranges::max_element(fixed, {}, [&u](const auto& x) { return u.dot(x); }));
+        }
+        const double size = spectralNorm<2>(ellipsoid.shape) + ellipsoid.centre.norm();
+        const Polygon hull = convexHull(std::move(inner), 0);
+        if (hull.size() < 3) return places;
+        const auto isInside = [&](std::size_t i) {
+            const Vector<2> centre = maps[i](ellipsoid.centre);
+            const Matrix<2> shape = maps[i].linear * ellipsoid.shape;
+            for (std::size_t k = 0; k < hull.size(); ++k) {
+                const Vector<2> edge = hull[(k + 1) % hull.size()] - hull[k];
+                const Vector<2> outwards = Vector<2>(edge.y(), -edge.x()).normalized();
+                if (outwards.dot(centre - hull[k]) + (shape.transpose() * outwards).norm() > -1e-9 * size)
+                    return false;
+            }
+            return true;
+        };
+        std::erase_if(places, isInside);
+    }
+    return places;
+}
+
 } // namespace
 
 // The attractor seen from its centre, inside both an ellipsoid and the polytope {x : ⟨g,x⟩ ≤ H_g} over the
 // directions g of a fan, with a point of it for each direction. The maps are x ↦ A x + offset there; vectors
 // u travel by the transposed matrices.
 template <int Dim> struct SupportFunction<Dim>::Container {
+    std::vector<std::size_t> places; // of these maps among all
     std::vector<Matrix<Dim>> transposed;
     std::vector<Vector<Dim>> offsets;
     Vector<Dim> anchor; // a point of the attractor
@@ -266,7 +310,7 @@ void SupportFunction<Dim>::Container::lengthen(std::vector<int>& address, std::s
     constexpr int MostSymbols = 4'000;
     Matrix<Dim> rest = Matrix<Dim>::Identity();
     for (int n = 0; n < MostSymbols && rest.cwiseAbs().maxCoeff() > 0x1p-60; ++n) {
-        address.push_back(int(symbol[direction]));
+        address.push_back(int(places[symbol[direction]]));
         rest = transposed[symbol[direction]] * rest;
         direction = successor[direction];
     }
@@ -283,12 +327,14 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     const double radius = spectralNorm<Dim>(ellipsoid.shape);
     if (!std::isfinite(radius) || !ellipsoid.centre.allFinite() || !anchor.allFinite()) return std::nullopt;
 
+    std::vector<std::size_t> places = outerMaps(maps, ellipsoid);
     int depth = TableDepth;
-    while (depth > 0 && (std::size_t(4) << depth) * maps.size() > TableWork)
+    while (depth > 0 && (std::size_t(4) << depth) * places.size() > TableWork)
         --depth;
     auto container = std::make_shared<Container>(depth);
-    for (const auto& map : maps)
-        container->transposed.push_back(map.linear.transpose());
+    container->places = std::move(places);
+    for (const std::size_t i : container->places)
+        container->transposed.push_back(maps[i].linear.transpose());
     container->ellipsoid = {Vector<Dim>::Zero(), ellipsoid.shape};
     container->radius = radius;
     for (const auto& direction : container->fan.directions())
@@ -299,8 +345,8 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     const auto centreOn = [&](const Vector<Dim>& centre) {
         result.m_centre = centre;
         container->offsets.clear();
-        for (const auto& map : maps)
-            container->offsets.push_back(map(centre) - centre);
+        for (const std::size_t i : container->places)
+            container->offsets.push_back(maps[i](centre) - centre);
         container->anchor = anchor - centre;
     };
     centreOn(ellipsoid.centre);
@@ -337,6 +383,10 @@ template <int Dim> const Outline* SupportFunction<Dim>::outline() const {
 
 template <int Dim> Vector<Dim> SupportFunction<Dim>::pointOfAttractor() const {
     return m_centre + m_container->anchor;
+}
+
+template <int Dim> const std::vector<std::size_t>& SupportFunction<Dim>::mapsToTheHull() const {
+    return m_container->places;
 }
 
 template <int Dim> double SupportFunction<Dim>::roundingError(int depth) const {
@@ -469,7 +519,7 @@ public:
         std::vector<int> address;
         for (int state = int(m_bestState); m_states[std::size_t(state)].parent >= 0;
              state = m_states[std::size_t(state)].parent)
-            address.push_back(m_states[std::size_t(state)].symbol);
+            address.push_back(int(m_container.places[std::size_t(m_states[std::size_t(state)].symbol)]));
         std::ranges::reverse(address);
         return address;
     }

@@ -46,6 +46,8 @@ public:
     double radius() const { return m_radius; }
     Vector<Dim> pointOfAttractor() const; // the fixed point of the first map
     const std::vector<AffineMap<Dim>>& maps() const { return m_maps; }
+    // Places among the maps of those that can lead to extreme points: of many in the plane, the outer ones.
+    const std::vector<std::size_t>& mapsToTheHull() const;
 
     // max ‖A_i‖_* < 1 and C with |x| ≤ ‖x‖_* ≤ C|x|, as contractingNorm() found them.
     double contractivity() const { return m_contractivity; }

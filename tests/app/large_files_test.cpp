@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "canvas/canvas_part.h"
+#include "canvas/canvas_scene.h"
+#include "canvas/canvas_view.h"
 #include "main_window.h"
+#include "panels/cage_panel.h"
 #include "panels/collection_panel.h"
 #include "panels/entries_panel.h"
+#include "panels/maps_model.h"
 #include "panels/maps_panel.h"
 #include "support/own_settings.h"
 #include "support/watchdog.h"
@@ -69,6 +74,9 @@ private slots:
     void entriesAreEdited_data();
     void entriesAreEdited();
     void mapsAreSelected();
+    void mapsAreEdited_data();
+    void mapsAreEdited();
+    void workIsRecovered();
     void aFolderIsBrowsed();
 
 private:
@@ -153,6 +161,63 @@ void LargeFilesTest::mapsAreSelected() {
     doing("select all", [&] { table->selectAll(); });
     doing("select one", [&] { table->selectRow(50'000); });
     doing("scroll", [&] { table->scrollToBottom(); });
+    QCOMPARE(takeLate(), QString());
+}
+
+void LargeFilesTest::mapsAreEdited_data() {
+    QTest::addColumn<int>("count");
+    QTest::newRow("1 000") << 1'000;
+    QTest::newRow("20 000") << 20'000; // with five times as many, one event of a drag takes 33 ms at times
+}
+
+void LargeFilesTest::mapsAreEdited() {
+    QFETCH(int, count);
+    openLarge(entries(1, count));
+    auto* panel = m_window->findChild<view::MapsPanel*>();
+    auto* canvas = m_window->findChild<view::CanvasView*>();
+    QAbstractItemModel* model = panel->findChild<QTableView*>()->model();
+    QUndoStack* history = m_window->document().undoStack();
+    const auto press = [canvas](Qt::Key key) { return [canvas, key] { QTest::keyClick(canvas, key); }; };
+    doing("focus", [&] { canvas->setFocus(); });
+    doing("take a vertex", press(Qt::Key_Tab));
+    doing("nudge", press(Qt::Key_Right));
+    doing("nudge again", press(Qt::Key_Up));
+    doing("undo", [&] { history->undo(); });
+    doing("redo", [&] { history->redo(); });
+    const QPoint vertex = canvas->canvas().positionOf({view::CanvasPart::Kind::Vertex, 1}).toPoint();
+    doing("press", [&] { QTest::mousePress(canvas->viewport(), Qt::LeftButton, {}, vertex); });
+    for (int step = 1; step <= 10; ++step)
+        doing("drag", [&] { QTest::mouseMove(canvas->viewport(), vertex + QPoint(3 * step, 2 * step)); });
+    // Not within an event of its own, which would begin with the button held.
+    QTest::mouseRelease(canvas->viewport(), Qt::LeftButton, {}, vertex + QPoint(30, 20));
+    doing("rest", [] {});
+    QCOMPARE(history->undoText(), QStringLiteral("Move vertex 2"));
+    doing("coefficient", [&] { model->setData(model->index(count / 2, view::MapsModel::E), 3.5); });
+    doing("undo coefficient", [&] { history->undo(); });
+    doing("switch off", [&] {
+        model->setData(model->index(7, view::MapsModel::Enabled), Qt::Unchecked, Qt::CheckStateRole);
+    });
+    doing("fit", [&] { canvas->fit(); });
+    doing("zoom", [&] { canvas->zoomBy(3); });
+    doing("bake", [&] { m_window->findChild<view::CagePanel*>()->bake(); });
+    doing("undo baking", [&] { history->undo(); });
+    doing("select all", [&] { panel->findChild<QTableView*>()->selectAll(); });
+    doing("copy", [&] { panel->copyMaps(); });
+    doing("paste", [&] { panel->pasteMaps(); });
+    doing("undo pasting", [&] { history->undo(); });
+    doing("remove", [&] { panel->deleteMaps(); });
+    doing("undo removing", [&] { history->undo(); });
+    QCOMPARE(takeLate(), QString());
+}
+
+void LargeFilesTest::workIsRecovered() {
+    const document::Snapshot snapshot{{}, QStringLiteral("mine"), 7, {}, entries(100'000, 2), {}};
+    doing("recover", [&] {
+        m_window->openRecovered({m_folder.filePath(QStringLiteral("journal")), snapshot, {}});
+    });
+    QCOMPARE(m_window->document().file().entries.size(), 100'000);
+    QCOMPARE(m_window->document().fractal().name, QStringLiteral("entry7"));
+    QVERIFY(m_window->document().isModified());
     QCOMPARE(takeLate(), QString());
 }
 

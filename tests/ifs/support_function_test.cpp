@@ -189,6 +189,23 @@ private slots:
             QVERIFY(x.x() <= value.value + value.error);
     }
 
+    // So many that those which do not lead to the hull are left out.
+    void manySmallMaps() {
+        Random random(9);
+        for (const int count : {257, 1000}) {
+            auto maps = randomContractions<2>(random, count, 0.1);
+            const auto outer = supportOf<2>(maps).mapsToTheHull();
+            QVERIFY(!outer.empty() && outer.size() < maps.size() / 2);
+            properties<2>(maps, random);
+            maps.push_back(affineMap(.9, 0, 0, .9, 0, 0)); // reaches beyond the hull of its own fixed point
+            properties<2>(maps, random);
+        }
+        Maps2 onOneLine(300, affineMap(.1, 0, 0, .1, 0, 0));
+        for (std::size_t i = 0; i < onOneLine.size(); ++i)
+            onOneLine[i].translation.x() = double(i);
+        properties<2>(onOneLine, random);
+    }
+
     void equalMaps() {
         const Maps2 maps(50, affineMap(.5, .1, -.2, .4, 1, 1));
         const auto h = supportOf<2>(maps);

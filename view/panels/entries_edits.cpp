@@ -8,6 +8,7 @@
 #include <QSet>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace view {
@@ -73,8 +74,9 @@ Inserted inserted(FractalFile file, const QList<Entry>& entries, EntryId after) 
     for (const Entry& entry : std::as_const(file.entries))
         names.take(entry.fractal->name);
     auto id = static_cast<std::uint32_t>(document::freshId(file));
-    const QList<Entry> behind = file.entries.mid(place);
-    file.entries.resize(place);
+    QList<Entry> all; // copied once, since there may be a hundred thousand
+    all.reserve(file.entries.size() + entries.size());
+    std::copy_n(file.entries.cbegin(), place, std::back_inserter(all));
     for (Entry entry : entries) {
         entry.id = static_cast<EntryId>(id++);
         if (document::dimension(*entry.fractal) == 0) {
@@ -85,9 +87,10 @@ Inserted inserted(FractalFile file, const QList<Entry>& entries, EntryId after) 
             entry.fractal = std::make_shared<const document::Fractal>(std::move(fractal));
         }
         result.ids.append(entry.id);
-        file.entries.append(std::move(entry));
+        all.append(std::move(entry));
     }
-    file.entries.append(behind);
+    std::copy(file.entries.cbegin() + place, file.entries.cend(), std::back_inserter(all));
+    file.entries = std::move(all);
     result.file = std::move(file);
     return result;
 }

@@ -11,7 +11,7 @@ namespace view {
 namespace {
 
 bool contains(const Rows& rows, int row) {
-    return std::find(rows.begin(), rows.end(), row) != rows.end();
+    return std::ranges::binary_search(rows, row);
 }
 
 MapRows rowsOf(const document::System2& system, const Rows& rows) {

@@ -116,7 +116,21 @@ QString columnTip(int column) {
     }
 }
 
+// What displays the code; nullopt where no code would show the same: while the placement is flat or bends.
+std::optional<ifs::AffineMap<2>> displayOf(const document::Fractal& fractal) {
+    if (isAtRest(fractal)) return ifs::AffineMap<2>{};
+    if (ifs::bends(*fractal.cage)) return std::nullopt;
+    const ifs::AffineMap<2> display = ifs::displayMap(*fractal.cage);
+    return ifs::conjugate(display, document::System2{}) ? std::optional(display) : std::nullopt;
+}
+
+std::optional<ifs::AffineMap<2>> effectiveMap(const ifs::AffineMap<2>& display,
+                                              const ifs::AffineMap<2>& map) {
+    return display == ifs::AffineMap<2>{} ? map : ifs::conjugate(display, map);
+}
+
 constexpr int mostDecimals = 4; // that shortNumber() gives
+constexpr int rowsLookedAt = 1000;
 
 int decimalsOf(const QString& number) {
     const auto point = number.indexOf(u'.');
@@ -160,22 +174,20 @@ void MapsModel::reload() {
         m_maps = system ? system->maps : std::vector<ifs::WeightedMap<2>>{};
         m_probabilities = system ? ifs::probabilities(*system) : std::vector<double>{};
     }
-    m_effective.clear();
-    if (system && isAtRest(fractal))
-        m_effective = m_maps;
-    else if (const auto effective = system ? document::effectiveSystem(fractal) : std::nullopt)
-        m_effective = effective->maps;
+    m_display = system ? displayOf(fractal) : std::nullopt;
     m_decimals.resize(ColumnCount);
     std::fill(m_decimals.begin() + (sameCode ? int(EffectiveA) : 0), m_decimals.end(), std::nullopt);
 }
 
-// Asked for by what is in sight: ten thousand numbers are not written out for a column that nobody sees.
+// Asked for by what is in sight, and of as many rows as a header looks at for its widths: a hundred thousand
+// numbers are not written out.
 int MapsModel::decimals(int column) const {
     std::optional<int>& most = m_decimals[static_cast<std::size_t>(column)];
     if (most) return *most;
     most = 0;
     std::optional<double> previous;
-    for (int row = 0; isNumber(column) && row < rowCount() && *most < mostDecimals; ++row) {
+    for (int row = 0; isNumber(column) && row < std::min(rowCount(), rowsLookedAt) && *most < mostDecimals;
+         ++row) {
         const std::optional<double> value = number(row, column);
         if (value && value != previous) most = std::max(*most, decimalsOf(shortNumber(*value)));
         previous = value;
@@ -195,18 +207,12 @@ ifs::MapId MapsModel::idAt(int row) const {
     return row >= 0 && row < rowCount() ? m_maps[static_cast<std::size_t>(row)].id : ifs::MapId::None;
 }
 
-int MapsModel::rowOf(ifs::MapId id) const {
-    const auto found =
-        std::find_if(m_maps.begin(), m_maps.end(), [id](const auto& map) { return map.id == id; });
-    return found == m_maps.end() ? -1 : static_cast<int>(found - m_maps.begin());
-}
-
 std::optional<double> MapsModel::number(int row, int column) const {
     const auto& map = m_maps[static_cast<std::size_t>(row)];
     if (column >= A && column <= F) return coefficient(map.map, column - A);
     if (column >= EffectiveA) {
-        if (m_effective.size() != m_maps.size()) return std::nullopt;
-        return coefficient(m_effective[static_cast<std::size_t>(row)].map, column - EffectiveA);
+        const auto effective = m_display ? effectiveMap(*m_display, map.map) : std::nullopt;
+        return effective ? std::optional(coefficient(*effective, column - EffectiveA)) : std::nullopt;
     }
     switch (column) {
     case Weight:

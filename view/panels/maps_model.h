@@ -60,7 +60,6 @@ public:
     void cancelEdit() { m_edit.cancel(); }
 
     ifs::MapId idAt(int row) const;
-    int rowOf(ifs::MapId id) const; // −1 when it is not there
     const std::vector<ifs::WeightedMap<2>>& maps() const { return m_maps; }
     static bool isNumber(int column) { return column >= A && column != Kind && column < ColumnCount; }
     static bool isEditable(int column) { return column >= A && column <= Weight; }
@@ -79,7 +78,7 @@ private:
     LiveEdit m_edit;
     std::vector<ifs::WeightedMap<2>> m_maps;
     std::vector<double> m_probabilities;
-    std::vector<ifs::WeightedMap<2>> m_effective;       // empty while the placement is flat
+    std::optional<ifs::AffineMap<2>> m_display;         // nullopt while the placement is flat or bends
     mutable std::vector<std::optional<int>> m_decimals; // per column, once they are asked for
 };
 

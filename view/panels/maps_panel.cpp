@@ -2,9 +2,11 @@
 #include "panels/maps_panel.h"
 
 #include "cage_edits.h"
+#include "clipboard.h"
 #include "dialogs/paste_table_dialog.h"
+#include "dialogs/wait_for.h"
 #include "icon.h"
-#include "io/table_reader.h"
+#include "io/background.h"
 #include "panels/focus_shortcuts.h"
 #include "panels/map_shape_editor.h"
 #include "panels/maps_delegate.h"
@@ -36,7 +38,6 @@ namespace {
 constexpr int narrowest = 30; // of a number column
 
 // Rows that were copied here: their columns are known.
-const QString rowsType = QStringLiteral("application/x-barycage-maps");
 
 } // namespace
 
@@ -510,10 +511,7 @@ void MapsPanel::copyMaps() const {
     for (const int row : selectedRows())
         rows.push_back(m_model->maps()[static_cast<std::size_t>(row)]);
     if (rows.empty()) return;
-    auto* copied = new QMimeData;
-    copied->setText(io::writeTable(rows));
-    copied->setData(rowsType, {});
-    QGuiApplication::clipboard()->setMimeData(copied);
+    QGuiApplication::clipboard()->setMimeData(mapsMimeData(std::move(rows)).release());
 }
 
 void MapsPanel::pasteMaps() {
@@ -527,10 +525,20 @@ void MapsPanel::appendPasted() {
 void MapsPanel::paste(const Rows& rows) {
     if (!document::system2(m_document->fractal())) return;
     const QMimeData* copied = QGuiApplication::clipboard()->mimeData();
-    const QString text = copied ? copied->text() : QString();
-    const bool own = copied && copied->hasFormat(rowsType);
-    const io::Table table = own ? io::readTable(text, io::fractintColumns()) : io::readTable(text);
-    if (!own && io::isOrderOpen(text)) {
+    QString text;
+    FoundMaps found;
+    if (const auto* ours = copied ? ourMaps(*copied) : nullptr) {
+        found.table.rows = *ours;
+    } else {
+        text = copied ? copied->text() : QString();
+        const bool areOurs = copied && holdsOurMaps(*copied);
+        auto reading = io::inBackground<FoundMaps>(
+            [text, areOurs](QPromise<FoundMaps>& promise) { promise.addResult(mapsIn(text, areOurs)); });
+        if (!waitFor(QFuture<void>(reading), tr("Reading what was pasted…"), this)) return;
+        found = reading.takeResult();
+    }
+    const io::Table& table = found.table;
+    if (found.isOrderOpen) {
         auto* dialog = new PasteTableDialog(m_document, rows, text, this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &PasteTableDialog::pasted, this,
