@@ -4,6 +4,7 @@
 #include "canvas/canvas_geometry.h"
 #include "canvas/grid_spacing.h"
 
+#include <QImage>
 #include <QPainter>
 
 #include <algorithm>
@@ -13,22 +14,17 @@ namespace view {
 
 namespace {
 
-// Lines k·step for first ≤ k ≤ last; none where the numbers are too coarse to tell neighbours apart.
-struct Lines {
+// k·step for first ≤ k ≤ last; none where the numbers are too coarse to tell neighbours apart.
+struct Multiples {
     double first = 0;
     double last = -1;
 };
 
-Lines linesBetween(double a, double b, double step) {
+Multiples multiplesBetween(double a, double b, double step) {
     const double low = std::min(a, b) / step;
     const double high = std::max(a, b) / step;
     if (std::max(std::abs(low), std::abs(high)) > 4e15) return {};
     return {std::ceil(low), std::floor(high)};
-}
-
-// On the middle of a device pixel, where a thin line stays thin.
-double crisp(double pixel, double ratio) {
-    return (std::floor(pixel * ratio) + 0.5) / ratio;
 }
 
 QFont labelFont(const QPainter& painter) {
@@ -59,43 +55,51 @@ QRectF GridItem::boundingRect() const {
     return {0, 0, double(m_camera.width), double(m_camera.height)};
 }
 
-void GridItem::paintGrid(QPainter& painter) const {
-    const GridSpacing spacing = gridSpacing(m_camera.pixelsPerUnit);
-    const double ratio = painter.device()->devicePixelRatioF();
-    const ifs::Vector<2> corner = worldAt(m_camera, QPointF(0, 0));
-    const ifs::Vector<2> opposite = worldAt(m_camera, QPointF(m_camera.width, m_camera.height));
-    QList<QLineF> minor;
-    QList<QLineF> major;
-    const auto collect = [&](int axis) {
-        const Lines lines = linesBetween(corner[axis], opposite[axis], spacing.minor);
-        for (double k = lines.first; k <= lines.last; ++k) {
-            if (k == 0 && m_axes) continue;
-            QList<QLineF>& lineup = std::fmod(k, spacing.subdivisions) == 0 ? major : minor;
-            ifs::Vector<2> world = m_camera.centre;
-            world[axis] = k * spacing.minor;
-            const ifs::Vector<2> pixel = attractor::toPixel(m_camera, world);
-            const double at = crisp(pixel[axis], ratio);
-            lineup.append(axis == 0 ? QLineF(at, 0, at, m_camera.height) : QLineF(0, at, m_camera.width, at));
-        }
+// Device pixels of the grid's lines and the axis along one coordinate, in the order in which they are drawn.
+std::vector<GridItem::Line> GridItem::linesAlong(int axis, double ratio) const {
+    std::vector<Line> lines;
+    const auto pixel = [&](double coordinate) {
+        ifs::Vector<2> world = m_camera.centre;
+        world[axis] = coordinate;
+        return int(std::floor(attractor::toPixel(m_camera, world)[axis] * ratio));
     };
-    collect(0);
-    collect(1);
-    painter.setPen(QPen(m_style.gridMinor, 1 / ratio));
-    painter.drawLines(minor);
-    painter.setPen(QPen(m_style.gridMajor, 1 / ratio));
-    painter.drawLines(major);
+    if (m_grid) {
+        const GridSpacing spacing = gridSpacing(m_camera.pixelsPerUnit);
+        const ifs::Vector<2> corner = worldAt(m_camera, QPointF(0, 0));
+        const ifs::Vector<2> opposite = worldAt(m_camera, QPointF(m_camera.width, m_camera.height));
+        const Multiples seen = multiplesBetween(corner[axis], opposite[axis], spacing.minor);
+        for (double k = seen.first; k <= seen.last; ++k) {
+            if (k == 0 && m_axes) continue;
+            const bool major = std::fmod(k, spacing.subdivisions) == 0;
+            lines.push_back({pixel(k * spacing.minor), 1, major ? m_style.gridMajor : m_style.gridMinor});
+        }
+    }
+    const double origin = attractor::toPixel(m_camera, ifs::Vector<2>::Zero())[axis];
+    if (m_axes && origin >= 0 && origin <= (axis == 0 ? m_camera.width : m_camera.height)) {
+        const int thickness = std::max(1, qRound(ratio));
+        lines.push_back({pixel(0) - (thickness - 1) / 2, thickness, m_style.axis});
+    }
+    return lines;
 }
 
-void GridItem::paintAxes(QPainter& painter) const {
+// Upright lines are put into one strip that is laid over the view band by band: filled one by one, they would
+// take milliseconds, since each touches every row of the screen.
+void GridItem::paintLines(QPainter& painter) const {
     const double ratio = painter.device()->devicePixelRatioF();
-    const QPointF origin = pixelOf(m_camera, ifs::Vector<2>::Zero());
-    painter.setPen(QPen(m_style.axis, 1));
-    if (origin.x() >= 0 && origin.x() <= m_camera.width)
-        painter.drawLine(QPointF(crisp(origin.x(), ratio), 0),
-                         QPointF(crisp(origin.x(), ratio), m_camera.height));
-    if (origin.y() >= 0 && origin.y() <= m_camera.height)
-        painter.drawLine(QPointF(0, crisp(origin.y(), ratio)),
-                         QPointF(m_camera.width, crisp(origin.y(), ratio)));
+    const QSize size(int(std::ceil(m_camera.width * ratio)), int(std::ceil(m_camera.height * ratio)));
+    painter.scale(1 / ratio, 1 / ratio);
+    constexpr int band = 16;
+    QImage strip(size.width(), band, QImage::Format_ARGB32_Premultiplied);
+    strip.fill(Qt::transparent);
+    {
+        QPainter upright(&strip);
+        for (const Line& line : linesAlong(0, ratio))
+            upright.fillRect(line.at, 0, line.thickness, band, line.colour);
+    }
+    for (int top = 0; top < size.height(); top += band)
+        painter.drawImage(0, top, strip);
+    for (const Line& line : linesAlong(1, ratio))
+        painter.fillRect(0, line.at, size.width(), line.thickness, line.colour);
 }
 
 // The numbers stand by the axes, or at the edge where an axis is out of sight.
@@ -107,7 +111,7 @@ void GridItem::paintLabels(QPainter& painter) const {
     const ifs::Vector<2> corner = worldAt(m_camera, QPointF(0, 0));
     const ifs::Vector<2> opposite = worldAt(m_camera, QPointF(m_camera.width, m_camera.height));
     const QPointF origin = pixelOf(m_camera, ifs::Vector<2>::Zero());
-    const Lines across = linesBetween(corner.x(), opposite.x(), spacing.major);
+    const Multiples across = multiplesBetween(corner.x(), opposite.x(), spacing.major);
     const double baseline =
         std::clamp(origin.y() + metrics.ascent() + 3, metrics.ascent() + 3,
                    std::max(metrics.ascent() + 3, m_camera.height - metrics.descent() - 3));
@@ -116,7 +120,7 @@ void GridItem::paintLabels(QPainter& painter) const {
             const double x = pixelOf(m_camera, {k * spacing.major, 0}).x();
             painter.drawText(QPointF(x + 4, baseline), gridLabel(spacing.major, k));
         }
-    const Lines along = linesBetween(corner.y(), opposite.y(), spacing.major);
+    const Multiples along = multiplesBetween(corner.y(), opposite.y(), spacing.major);
     for (double k = along.first; k <= along.last; ++k) {
         if (k == 0) continue;
         const QString text = gridLabel(spacing.major, k);
@@ -128,13 +132,9 @@ void GridItem::paintLabels(QPainter& painter) const {
 
 void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->save();
-    painter->setRenderHint(QPainter::Antialiasing, false);
-    if (m_grid) paintGrid(*painter);
-    if (m_axes) {
-        paintAxes(*painter);
-        paintLabels(*painter);
-    }
+    paintLines(*painter);
     painter->restore();
+    if (m_axes) paintLabels(*painter);
 }
 
 } // namespace view

@@ -4,6 +4,8 @@
 #include "attractor/camera.h"
 #include "canvas/overlay_item.h"
 
+#include <vector>
+
 namespace view {
 
 // A quiet grid whose spacing follows the zoom, the two axes, and numbers along the axes.
@@ -19,8 +21,13 @@ public:
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
 private:
-    void paintGrid(QPainter& painter) const;
-    void paintAxes(QPainter& painter) const;
+    struct Line {
+        int at; // its first device pixel
+        int thickness;
+        QColor colour;
+    };
+    std::vector<Line> linesAlong(int axis, double ratio) const;
+    void paintLines(QPainter& painter) const;
     void paintLabels(QPainter& painter) const;
 
     attractor::Camera m_camera;
