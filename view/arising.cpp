@@ -101,7 +101,7 @@ void Arising::follow(const document::Change& change) {
 
 void Arising::measure() {
     const document::System2* system = document::system2(m_document->fractal());
-    m_maps = system ? ifs::activeMaps(*system).maps.size() : 0;
+    m_maps = system ? ifs::countActive(*system) : 0;
     m_deepest = attractor::affordableIterations(m_maps, mostSteps);
     m_step = std::min(m_step, m_deepest);
 }

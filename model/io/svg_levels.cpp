@@ -388,7 +388,7 @@ SvgLevels::Deviation SvgLevels::deviation(int depth) const {
         int level;
         double shift; // of its points, by thickening, in pixels
     };
-    Deviation largest;
+    Deviation result;
     const double diameter = diameterOf(pushedOut(m_hull, margin(depth)));
     const double area = areaOf(outline(depth));
     std::vector<std::vector<std::pair<ifs::AffineMap<2>, double>>> maps; // with their shifts, by level
@@ -416,17 +416,17 @@ SvgLevels::Deviation SvgLevels::deviation(int depth) const {
         open.pop_back();
         if (part.level == 0) {
             const double size = ifs::spectralNorm<2>(part.linear) * diameter;
-            largest.copy = std::max(largest.copy, size);
-            largest.area += std::abs(ifs::determinant<2>(part.linear)) * area;
-            largest.length += size;
+            result.copy = std::max(result.copy, size);
+            result.area += std::abs(ifs::determinant<2>(part.linear)) * area;
+            result.length += size;
             const double longer = (part.linear * fibre(depth)).norm();
-            largest.all = std::max(largest.all, size + longer + part.shift);
+            result.all = std::max(result.all, size + longer + part.shift);
             continue;
         }
         for (std::size_t i = 0; i < m_maps.size(); ++i)
             open.push_back(inside(part, i));
     }
-    return largest;
+    return result;
 }
 
 double SvgLevels::error(int depth) const {

@@ -273,6 +273,27 @@ private:
     QXmlStreamWriter m_xml;
 };
 
+// At the depth that is asked for, else at the usual one or, where that is too much, at the deepest that
+// programs read.
+SvgPicture outlinePicture(const document::Fractal& fractal, const attractor::Camera& camera,
+                          const SvgLevels& levels, SvgFormat format, const std::stop_token& stop) {
+    const bool mayBeShallower = !format.depth;
+    for (;;) {
+        SvgPicture picture{{}, planOf(fractal, levels, format)};
+        const int depth = picture.plan.depth;
+        picture.bytes = Writer(fractal, camera).outline(leafUnion(levels, depth, stop), format.cage);
+        if (picture.bytes.size() <= largestPath || stop.stop_requested()) return picture;
+        if (!mayBeShallower || depth == 0) {
+            picture.bytes.clear();
+            picture.plan.failure =
+                Text::tr("The outline has more corners than programs read in one path. Choose a "
+                         "smaller depth.");
+            return picture;
+        }
+        format.depth = depth - 1;
+    }
+}
+
 } // namespace
 
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format) {
@@ -299,20 +320,7 @@ SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera&
         picture.bytes = writer.structured(*levels.levels, depth, format.cage);
         break;
     case ShapeStyle::Outline:
-        picture.bytes = writer.outline(leafUnion(*levels.levels, depth, stop), format.cage);
-        if (picture.bytes.size() <= largestPath || stop.stop_requested()) break;
-        if (!format.depth && depth > 0) {
-            SvgFormat shallower = format;
-            shallower.depth = depth - 1;
-            while (const auto failure = (picture = svgPicture(fractal, camera, shallower, stop)).plan.failure)
-                if (stop.stop_requested() || --*shallower.depth < 0) break;
-            return picture;
-        }
-        picture.bytes.clear();
-        picture.plan.failure =
-            Text::tr("The outline has more corners than programs read in one path. Choose a "
-                     "smaller depth.");
-        break;
+        return outlinePicture(fractal, camera, *levels.levels, format, stop);
     case ShapeStyle::Points:
         picture.bytes = writer.points(shapePoints(fractal, camera, format.points, format.seed), format.cage);
         break;

@@ -172,6 +172,7 @@ private slots:
     void outlineHoldsTheAttractor_data() { systems(); }
     void outlineHoldsTheAttractor();
     void outlineOfASlantedSegmentHasArea();
+    void outlinesAreNoLargerThanProgramsRead();
     void unitsDoNotMatter();
     void errorHoldsBothWays();
     void noMatrixIsSingular_data();
@@ -401,6 +402,26 @@ void SvgWriterTest::outlineHoldsTheAttractor() {
     const double size = (box->max - box->min).norm();
     const double wider = (left(outline) - left(levels->outline(SvgLevels::mostLevels))) / size;
     QVERIFY2(wider > 0.4 && wider < 1, qPrintable(QString::number(wider)));
+}
+
+// Dust of a few ten thousand pieces, each with the many corners of a hull that turns.
+void SvgWriterTest::outlinesAreNoLargerThanProgramsRead() {
+    const double c = 0.4 * std::cos(0.35);
+    const double s = 0.4 * std::sin(0.35);
+    const document::Fractal fractal =
+        fractalOf({ifs::affineMap(c, -s, s, c, 0, 0), ifs::affineMap(c, -s, s, c, 1, 0),
+                   ifs::affineMap(c, -s, s, c, 0.4, 1)});
+    const attractor::Camera camera = cameraFor(fractal, 8000, 8000);
+    SvgFormat format;
+    format.style = ShapeStyle::Outline;
+    const int usual = svgPlan(fractal, camera, format).depth;
+    const SvgPicture picture = svgPicture(fractal, camera, format);
+    QVERIFY(!picture.plan.failure);
+    QVERIFY(picture.plan.depth < usual);
+    QVERIFY(picture.bytes.size() > 1'000'000 && picture.bytes.size() < 10'000'000);
+    format.depth = picture.plan.depth + 1;
+    const SvgPicture refused = svgPicture(fractal, camera, format);
+    QVERIFY(refused.plan.failure && refused.bytes.isEmpty());
 }
 
 void SvgWriterTest::errorHoldsBothWays() {
