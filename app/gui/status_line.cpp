@@ -31,6 +31,7 @@ QString count(std::uint64_t samples) {
     if (samples >= 1'000'000'000) return StatusLine::tr("%1 G points").arg(double(samples) / 1e9, 0, 'f', 1);
     if (samples >= 1'000'000)
         return StatusLine::tr("%1 M points").arg(double(samples) / 1e6, 0, 'f', samples < 10'000'000 ? 1 : 0);
+    if (samples == 1) return StatusLine::tr("1 point");
     return StatusLine::tr("%1 points").arg(QLocale::c().toString(qulonglong(samples)));
 }
 

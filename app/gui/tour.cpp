@@ -5,6 +5,7 @@
 #include "panels/maps_panel.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
@@ -37,11 +38,12 @@ constexpr Step steps[] = {
                        "1, the map contracts. Ctrl+Z takes everything back."),
      view::MapsModel::Contraction},
     {"maps", QT_TRANSLATE_NOOP("Tour", "Fixed point"),
-     QT_TRANSLATE_NOOP("Tour",
-                       "A map that contracts leaves exactly one point where it is: its fixed point. Switch "
-                       "off all maps but two by the boxes on the left, and see how little is left of the "
-                       "picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings "
-                       "the maps back."),
+     QT_TRANSLATE_NOOP(
+         "Tour",
+         "A map that contracts leaves exactly one point where it is: its fixed point. Switch "
+         "off all maps but two by the boxes on the left of the table, and see how little is left of the "
+         "picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings "
+         "the maps back."),
      view::MapsModel::Enabled},
     {"arising", QT_TRANSLATE_NOOP("Tour", "Chaos game"),
      QT_TRANSLATE_NOOP("Tour",
@@ -184,6 +186,7 @@ void Tour::showStep(int step) {
         }
     }
     if (m_target) follow(m_target);
+    if (auto* canvas = host()->findChild<view::CanvasView*>(); canvas && asking) follow(canvas->viewport());
     if (auto* maps = host()->findChild<view::MapsPanel*>(); maps && !asking && steps[step].column >= 0)
         QTimer::singleShot(0, maps, [maps, step] { maps->reveal(steps[step].column); });
     m_place->setText(asking ? QString() : tr("%1 of %2").arg(step + 1).arg(stepCount));
@@ -195,6 +198,12 @@ void Tour::showStep(int step) {
     m_close->setVisible(step + 1 < stepCount);
     m_mark->setVisible(m_target != nullptr);
     appear(m_text->text());
+}
+
+// Who begins on his own does not want to be asked any more.
+bool Tour::eventFilter(QObject* watched, QEvent* event) {
+    if (m_step < 0 && event->type() == QEvent::MouseButtonPress) close();
+    return Card::eventFilter(watched, event);
 }
 
 // On the canvas, at the side of the target; in its upper left corner where the target is the canvas.

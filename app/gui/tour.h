@@ -23,6 +23,7 @@ public:
 
 protected:
     QPoint corner() override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     explicit Tour(QMainWindow* host);

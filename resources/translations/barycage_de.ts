@@ -1169,6 +1169,10 @@
         <source>The unsaved work is here all the same.</source>
         <translation>Die ungespeicherte Arbeit ist trotzdem hier.</translation>
     </message>
+    <message>
+        <source>%1 was not recovered. It is offered again at the next start.</source>
+        <translation>%1 wurde nicht wiederhergestellt. Beim nächsten Start wird es erneut angeboten.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1226,6 +1230,10 @@
     <message>
         <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
         <translation>Das Speichern von „%1“ wurde abgebrochen. Die Datei ist, wie sie war.</translation>
+    </message>
+    <message>
+        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
     </message>
 </context>
 <context>
@@ -1340,6 +1348,10 @@
         <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
         <translation>Nicht gespeicherte Arbeit vom letzten Mal ist beschädigt und lässt sich nicht wiederherstellen. Was davon übrig ist, liegt in:</translation>
     </message>
+    <message>
+        <source>Looking for unsaved work…</source>
+        <translation>Nicht gespeicherte Arbeit wird gesucht …</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -1426,6 +1438,10 @@
     <message>
         <source>  fixed point of %1 (%2, %3)</source>
         <translation>  Fixpunkt von %1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2196,10 @@
         <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
         <translation>Der Umriss hat mehr Ecken, als Programme in einem Pfad lesen. Wählen Sie eine kleinere Tiefe.</translation>
     </message>
+    <message>
+        <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
+        <translation>Der Käfig biegt das Bild oder drückt es flach. Die Zahlen sind die des Bildes in Ruhe.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2196,8 +2216,8 @@
         <translation>Fixpunkt</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
-        <translation>Eine kontrahierende Abbildung lässt genau einen Punkt, wo er ist: ihren Fixpunkt. Schalten Sie mit den Kästchen links alle Abbildungen bis auf zwei aus und sehen Sie, wie wenig vom Bild bleibt. Bei einer einzigen bleibt nichts als ihr Fixpunkt. Strg+Z bringt die Abbildungen zurück.</translation>
+        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left of the table, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
+        <translation>Eine kontrahierende Abbildung lässt genau einen Punkt, wo er ist: ihren Fixpunkt. Schalten Sie mit den Kästchen links in der Tabelle alle Abbildungen bis auf zwei aus und sehen Sie, wie wenig vom Bild bleibt. Bei einer einzigen bleibt nichts als ihr Fixpunkt. Strg+Z bringt die Abbildungen zurück.</translation>
     </message>
     <message>
         <source>Chaos game</source>
@@ -3916,6 +3936,10 @@
         <source>The commands whose names have these letters.</source>
         <translation>Die Befehle, deren Namen diese Buchstaben haben.</translation>
     </message>
+    <message>
+        <source>No command is called that.</source>
+        <translation>Kein Befehl heißt so.</translation>
+    </message>
 </context>
 <context>
     <name>view::DefineTool</name>
@@ -5391,6 +5415,10 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
         <translation>Jede Zeile ist eine Abbildung: (x, y) geht über in (a x + b y + e, c x + d y + f), so oft, wie ihr Gewicht p sagt. Klicken Sie doppelt auf eine Zahl oder beginnen Sie zu tippen, um sie zu ändern; das Bild folgt jeder Taste. Ziehen Sie die Nummer einer Zeile, um sie zu verschieben.</translation>
+    </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Das Eingefügte wird gelesen …</translation>
     </message>
 </context>
 <context>

@@ -1169,6 +1169,10 @@
         <source>The unsaved work is here all the same.</source>
         <translation>El trabajo no guardado está aquí de todos modos.</translation>
     </message>
+    <message>
+        <source>%1 was not recovered. It is offered again at the next start.</source>
+        <translation>%1 no se ha recuperado. Se ofrecerá de nuevo en el próximo inicio.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1226,6 +1230,10 @@
     <message>
         <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
         <translation>Se canceló el guardado de «%1». El archivo del disco sigue como estaba.</translation>
+    </message>
+    <message>
+        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
     </message>
 </context>
 <context>
@@ -1340,6 +1348,10 @@
         <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
         <translation>El trabajo sin guardar de la última vez está dañado y no se puede recuperar. Lo que queda de él está en:</translation>
     </message>
+    <message>
+        <source>Looking for unsaved work…</source>
+        <translation>Buscando trabajo sin guardar…</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -1426,6 +1438,10 @@
     <message>
         <source>  fixed point of %1 (%2, %3)</source>
         <translation>  punto fijo de %1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 punto</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2196,10 @@
         <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
         <translation>El contorno tiene más vértices de los que los programas leen en un solo trazado. Elija una profundidad menor.</translation>
     </message>
+    <message>
+        <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
+        <translation>La jaula dobla o aplana la imagen. Los números son los de la imagen en reposo.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2196,8 +2216,8 @@
         <translation>Punto fijo</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
-        <translation>Una aplicación contractiva deja exactamente un punto donde está: su punto fijo. Desactive todas las aplicaciones menos dos con las casillas de la izquierda y vea qué poco queda de la imagen. Con una sola aplicación no queda más que su punto fijo. Ctrl+Z recupera las aplicaciones.</translation>
+        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left of the table, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
+        <translation>Una aplicación contractiva deja exactamente un punto donde está: su punto fijo. Desactive todas las aplicaciones menos dos con las casillas de la izquierda de la tabla y vea qué poco queda de la imagen. Con una sola aplicación no queda más que su punto fijo. Ctrl+Z recupera las aplicaciones.</translation>
     </message>
     <message>
         <source>Chaos game</source>
@@ -3916,6 +3936,10 @@
         <source>The commands whose names have these letters.</source>
         <translation>Las órdenes cuyo nombre contiene estas letras.</translation>
     </message>
+    <message>
+        <source>No command is called that.</source>
+        <translation>Ninguna orden se llama así.</translation>
+    </message>
 </context>
 <context>
     <name>view::DefineTool</name>
@@ -5391,6 +5415,10 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
         <translation>Cada fila es una aplicación: (x, y) va a (a x + b y + e, c x + d y + f), con la frecuencia que dice su peso p. Haga doble clic en un número, o empiece a escribir, para cambiarlo; la imagen sigue cada tecla. Arrastre el número de una fila para moverla.</translation>
+    </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Leyendo lo pegado…</translation>
     </message>
 </context>
 <context>

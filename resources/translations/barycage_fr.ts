@@ -1169,6 +1169,10 @@
         <source>The unsaved work is here all the same.</source>
         <translation>Le travail non enregistré est ici malgré tout.</translation>
     </message>
+    <message>
+        <source>%1 was not recovered. It is offered again at the next start.</source>
+        <translation>%1 n’a pas été récupéré. Il sera proposé à nouveau au prochain démarrage.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1226,6 +1230,10 @@
     <message>
         <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
         <translation>L’enregistrement de «&#x202f;%1&#x202f;» a été annulé. Le fichier sur le disque est resté tel quel.</translation>
+    </message>
+    <message>
+        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
     </message>
 </context>
 <context>
@@ -1340,6 +1348,10 @@
         <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
         <translation>Un travail non enregistré de la dernière fois est endommagé et ne peut pas être récupéré. Ce qu’il en reste se trouve dans&#x202f;:</translation>
     </message>
+    <message>
+        <source>Looking for unsaved work…</source>
+        <translation>Recherche du travail non enregistré…</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -1426,6 +1438,10 @@
     <message>
         <source>  fixed point of %1 (%2, %3)</source>
         <translation>  point fixe de %1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 point</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2196,10 @@
         <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
         <translation>Le contour a plus de sommets que les programmes n’en lisent dans un seul tracé. Choisissez une profondeur plus petite.</translation>
     </message>
+    <message>
+        <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
+        <translation>La cage courbe ou aplatit l’image. Les nombres sont ceux de l’image au repos.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2196,8 +2216,8 @@
         <translation>Point fixe</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
-        <translation>Une application contractante laisse exactement un point à sa place&#x202f;: son point fixe. Désactivez toutes les applications sauf deux avec les cases de gauche, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
+        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left of the table, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
+        <translation>Une application contractante laisse exactement un point à sa place&#x202f;: son point fixe. Désactivez toutes les applications sauf deux avec les cases à gauche du tableau, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
     </message>
     <message>
         <source>Chaos game</source>
@@ -3916,6 +3936,10 @@
         <source>The commands whose names have these letters.</source>
         <translation>Les commandes dont le nom contient ces lettres.</translation>
     </message>
+    <message>
+        <source>No command is called that.</source>
+        <translation>Aucune commande ne s’appelle ainsi.</translation>
+    </message>
 </context>
 <context>
     <name>view::DefineTool</name>
@@ -5391,6 +5415,10 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
         <translation>Chaque ligne est une application&#x202f;: (x, y) devient (a x + b y + e, c x + d y + f), aussi souvent que le dit son poids p. Double-cliquez sur un nombre, ou commencez à taper, pour le modifier&#x202f;; l’image suit chaque frappe. Faites glisser le numéro d’une ligne pour la déplacer.</translation>
+    </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Lecture de ce qui a été collé…</translation>
     </message>
 </context>
 <context>

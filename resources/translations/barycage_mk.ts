@@ -1174,6 +1174,10 @@
         <source>The unsaved work is here all the same.</source>
         <translation>Незачуваната работа е сепак тука.</translation>
     </message>
+    <message>
+        <source>%1 was not recovered. It is offered again at the next start.</source>
+        <translation>%1 не е вратено. Повторно ќе биде понудено при следното стартување.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1231,6 +1235,10 @@
     <message>
         <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
         <translation>Зачувувањето на „%1“ е откажано. Датотеката на дискот е како што беше.</translation>
+    </message>
+    <message>
+        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
     </message>
 </context>
 <context>
@@ -1345,6 +1353,10 @@
         <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
         <translation>Незачуваната работа од минатиот пат е оштетена и не може да се врати. Она што остана од неа се наоѓа во:</translation>
     </message>
+    <message>
+        <source>Looking for unsaved work…</source>
+        <translation>Се бара незачувана работа…</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -1431,6 +1443,10 @@
     <message>
         <source>  fixed point of %1 (%2, %3)</source>
         <translation>  неподвижна точка на %1 (%2, %3)</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 точка</translation>
     </message>
 </context>
 <context>
@@ -2186,6 +2202,10 @@
         <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
         <translation>Контурот има повеќе темиња отколку што програмите читаат во една патека. Изберете помала длабочина.</translation>
     </message>
+    <message>
+        <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
+        <translation>Кафезот ја витка или сплескува сликата. Броевите се на сликата во мирување.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -2202,8 +2222,8 @@
         <translation>Неподвижна точка</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
-        <translation>Контракцијата остава точно една точка на нејзиното место: тоа е нејзината неподвижна точка. Со полињата лево исклучете ги сите пресликувања освен две и погледнете колку малку останува од сликата. Со само едно пресликување не останува ништо освен неговата неподвижна точка. Ctrl+Z ги враќа пресликувањата.</translation>
+        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left of the table, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
+        <translation>Контракцијата остава точно една точка на нејзиното место: тоа е нејзината неподвижна точка. Со полињата лево во табелата исклучете ги сите пресликувања освен две и погледнете колку малку останува од сликата. Со само едно пресликување не останува ништо освен неговата неподвижна точка. Ctrl+Z ги враќа пресликувањата.</translation>
     </message>
     <message>
         <source>Chaos game</source>
@@ -3923,6 +3943,10 @@
         <source>The commands whose names have these letters.</source>
         <translation>Наредбите чии имиња ги содржат овие букви.</translation>
     </message>
+    <message>
+        <source>No command is called that.</source>
+        <translation>Нема команда со такво име.</translation>
+    </message>
 </context>
 <context>
     <name>view::DefineTool</name>
@@ -5404,6 +5428,10 @@ The entry is kept as it is.</source>
     <message>
         <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
         <translation>Секоја редица е пресликување: (x, y) се пресликува во (a x + b y + e, c x + d y + f), толку често колку што кажува неговата тежина p. За да промените некој број, кликнете двапати на него или почнете да пишувате; сликата го следи секое копче. Повлечете го бројот на редицата за да ја преместите.</translation>
+    </message>
+    <message>
+        <source>Reading what was pasted…</source>
+        <translation>Се чита вметнатото…</translation>
     </message>
 </context>
 <context>

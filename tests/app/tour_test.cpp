@@ -117,6 +117,16 @@ void TourTest::theOfferIsMadeOnce() {
     Tour::offer(m_window.get());
     button(QStringLiteral("Start the Tour"))->click();
     QCOMPARE(tour()->step(), 0);
+    QWidget* canvas = m_window->findChild<view::CanvasView*>()->viewport();
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
+    QTest::qWait(10);
+    QVERIFY(tour()); // which goes on while one tries what it says
+    tour()->close();
+    QTRY_VERIFY(!tour());
+    QSettings().clear();
+    Tour::offer(m_window.get());
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
+    QTRY_VERIFY(!tour()); // who begins is not asked any more
 }
 
 void TourTest::theWindowMayCloseMeanwhile() {

@@ -85,7 +85,16 @@ private slots:
         palette.show();
         QVERIFY(QTest::qWaitForWindowExposed(&palette));
         QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("del"));
-        QCOMPARE(palette.findChild<QListView*>()->model()->rowCount(), 0); // it is disabled
+        const auto* found = palette.findChild<QListView*>()->model();
+        QCOMPARE(found->rowCount(), 1);
+        QVERIFY(!(found->index(0, 0).flags() & Qt::ItemIsEnabled)); // it is shown that there is one
+        QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+        QVERIFY(palette.isVisible());
+        palette.findChild<QLineEdit*>()->clear();
+        QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("zzz"));
+        QCOMPARE(found->rowCount(), 1);
+        QVERIFY(!(found->index(0, 0).flags() & Qt::ItemIsEnabled));
+        QCOMPARE(found->index(0, 0).data().toString(), QStringLiteral("No command is called that."));
         palette.findChild<QLineEdit*>()->clear();
         QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("weights equal"));
         QCOMPARE(palette.findChild<QListView*>()->model()->rowCount(), 1);

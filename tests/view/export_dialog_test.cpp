@@ -45,6 +45,7 @@ private slots:
     void lengthsFollowTheResolution();
     void clipboardHoldsBothForms();
     void pageHoldsNamePictureAndTable();
+    void pageHoldsTheNumbersOfThePicture();
     void manyMapsGoOnFurtherPages();
 
 private:
@@ -172,6 +173,29 @@ void ExportDialogTest::clipboardHoldsBothForms() {
     QVERIFY(data->hasImage());
     QCOMPARE(data->imageData().value<QImage>().size(), shown.size());
     QVERIFY(io::looksLikeSvg(data->data(QStringLiteral("image/svg+xml"))));
+}
+
+// What is printed is the code of the picture that is printed.
+void ExportDialogTest::pageHoldsTheNumbersOfThePicture() {
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::blue);
+    const auto page = [&picture](const document::Fractal& fractal) {
+        QImage made(420, 594, QImage::Format_RGB32);
+        made.fill(Qt::white);
+        QPainter painter(&made);
+        paintPages(painter, made.rect(), fractal, picture, [] {});
+        return made;
+    };
+    const document::Fractal rests = document::Document().fractal();
+    document::Fractal moved = rests;
+    moved.cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{2, 0}, {4, 0}, {2, 4}}};
+    document::Fractal rewritten = rests;
+    rewritten.system = *document::effectiveSystem(moved);
+    QVERIFY(page(moved) == page(rewritten));
+    QVERIFY(page(moved) != page(rests));
+    document::Fractal flat = rests;
+    flat.cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1, 0}, {2, 0}}};
+    QVERIFY(page(flat) != page(rests)); // it says that the numbers are others
 }
 
 void ExportDialogTest::pageHoldsNamePictureAndTable() {

@@ -85,6 +85,21 @@ private slots:
         QCOMPARE(steps(), 0);
     }
 
+    // The first map of the triangle has a corner in common with the cage.
+    void theHintDoesNotHideTheVertex() {
+        m_canvas->setTool(CanvasView::Tool::Cage);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        const auto grabbed = [this] { return m_canvas->viewport()->grab().toImage(); };
+        m_canvas->setSelectedMaps({});
+        const QImage without = grabbed();
+        m_canvas->setSelectedMaps({system().maps[0].id});
+        const QImage with = grabbed();
+        QVERIFY(with != without); // there is a hint
+        const QPoint vertex = at({Kind::Vertex, 0}).toPoint();
+        const QRect handle(vertex - QPoint(4, 4), QSize(9, 9));
+        QCOMPARE(with.copy(handle), without.copy(handle));
+    }
+
     void keysDeleteAndDuplicate() {
         QSignalSpy said(m_canvas.get(), &CanvasView::message);
         key(Qt::Key_Delete); // nothing is selected

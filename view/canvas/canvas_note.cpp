@@ -74,7 +74,7 @@ QString doubtful(const document::System2& system) {
 }
 
 bool isOnePoint(const document::System2& system) {
-    return ifs::activeMaps(system).maps.size() == 1;
+    return ifs::countActive(system) == 1;
 }
 
 QString onePoint(const document::Fractal& fractal) {

@@ -67,6 +67,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
         item->setZValue(level++);
         addItem(item);
     }
+    raiseTaken();
     connect(document, &document::Document::changed, this, &CanvasScene::follow);
     follow({document::Change::Everything});
 }
@@ -494,10 +495,17 @@ void CanvasScene::setTaken(Taken taken) {
     setFocused({});
     setSelectedVertices({});
     m_cageItem->setQuiet(taken != Taken::Cage);
+    raiseTaken();
     place();
 }
 
+// Handles that can be taken lie over outlines that only show something.
+void CanvasScene::raiseTaken() {
+    m_cageItem->setZValue(m_mapFrames->zValue() + (m_taken == Taken::Cage ? 0.5 : -0.5));
+}
+
 void CanvasScene::setSelectedMaps(const std::vector<ifs::MapId>& maps) {
+    if (maps.empty() && m_selectedMaps.empty()) return;
     const std::set<ifs::MapId> selected(maps.begin(), maps.end());
     std::vector<std::size_t> places;
     for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)

@@ -146,6 +146,7 @@ private:
     void restyle();
     void updateNote();
     void updateVisibility();
+    void raiseTaken();
     std::vector<OverlayItem*> overlays() const;
 
     document::Document* m_document;

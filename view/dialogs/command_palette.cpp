@@ -182,22 +182,34 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
 
 void CommandPalette::filter(const QString& text) {
     m_model->clear();
+    for (const bool enabled : {true, false})
+        if (enabled || !text.isEmpty()) add(text, enabled);
+    if (m_model->rowCount() == 0) {
+        auto* none = new QStandardItem(m_noIcon, tr("No command is called that."));
+        none->setEnabled(false);
+        m_model->appendRow(none);
+    }
+    m_list->setCurrentIndex(m_model->index(0, 0));
+}
+
+// What cannot be done now is shown too, when it is asked for by name.
+void CommandPalette::add(const QString& text, bool enabled) {
     for (qsizetype i = 0; i < m_actions.size(); ++i) {
         const auto& [action, title, panel] = m_actions[i];
-        if (!action->isEnabled() || !matchesCommand(title, text)) continue;
+        if (action->isEnabled() != enabled || !matchesCommand(title, text)) continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QStandardItem(action->icon().isNull() ? m_noIcon : action->icon(),
                                        keys.isEmpty() ? title : title + QStringLiteral("    ") + keys);
         item->setData(int(i), actionRole);
         item->setToolTip(action->statusTip());
+        item->setEnabled(enabled);
         m_model->appendRow(item);
     }
-    m_list->setCurrentIndex(m_model->index(0, 0));
 }
 
 void CommandPalette::run() {
     const QModelIndex index = m_list->currentIndex();
-    if (!index.isValid()) return;
+    if (!(index.flags() & Qt::ItemIsEnabled)) return;
     const auto [action, path, panel] = m_actions[index.data(actionRole).toInt()];
     accept();
     if (panel) { // what it does is seen there

@@ -36,6 +36,7 @@ protected:
 
 private:
     void filter(const QString& text);
+    void add(const QString& text, bool enabled);
     void run();
 
     QList<NamedAction> m_actions;

@@ -165,8 +165,16 @@ void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& 
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(frame, picture);
     if (const auto* system = document::system2(fractal)) {
-        const std::vector<Row> rows = coefficientRows(*system);
-        QRectF room(QPointF(page.left(), frame.bottom() + 0.7 * line), page.bottomRight());
+        const auto displayed = document::effectiveSystem(fractal);
+        const std::vector<Row> rows = coefficientRows(displayed ? *displayed : *system);
+        double under = frame.bottom() + 0.7 * line;
+        if (!displayed) {
+            painter.drawText(QRectF(page.left(), under, page.width(), 0.6 * line), Qt::AlignCenter,
+                             Text::tr("The cage bends or flattens the picture. The numbers are those of the "
+                                      "picture at rest."));
+            under += line;
+        }
+        QRectF room(QPointF(page.left(), under), page.bottomRight());
         std::size_t done = 0;
         const auto paintMore = [&] {
             done += paintTable(painter, room, page.height() / linesOnPage, std::span(rows).subspan(done));

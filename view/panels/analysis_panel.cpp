@@ -63,6 +63,7 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     m_form->setVerticalSpacing(8);
     m_form->setHorizontalSpacing(16);
     m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_plot = new BoxCountingPlot(content);
     m_copy = new QToolButton(content);

@@ -23,7 +23,7 @@ EntriesList::EntriesList(MimeSource mimeSource, QWidget* parent)
     setVerticalScrollMode(ScrollPerPixel);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSelectionMode(ExtendedSelection);
-    setEditTriggers(EditKeyPressed | SelectedClicked);
+    setEditTriggers(EditKeyPressed | DoubleClicked); // not by a click that only takes the focus
     setDragEnabled(true);
     setAcceptDrops(true);
     setDragDropMode(DragDrop);
