@@ -90,9 +90,9 @@ private slots:
         m_canvas->setTool(CanvasView::Tool::Cage);
         QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
         const auto grabbed = [this] { return m_canvas->viewport()->grab().toImage(); };
-        m_canvas->setSelectedMaps({});
+        m_canvas->selectMaps({});
         const QImage without = grabbed();
-        m_canvas->setSelectedMaps({system().maps[0].id});
+        m_canvas->selectMaps({system().maps[0].id});
         const QImage with = grabbed();
         QVERIFY(with != without); // there is a hint
         const QPoint vertex = at({Kind::Vertex, 0}).toPoint();
