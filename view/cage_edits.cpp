@@ -41,13 +41,32 @@ std::optional<document::Fractal> withCageThrough(const document::Fractal& fracta
 
 } // namespace
 
+bool isCageAlike(const document::Fractal& a, const document::Fractal& b) {
+    if (!a.cage || !b.cage) return !a.cage && !b.cage;
+    if (a.cage->deformation != b.cage->deformation || a.cage->rest.size() != b.cage->rest.size())
+        return false;
+    const auto near = [](const std::vector<ifs::Vector<2>>& p, const std::vector<ifs::Vector<2>>& q) {
+        double size = 0;
+        for (const ifs::Vector<2>& vertex : p)
+            size = std::max(size, (vertex - p.front()).norm());
+        return std::equal(p.begin(), p.end(), q.begin(), [size](const auto& v, const auto& w) {
+            return (v - w).norm() <= 10 * relativeTolerance * size;
+        });
+    };
+    return near(a.cage->rest, b.cage->rest) && near(a.cage->current, b.cage->current);
+}
+
 bool isAtRest(const document::Fractal& fractal) {
     return !fractal.cage || fractal.cage->rest == fractal.cage->current;
 }
 
+QString planeObstacle(const document::Fractal& fractal) {
+    if (document::system2(fractal)) return {};
+    return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry has no maps of the plane."));
+}
+
 QString bakeObstacle(const document::Fractal& fractal) {
-    if (!document::system2(fractal))
-        return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry has no maps of the plane."));
+    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (isAtRest(fractal))
         return sentence(
             QT_TRANSLATE_NOOP("CageEdits", "The cage is at rest: the code is what is displayed."));
@@ -66,8 +85,7 @@ std::optional<document::Fractal> baked(const document::Fractal& fractal) {
 }
 
 QString resetObstacle(const document::Fractal& fractal) {
-    if (!document::system2(fractal))
-        return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry has no maps of the plane."));
+    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (isAtRest(fractal)) return sentence(QT_TRANSLATE_NOOP("CageEdits", "The cage is at rest."));
     return {};
 }
@@ -101,8 +119,7 @@ QString modeText(const document::Fractal& fractal, document::CageMode mode) {
 }
 
 QString unbakeObstacle(const document::Fractal& fractal) {
-    if (!document::system2(fractal))
-        return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry has no maps of the plane."));
+    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (!isAtRest(fractal))
         return sentence(QT_TRANSLATE_NOOP("CageEdits", "The cage already places the code."));
     if (fractal.cage && fractal.cage->rest.size() != 3)
@@ -182,9 +199,8 @@ std::optional<document::Fractal> withCageAround(const document::Fractal& fractal
 }
 
 QString fitObstacle(const document::Fractal& fractal) {
-    const document::System2* system = document::system2(fractal);
-    if (!system) return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry has no maps of the plane."));
-    if (ifs::activeMaps(*system).maps.empty())
+    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (ifs::activeMaps(*document::system2(fractal)).maps.empty())
         return sentence(QT_TRANSLATE_NOOP("CageEdits", "No map takes part, so there is nothing to enclose."));
     if (fractal.cage && ifs::bends(*fractal.cage))
         return sentence(QT_TRANSLATE_NOOP("CageEdits",

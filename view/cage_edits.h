@@ -11,6 +11,12 @@ namespace view {
 
 bool isAtRest(const document::Fractal& fractal);
 
+// Why nothing that is meant for systems of the plane can be done; empty for those.
+QString planeObstacle(const document::Fractal& fractal);
+
+// Whether the vertices are the same to what rounding leaves of them.
+bool isCageAlike(const document::Fractal& a, const document::Fractal& b);
+
 // Why the placement cannot become the code, as a sentence; empty when it can.
 QString bakeObstacle(const document::Fractal& fractal);
 // The code that shows what is displayed, its cage at rest; nullopt when there is an obstacle.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clipboard.h"
 
+#include "io/background.h"
 #include "io/collection_reader.h"
 #include "io/fractint_writer.h"
 #include "io/table_reader.h"
@@ -27,6 +28,7 @@ class LateText : public QMimeData {
 public:
     LateText(QString type, std::function<QByteArray()> write)
         : m_type(std::move(type)), m_write(std::move(write)) {}
+    ~LateText() override { io::letGo(std::move(m_write)); }
 
     QStringList formats() const override { return {m_type, QStringLiteral("text/plain")}; }
 

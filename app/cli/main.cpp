@@ -77,6 +77,14 @@ int main(int argc, char** argv) {
     } else {
         application = std::make_unique<QCoreApplication>(argc, argv);
     }
+    for (int i = 1; i < argc; ++i)
+        if (!QByteArrayView(argv[i]).isValidUtf8()) { // under another name nothing is found again
+            cli::reportUsage({},
+                             QCoreApplication::translate(
+                                 "cli", "“%1” is not UTF-8. Please rename the file, or lead to it by a link.")
+                                 .arg(QString::fromUtf8(argv[i])));
+            return int(ExitStatus::WrongUsage);
+        }
     CLI::App program("Iterated function systems from the command line", "barycage-cli");
     program.set_version_flag("--version", "barycage-cli " BARYCAGE_VERSION);
     program.require_subcommand(1);

@@ -28,8 +28,10 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -432,8 +434,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), saveState());
+    const bool presents = m_presentation->isChecked();
+    settings.setValue(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
     session::remember();
     m_recovery.discard();
     event->accept();
@@ -455,6 +458,37 @@ void MainWindow::restoreLayout() {
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange && m_fullScreen) m_fullScreen->setChecked(isFullScreen());
+}
+
+void MainWindow::present(bool on) {
+    const auto bars = {findChild<QToolBar*>(QStringLiteral("arising")), m_branchBar};
+    QList<bool> shown;
+    for (const QToolBar* bar : bars)
+        shown << !bar->isHidden();
+    if (on) {
+        m_before = {saveGeometry(), saveState(), isFullScreen()};
+        for (auto* panel : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
+            panel->hide();
+        findChild<QToolBar*>(QStringLiteral("tools"))->hide();
+        m_canvas->setFocus();
+    }
+    menuBar()->setVisible(!on);
+    statusBar()->setVisible(!on);
+    setWindowState(windowState().setFlag(Qt::WindowFullScreen, on || m_before.fullScreen));
+    if (!on) {
+        restoreState(m_before.layout);
+        for (QToolBar* bar : bars)
+            bar->setVisible(shown.takeFirst());
+    }
+    m_canvas->setHint(on ? tr("Esc brings menus and panels back.") : QString());
+}
+
+// Whatever has the focus takes it first.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && m_presentation->isChecked())
+        m_presentation->setChecked(false);
+    else
+        QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

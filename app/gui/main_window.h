@@ -49,6 +49,7 @@ protected:
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void childEvent(QChildEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -76,6 +77,8 @@ private:
     QAction* toggle(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
                     const QString& tip, const QString& setting, bool initially,
                     const std::function<void(bool)>& set);
+    // Where it would do nothing, it is disabled and its tool tip says why.
+    void possibleUnless(QAction* action, QString (*obstacle)(const document::Fractal&));
     QDockWidget* dock(QWidget* panel, const QString& title, const QString& id, Qt::DockWidgetArea area);
 
     bool maySpoil(); // asks about unsaved changes; false: the user wants to stay
@@ -89,6 +92,7 @@ private:
     void fail(const QString& title, const QString& sentence);
     void restoreLayout();
     void makeRoomForPicture();
+    void present(bool on); // the canvas alone on the screen, with the bar of its tool
 
     document::Document m_document;
     OpenFile m_file;
@@ -108,6 +112,12 @@ private:
     QMenu* m_helpMenu = nullptr;
     QActionGroup* m_tools = nullptr;
     QAction* m_fullScreen = nullptr;
+    QAction* m_presentation = nullptr;
+    struct {
+        QByteArray geometry;
+        QByteArray layout; // of panels and bars
+        bool fullScreen = false;
+    } m_before;                       // the presentation
     QToolBar* m_branchBar = nullptr;  // under the canvas while maps or branches are dragged
     QList<QAction*> m_toolBarActions; // a null pointer is a separator
     QList<QMessageBox*> m_failures;   // the first one is seen

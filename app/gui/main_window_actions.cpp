@@ -38,6 +38,7 @@ QAction* MainWindow::action(QMenu* menu, const QString& icon, const QString& tex
     const QString keys = shortcut.toString(QKeySequence::NativeText);
     action->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)", "what it does, shortcut").arg(tip, keys));
     menu->addAction(action);
+    addAction(action); // in force while the menus are put away, too
     return action;
 }
 
@@ -47,6 +48,16 @@ QAction* MainWindow::command(QMenu* menu, const QString& icon, const QString& te
     QAction* made = action(menu, icon, text, shortcut, tip);
     connect(made, &QAction::triggered, this, [operation] { operation(); });
     return made;
+}
+
+void MainWindow::possibleUnless(QAction* action, QString (*obstacle)(const document::Fractal&)) {
+    const auto follow = [this, action, obstacle, tip = action->toolTip()] {
+        const QString why = obstacle(m_document.fractal());
+        action->setEnabled(why.isEmpty());
+        action->setToolTip(why.isEmpty() ? tip : why);
+    };
+    connect(&m_document, &document::Document::changed, action, follow);
+    follow();
 }
 
 QAction* MainWindow::toggle(QMenu* menu, const QString& icon, const QString& text,
@@ -108,14 +119,17 @@ void MainWindow::createFileActions() {
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->show();
             });
-    command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
-            tr("Copy the picture to the clipboard"), [this] {
-                view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture());
-                say(tr("The picture is on the clipboard."));
-            });
-    command(m_fileMenu, QStringLiteral("print"), tr("&Print…"), QKeySequence::Print,
-            tr("Print the picture, its name and its coefficients"),
-            [this] { view::printFractal(&m_document, m_canvas->camera(), this); });
+    QAction* copyAction =
+        command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
+                tr("Copy the picture to the clipboard"), [this] {
+                    view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture());
+                    say(tr("The picture is on the clipboard."));
+                });
+    QAction* printAction = command(m_fileMenu, QStringLiteral("print"), tr("&Print…"), QKeySequence::Print,
+                                   tr("Print the picture, its name and its coefficients"),
+                                   [this] { view::printFractal(&m_document, m_canvas->camera(), this); });
+    for (QAction* ofPictures : {exportAction, copyAction, printAction})
+        possibleUnless(ofPictures, &view::planeObstacle);
     m_fileMenu->addSeparator();
     command(m_fileMenu, QStringLiteral("close"), tr("C&lose"), QKeySequence::Close, tr("Close this window"),
             [this] { close(); });
@@ -137,24 +151,24 @@ void MainWindow::createEditActions() {
     redo->setIcon(view::icon(QStringLiteral("redo")));
     redo->setStatusTip(tr("Make the edit again that was taken back"));
     m_editMenu->addActions({undo, redo});
+    addActions({undo, redo});
     m_editMenu->addSeparator();
     command(m_editMenu, QStringLiteral("paste"), tr("P&aste"), QKeySequence::Paste,
             tr("Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of "
                "numbers"),
             [this] { findChild<view::EntriesPanel*>()->paste(); });
-    command(m_editMenu, QStringLiteral("transform"), tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
-            tr("Rotate, scale, shear, reflect or move the whole fractal by numbers"), [this] {
-                auto* dialog = new view::TransformDialog(&m_document, this);
-                dialog->setAttribute(Qt::WA_DeleteOnClose);
-                dialog->open(); // another edit would end what it shows
-            });
-    command(m_editMenu, {}, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
-            tr("Pick one of many variations of this fractal"), [this] {
-                if (document::system2(m_document.fractal()))
-                    pickFrom(view::MutateDialog::Source::Current);
-                else
-                    say(tr("Only systems in the plane can be varied."));
-            });
+    QAction* transform =
+        command(m_editMenu, QStringLiteral("transform"), tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
+                tr("Rotate, scale, shear, reflect or move the whole fractal by numbers"), [this] {
+                    auto* dialog = new view::TransformDialog(&m_document, this);
+                    dialog->setAttribute(Qt::WA_DeleteOnClose);
+                    dialog->open(); // another edit would end what it shows
+                });
+    QAction* mutate = command(m_editMenu, {}, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
+                              tr("Pick one of many variations of this fractal"),
+                              [this] { pickFrom(view::MutateDialog::Source::Current); });
+    possibleUnless(transform, &view::planeObstacle);
+    possibleUnless(mutate, &view::planeObstacle);
     command(m_editMenu, {}, tr("Add &Random Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
             tr("Pick one of many fractals made by chance, and add it to the file"), [this] { addRandom(); });
     m_editMenu->addSeparator();
@@ -221,16 +235,6 @@ void MainWindow::createCageActions() {
             if (const auto sentence = operation(m_document)) say(*sentence);
         });
     };
-    // Where it would do nothing, the tool tip says why.
-    const auto possibleUnless = [this](QAction* action, QString (*obstacle)(const document::Fractal&)) {
-        const auto follow = [this, action, obstacle, tip = action->toolTip()] {
-            const QString why = obstacle(m_document.fractal());
-            action->setEnabled(why.isEmpty());
-            action->setToolTip(why.isEmpty() ? tip : why);
-        };
-        connect(&m_document, &document::Document::changed, action, follow);
-        follow();
-    };
     QAction* fitSimplex = operate(QStringLiteral("fit-simplex"), tr("Fit &Minimal Canonical Simplex"), {},
                                   tr("Hold the attractor in the smallest isosceles right triangle around it"),
                                   &view::fitMinimalCanonicalSimplex);
@@ -248,14 +252,18 @@ void MainWindow::createCageActions() {
     possibleUnless(reset, &view::resetObstacle);
     possibleUnless(bake, &view::bakeObstacle);
     possibleUnless(unbake, &view::unbakeObstacle);
-    operate({}, tr("Make Re&gular"), {}, tr("Put the vertices on the regular polygon nearest to them"),
-            &view::makeCageRegular);
-    command(m_cageMenu, {}, tr("Affine &Invariant Form…"), {},
-            tr("Show every map as a row-stochastic matrix over the control triangle"), [this] {
-                auto* dialog = new view::AifsDialog(m_document.fractal(), this);
-                dialog->setAttribute(Qt::WA_DeleteOnClose);
-                dialog->show();
-            });
+    QAction* regular =
+        operate({}, tr("Make Re&gular"), {}, tr("Put the vertices on the regular polygon nearest to them"),
+                &view::makeCageRegular);
+    QAction* aifs =
+        command(m_cageMenu, {}, tr("Affine &Invariant Form…"), {},
+                tr("Show every map as a row-stochastic matrix over the control triangle"), [this] {
+                    auto* dialog = new view::AifsDialog(m_document.fractal(), this);
+                    dialog->setAttribute(Qt::WA_DeleteOnClose);
+                    dialog->show();
+                });
+    for (QAction* ofCages : {fitSimplex, regular, aifs})
+        possibleUnless(ofCages, &view::planeObstacle);
     m_cageMenu->addSeparator();
     auto* modes = new QActionGroup(this);
     const auto mode = [this, modes](const QString& icon, const QString& text, const QString& tip,
@@ -329,6 +337,11 @@ void MainWindow::createViewActions() {
     m_fullScreen->setCheckable(true);
     connect(m_fullScreen, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
+    m_presentation =
+        action(m_viewMenu, {}, tr("P&resentation"), QKeySequence(tr("Shift+F11")),
+               tr("Leave the whole screen to the canvas, as for a projector; Esc brings the rest back"));
+    m_presentation->setCheckable(true);
+    connect(m_presentation, &QAction::toggled, this, &MainWindow::present);
     m_toolBarActions << fit << in << out << nullptr << createArisingBar();
     createBranchBar();
 }

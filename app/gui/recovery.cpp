@@ -6,7 +6,6 @@
 #include "io/fractint_writer.h"
 
 #include <QDir>
-#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -102,8 +101,7 @@ QList<document::Abandoned> Recovery::ask() {
     for (const document::Abandoned& abandoned : found)
         lines << tr("%1, %2", "file, time")
                      .arg(abandoned.snapshot.title,
-                          QLocale::system().toString(abandoned.snapshot.when.toLocalTime(),
-                                                     QLocale::ShortFormat));
+                          abandoned.snapshot.when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
     QMessageBox box(QMessageBox::Question, tr("Unsaved work was found"),
                     tr("Barycage ended last time before this work was saved:"));
     box.setInformativeText(lines.join(u'\n'));

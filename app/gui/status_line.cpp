@@ -7,18 +7,26 @@
 #include <QFontDatabase>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
+#include <QStyle>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace {
 
-QLabel* label(const QString& name, const QString& meaning) {
-    auto* made = new QLabel;
-    made->setAccessibleName(name);
-    made->setToolTip(meaning);
-    made->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return made;
+constexpr std::chrono::seconds toRead{3};
+
+QLabel* explained(QLabel* label, const QString& name, const QString& meaning) {
+    label->setAccessibleName(name);
+    label->setToolTip(meaning);
+    return label;
+}
+
+QLabel* selectable(QLabel* label) {
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
 }
 
 // Fixed decimals, so that digits stay in place while the pointer moves.
@@ -35,6 +43,18 @@ QString count(std::uint64_t samples) {
     return StatusLine::tr("%1 points").arg(QLocale::c().toString(qulonglong(samples)));
 }
 
+// One line that ends in dots where there is no room for all of it.
+class ReadOut : public QLabel {
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        const QRect room = contentsRect();
+        style()->drawItemText(&painter, room, int(alignment()), palette(), isEnabled(),
+                              fontMetrics().elidedText(text(), Qt::ElideRight, room.width()),
+                              foregroundRole());
+    }
+};
+
 QString verdictText(const ifs::Existence& existence) {
     const QString factor = QString::number(existence.contractivity, 'f', 4);
     switch (existence.verdict) {
@@ -48,6 +68,8 @@ QString verdictText(const ifs::Existence& existence) {
         QStringList word;
         for (int symbol : existence.witness)
             word << QString::number(symbol + 1);
+        if (word.size() == 1)
+            return StatusLine::tr("no attractor: map %1 does not contract").arg(word.first());
         return StatusLine::tr("no attractor: the word %1 does not contract").arg(word.join(u' '));
     }
     case ifs::Verdict::Undecided:
@@ -62,13 +84,14 @@ QString verdictText(const ifs::Existence& existence) {
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent),
-      m_pointer(label(
-          tr("Pointer position"),
+      m_pointer(explained(
+          new ReadOut, tr("Pointer position"),
           tr("World and barycentric coordinates of the pointer; the address of the point of the attractor "
              "under it, outermost map first, and the fixed point of its branch"))),
-      m_verdict(label(tr("Verdict"),
-                      tr("Whether the system has an attractor, and the factor by which it contracts"))),
-      m_frame(label(tr("Picture"), tr("Points drawn so far and the time of the last pass"))) {
+      m_verdict(explained(selectable(new QLabel), tr("Verdict"),
+                          tr("Whether the system has an attractor, and the factor by which it contracts"))),
+      m_frame(explained(selectable(new QLabel), tr("Picture"),
+                        tr("Points drawn so far and the time of the last pass"))) {
     QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     digits.setPointSizeF(font().pointSizeF() * 0.95);
     m_pointer->setFont(digits);
@@ -80,9 +103,11 @@ StatusLine::StatusLine(QWidget* parent)
     addWidget(m_pointer, 1);
     addPermanentWidget(m_verdict);
     addPermanentWidget(m_frame);
+    connect(this, &QStatusBar::messageChanged, this, [this] { m_toRead.setRemainingTime(toRead); });
 }
 
 void StatusLine::showPointer(const view::PointerPosition& position) {
+    if (m_toRead.hasExpired()) clearMessage(); // what was said gives way once it could be read
     QString text = QStringLiteral("x %1  y %2").arg(fixed(position.world.x()), fixed(position.world.y()));
     if (position.barycentric) {
         QStringList coordinates;

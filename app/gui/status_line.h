@@ -5,6 +5,7 @@
 #include "canvas/canvas_view.h"
 #include "document/fractal.h"
 
+#include <QDeadlineTimer>
 #include <QStatusBar>
 
 class QLabel;
@@ -25,4 +26,5 @@ private:
     QLabel* m_pointer;
     QLabel* m_verdict;
     QLabel* m_frame;
+    QDeadlineTimer m_toRead; // what was said last
 };

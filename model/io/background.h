@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QCoreApplication>
 #include <QPromise>
 #include <QThreadPool>
 
@@ -27,9 +28,10 @@ template <class Result, class Work> QFuture<Result> inBackground(Work work) {
     return future;
 }
 
-// What is large takes a while to be freed: beside the window, if this is the last of it.
+// What is large takes a while to be freed: beside the window, if this is the last of it and the program goes
+// on.
 template <class Value> void letGo(Value value) {
-    QThreadPool::globalInstance()->start([held = std::move(value)] {});
+    if (QCoreApplication::instance()) QThreadPool::globalInstance()->start([held = std::move(value)] {});
 }
 
 } // namespace io

@@ -746,10 +746,6 @@
         <translation>Eine von vielen Abwandlungen dieses Fraktals wählen</translation>
     </message>
     <message>
-        <source>Only systems in the plane can be varied.</source>
-        <translation>Nur Systeme der Ebene können abgewandelt werden.</translation>
-    </message>
-    <message>
         <source>Add &amp;Random Fractal…</source>
         <translation>Zu&amp;fälliges Fraktal hinzufügen…</translation>
     </message>
@@ -1173,6 +1169,22 @@
         <source>%1 was not recovered. It is offered again at the next start.</source>
         <translation>%1 wurde nicht wiederhergestellt. Beim nächsten Start wird es erneut angeboten.</translation>
     </message>
+    <message>
+        <source>Esc brings menus and panels back.</source>
+        <translation>Esc bringt Menüs und Felder zurück.</translation>
+    </message>
+    <message>
+        <source>P&amp;resentation</source>
+        <translation>Vo&amp;rführung</translation>
+    </message>
+    <message>
+        <source>Shift+F11</source>
+        <translation>Shift+F11</translation>
+    </message>
+    <message>
+        <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
+        <translation>Der Zeichenfläche den ganzen Bildschirm überlassen, etwa für einen Projektor; Esc bringt das Übrige zurück</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1442,6 +1454,10 @@
     <message>
         <source>1 point</source>
         <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>no attractor: map %1 does not contract</source>
+        <translation>kein Attraktor: Abbildung %1 kontrahiert nicht</translation>
     </message>
 </context>
 <context>
@@ -2764,6 +2780,10 @@
         <source>How many points the chaos game plots in a second.</source>
         <translation>Wie viele Punkte das Chaos-Spiel in einer Sekunde zeichnet.</translation>
     </message>
+    <message>
+        <source>no points yet: press ▶</source>
+        <translation>noch keine Punkte: ▶ drücken</translation>
+    </message>
 </context>
 <context>
     <name>view::BoxCountingPlot</name>
@@ -3012,6 +3032,14 @@
         <source>Delete %1 vertices</source>
         <translation>%1 Ecken löschen</translation>
     </message>
+    <message>
+        <source>The cage is the minimal canonical simplex already.</source>
+        <translation>Der Käfig ist schon das minimale kanonische Simplex.</translation>
+    </message>
+    <message>
+        <source>The cage is regular already.</source>
+        <translation>Der Käfig ist schon regelmäßig.</translation>
+    </message>
 </context>
 <context>
     <name>view::CagePanel</name>
@@ -3251,10 +3279,6 @@
         <translation>Platziert: Flächen ändern sich um den Faktor %1.</translation>
     </message>
     <message>
-        <source>Only a triangle has barycentric coordinates.</source>
-        <translation>Nur ein Dreieck hat baryzentrische Koordinaten.</translation>
-    </message>
-    <message>
         <source>The triangle is flat: it holds no coordinates.</source>
         <translation>Das Dreieck ist flach: Es trägt keine Koordinaten.</translation>
     </message>
@@ -3273,6 +3297,14 @@
     <message>
         <source>Make the displayed picture the code; the cage then rests</source>
         <translation>Das gezeigte Bild zum Code machen; der Käfig ruht danach</translation>
+    </message>
+    <message>
+        <source>The cage is there already.</source>
+        <translation>Der Käfig ist schon dort.</translation>
+    </message>
+    <message>
+        <source>The coordinates are read over a triangle.</source>
+        <translation>Die Koordinaten werden über einem Dreieck abgelesen.</translation>
     </message>
 </context>
 <context>

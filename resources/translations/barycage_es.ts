@@ -746,10 +746,6 @@
         <translation>Elegir una entre muchas variaciones de este fractal</translation>
     </message>
     <message>
-        <source>Only systems in the plane can be varied.</source>
-        <translation>Solo se pueden variar los sistemas del plano.</translation>
-    </message>
-    <message>
         <source>Add &amp;Random Fractal…</source>
         <translation>Añadir un fractal al &amp;azar…</translation>
     </message>
@@ -1173,6 +1169,22 @@
         <source>%1 was not recovered. It is offered again at the next start.</source>
         <translation>%1 no se ha recuperado. Se ofrecerá de nuevo en el próximo inicio.</translation>
     </message>
+    <message>
+        <source>Esc brings menus and panels back.</source>
+        <translation>Esc devuelve los menús y los paneles.</translation>
+    </message>
+    <message>
+        <source>P&amp;resentation</source>
+        <translation>Presentac&amp;ión</translation>
+    </message>
+    <message>
+        <source>Shift+F11</source>
+        <translation>Shift+F11</translation>
+    </message>
+    <message>
+        <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
+        <translation>Dejar toda la pantalla al lienzo, por ejemplo para un proyector; Esc devuelve lo demás</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1442,6 +1454,10 @@
     <message>
         <source>1 point</source>
         <translation>1 punto</translation>
+    </message>
+    <message>
+        <source>no attractor: map %1 does not contract</source>
+        <translation>sin atractor: la aplicación %1 no es contractiva</translation>
     </message>
 </context>
 <context>
@@ -2764,6 +2780,10 @@
         <source>How many points the chaos game plots in a second.</source>
         <translation>Cuántos puntos dibuja el juego del caos en un segundo.</translation>
     </message>
+    <message>
+        <source>no points yet: press ▶</source>
+        <translation>aún no hay puntos: pulse ▶</translation>
+    </message>
 </context>
 <context>
     <name>view::BoxCountingPlot</name>
@@ -3012,6 +3032,14 @@
         <source>Delete %1 vertices</source>
         <translation>Eliminar %1 vértices</translation>
     </message>
+    <message>
+        <source>The cage is the minimal canonical simplex already.</source>
+        <translation>La jaula ya es el símplex canónico mínimo.</translation>
+    </message>
+    <message>
+        <source>The cage is regular already.</source>
+        <translation>La jaula ya es regular.</translation>
+    </message>
 </context>
 <context>
     <name>view::CagePanel</name>
@@ -3251,10 +3279,6 @@
         <translation>Colocada: las áreas se multiplican por %1.</translation>
     </message>
     <message>
-        <source>Only a triangle has barycentric coordinates.</source>
-        <translation>Solo un triángulo tiene coordenadas baricéntricas.</translation>
-    </message>
-    <message>
         <source>The triangle is flat: it holds no coordinates.</source>
         <translation>El triángulo está aplastado: no determina coordenadas.</translation>
     </message>
@@ -3273,6 +3297,14 @@
     <message>
         <source>Make the displayed picture the code; the cage then rests</source>
         <translation>Convertir la imagen mostrada en el código; la jaula queda entonces en reposo</translation>
+    </message>
+    <message>
+        <source>The cage is there already.</source>
+        <translation>La jaula ya está ahí.</translation>
+    </message>
+    <message>
+        <source>The coordinates are read over a triangle.</source>
+        <translation>Las coordenadas se leen sobre un triángulo.</translation>
     </message>
 </context>
 <context>

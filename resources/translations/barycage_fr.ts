@@ -746,10 +746,6 @@
         <translation>Choisir parmi de nombreuses variations de cette fractale</translation>
     </message>
     <message>
-        <source>Only systems in the plane can be varied.</source>
-        <translation>Seuls les systèmes du plan peuvent varier.</translation>
-    </message>
-    <message>
         <source>Add &amp;Random Fractal…</source>
         <translation>Ajouter une &amp;fractale aléatoire…</translation>
     </message>
@@ -1173,6 +1169,22 @@
         <source>%1 was not recovered. It is offered again at the next start.</source>
         <translation>%1 n’a pas été récupéré. Il sera proposé à nouveau au prochain démarrage.</translation>
     </message>
+    <message>
+        <source>Esc brings menus and panels back.</source>
+        <translation>Échap ramène les menus et les panneaux.</translation>
+    </message>
+    <message>
+        <source>P&amp;resentation</source>
+        <translation>Pr&amp;ésentation</translation>
+    </message>
+    <message>
+        <source>Shift+F11</source>
+        <translation>Shift+F11</translation>
+    </message>
+    <message>
+        <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
+        <translation>Laisser tout l’écran à la zone de dessin, par exemple pour un projecteur ; Échap ramène le reste</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1442,6 +1454,10 @@
     <message>
         <source>1 point</source>
         <translation>1 point</translation>
+    </message>
+    <message>
+        <source>no attractor: map %1 does not contract</source>
+        <translation>pas d’attracteur : l’application %1 n’est pas contractante</translation>
     </message>
 </context>
 <context>
@@ -2409,7 +2425,7 @@
     </message>
     <message>
         <source>On the canvas</source>
-        <translation>Sur le canevas</translation>
+        <translation>Sur la zone de dessin</translation>
     </message>
     <message>
         <source>Box</source>
@@ -2473,7 +2489,7 @@
     </message>
     <message>
         <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
-        <translation>La cage courbe l’image, et aucun système ne l’a. Ce sont des faits du code ; sur le canevas ils sont courbés avec l’image.</translation>
+        <translation>La cage courbe l’image, et aucun système ne l’a. Ce sont des faits du code&#x202f;; sur la zone de dessin ils sont courbés avec l’image.</translation>
     </message>
 </context>
 <context>
@@ -2764,6 +2780,10 @@
         <source>How many points the chaos game plots in a second.</source>
         <translation>Combien de points le jeu du chaos trace en une seconde.</translation>
     </message>
+    <message>
+        <source>no points yet: press ▶</source>
+        <translation>pas encore de points : appuyez sur ▶</translation>
+    </message>
 </context>
 <context>
     <name>view::BoxCountingPlot</name>
@@ -2812,7 +2832,7 @@
     </message>
     <message>
         <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
-        <translation>Combien d’applications de l’adresse nomment la branche (Maj + molette sur le canevas)</translation>
+        <translation>Combien d’applications de l’adresse nomment la branche (Maj + molette sur la zone de dessin)</translation>
     </message>
     <message>
         <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
@@ -3011,6 +3031,14 @@
     <message>
         <source>Delete %1 vertices</source>
         <translation>Supprimer %1 sommets</translation>
+    </message>
+    <message>
+        <source>The cage is the minimal canonical simplex already.</source>
+        <translation>La cage est déjà le simplexe canonique minimal.</translation>
+    </message>
+    <message>
+        <source>The cage is regular already.</source>
+        <translation>La cage est déjà régulière.</translation>
     </message>
 </context>
 <context>
@@ -3251,10 +3279,6 @@
         <translation>Placée&#x202f;: les aires sont multipliées par %1.</translation>
     </message>
     <message>
-        <source>Only a triangle has barycentric coordinates.</source>
-        <translation>Seul un triangle a des coordonnées barycentriques.</translation>
-    </message>
-    <message>
         <source>The triangle is flat: it holds no coordinates.</source>
         <translation>Le triangle est plat&#x202f;: il ne porte pas de coordonnées.</translation>
     </message>
@@ -3273,6 +3297,14 @@
     <message>
         <source>Make the displayed picture the code; the cage then rests</source>
         <translation>Faire de l’image affichée le code&#x202f;; la cage est ensuite au repos</translation>
+    </message>
+    <message>
+        <source>The cage is there already.</source>
+        <translation>La cage y est déjà.</translation>
+    </message>
+    <message>
+        <source>The coordinates are read over a triangle.</source>
+        <translation>Les coordonnées se lisent sur un triangle.</translation>
     </message>
 </context>
 <context>
@@ -5936,7 +5968,7 @@ L’entrée est conservée telle quelle.</translation>
     </message>
     <message>
         <source>drag from the empty canvas; Shift adds</source>
-        <translation>faire glisser depuis le canevas vide&#x202f;; Maj ajoute</translation>
+        <translation>faire glisser depuis la zone de dessin vide&#x202f;; Maj ajoute</translation>
     </message>
     <message>
         <source>Select one more map or vertex, or one less</source>

@@ -751,10 +751,6 @@
         <translation>Избери една од многуте варијанти на овој фрактал</translation>
     </message>
     <message>
-        <source>Only systems in the plane can be varied.</source>
-        <translation>Варијанти имаат само системите во рамнината.</translation>
-    </message>
-    <message>
         <source>Add &amp;Random Fractal…</source>
         <translation>Додај &amp;случаен фрактал…</translation>
     </message>
@@ -1178,6 +1174,22 @@
         <source>%1 was not recovered. It is offered again at the next start.</source>
         <translation>%1 не е вратено. Повторно ќе биде понудено при следното стартување.</translation>
     </message>
+    <message>
+        <source>Esc brings menus and panels back.</source>
+        <translation>Esc ги враќа менијата и панелите.</translation>
+    </message>
+    <message>
+        <source>P&amp;resentation</source>
+        <translation>Пре&amp;зентација</translation>
+    </message>
+    <message>
+        <source>Shift+F11</source>
+        <translation>Shift+F11</translation>
+    </message>
+    <message>
+        <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
+        <translation>Целиот екран се остава на платното, на пример за проектор; Esc го враќа останатото</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1447,6 +1459,10 @@
     <message>
         <source>1 point</source>
         <translation>1 точка</translation>
+    </message>
+    <message>
+        <source>no attractor: map %1 does not contract</source>
+        <translation>нема атрактор: пресликувањето %1 не е контракција</translation>
     </message>
 </context>
 <context>
@@ -2770,6 +2786,10 @@
         <source>How many points the chaos game plots in a second.</source>
         <translation>Колку точки црта играта на хаос во една секунда.</translation>
     </message>
+    <message>
+        <source>no points yet: press ▶</source>
+        <translation>сè уште нема точки: притиснете ▶</translation>
+    </message>
 </context>
 <context>
     <name>view::BoxCountingPlot</name>
@@ -3018,6 +3038,14 @@
         <source>Delete %1 vertices</source>
         <translation>Бришење на %1 темиња</translation>
     </message>
+    <message>
+        <source>The cage is the minimal canonical simplex already.</source>
+        <translation>Кафезот веќе е минималниот каноничен симплекс.</translation>
+    </message>
+    <message>
+        <source>The cage is regular already.</source>
+        <translation>Кафезот веќе е правилен.</translation>
+    </message>
 </context>
 <context>
     <name>view::CagePanel</name>
@@ -3258,10 +3286,6 @@
         <translation>Поставена: плоштините се менуваат со коефициент %1.</translation>
     </message>
     <message>
-        <source>Only a triangle has barycentric coordinates.</source>
-        <translation>Само триаголникот има барицентрични координати.</translation>
-    </message>
-    <message>
         <source>The triangle is flat: it holds no coordinates.</source>
         <translation>Триаголникот е сплескан: не определува координати.</translation>
     </message>
@@ -3280,6 +3304,14 @@
     <message>
         <source>Make the displayed picture the code; the cage then rests</source>
         <translation>Впиши ја прикажаната слика во кодот; потоа кафезот е во мирување</translation>
+    </message>
+    <message>
+        <source>The cage is there already.</source>
+        <translation>Кафезот веќе е таму.</translation>
+    </message>
+    <message>
+        <source>The coordinates are read over a triangle.</source>
+        <translation>Координатите се читаат над триаголник.</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,7 @@ private slots:
     void unknownCommandIsNamed();
     void messagesHoldNoControlCharacters();
     void missingFiles();
+    void namesThatAreNoTextAreRefused();
     void brokenEntries();
     void standardInput();
     void standardInputHasALimit();
@@ -157,6 +158,19 @@ void CliTest::missingFiles() {
     QCOMPARE(entry.status, 1);
     QVERIFY(entry.err.contains("oak"));
     QVERIFY(QJsonDocument::fromJson(entry.out).isObject());
+}
+
+// A program of our own cannot name such a file, but the shell can.
+void CliTest::namesThatAreNoTextAreRefused() {
+    QProcess shell;
+    shell.start(QStringLiteral("/bin/sh"),
+                {QStringLiteral("-c"),
+                 QStringLiteral("exec \"$0\" render \"$1\" -o \"$2/$(printf 'm\\344ple.png')\""),
+                 QStringLiteral(BARYCAGE_CLI), path("systems.ifs"), path({})});
+    QVERIFY(shell.waitForFinished());
+    QCOMPARE(shell.exitCode(), 2);
+    QVERIFY(shell.readAllStandardError().contains("is not UTF-8"));
+    QCOMPARE(QDir(path({})).entryList({QStringLiteral("*.png")}).size(), 0);
 }
 
 void CliTest::brokenEntries() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "canvas/canvas_view.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/paste_table_dialog.h"
 #include "dialogs/preferences_dialog.h"
@@ -27,12 +28,15 @@
 #include <QScreen>
 #include <QSet>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
 #include <QTranslator>
 #include <QUndoStack>
+
+#include <algorithm>
 
 // The window as a whole: what it opens and how it divides its room.
 class MainWindowTest : public QObject {
@@ -51,6 +55,8 @@ private slots:
     void aWindowMayGoWhileANameIsTyped();
     void panelsAreWhereTheyWereLeft();
     void theWholeScreenAndBack();
+    void aPresentationPutsAwayWhatIsNotCanvas();
+    void aPresentationIsNotRemembered();
     void windowsHaveTheirOwnDocuments();
     void whatOthersCopiedIsPasted();
     void theHintGoesWithAnotherTool();
@@ -287,6 +293,55 @@ void MainWindowTest::theWholeScreenAndBack() {
     QSettings().clear();
 }
 
+void MainWindowTest::aPresentationPutsAwayWhatIsNotCanvas() {
+    QSettings().clear();
+    MainWindow* window = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->openFirstPicture();
+    window->resize(1000, 700);
+    auto* canvas = window->findChild<view::CanvasView*>();
+    auto* analysis = window->findChild<QDockWidget*>(QStringLiteral("analysis"));
+    analysis->raise();
+    QTRY_VERIFY(!analysis->visibleRegion().isEmpty());
+    const QSize before = canvas->size();
+    document::Fractal edited = window->document().fractal();
+    edited.name = QStringLiteral("mine");
+    window->document().edit(QStringLiteral("rename"), edited);
+
+    QTest::keyClick(window, Qt::Key_F11, Qt::ShiftModifier);
+    QTRY_VERIFY(window->isFullScreen());
+    QTRY_COMPARE(canvas->size(), window->screen()->size());  // nothing else has room
+    QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier); // commands are in force all the same
+    QCOMPARE(window->document().fractal().name, QStringLiteral("maple"));
+    QTest::keyClick(canvas, Qt::Key_W);
+    auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
+    QTRY_VERIFY(arising->isVisible()); // what is shown by it belongs to the picture
+    QTest::keyClick(canvas, Qt::Key_Escape);
+    QTRY_VERIFY(!window->isFullScreen());
+    QTRY_COMPARE(window->size(), QSize(1000, 700));
+    QVERIFY(window->menuBar()->isVisible() && window->statusBar()->isVisible() && arising->isVisible());
+    QTRY_VERIFY(!analysis->visibleRegion().isEmpty());
+    QTest::keyClick(canvas, Qt::Key_W);
+    QTRY_COMPARE(canvas->size(), before);
+    window->document().undoStack()->setClean();
+}
+
+void MainWindowTest::aPresentationIsNotRemembered() {
+    QSettings().clear();
+    MainWindow* window = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->resize(1000, 700);
+    QTest::keyClick(window, Qt::Key_F11, Qt::ShiftModifier);
+    QTRY_VERIFY(window->isFullScreen());
+    window->close();
+    QTRY_VERIFY(windows().isEmpty());
+    MainWindow* next = shown({});
+    QTRY_COMPARE(next->size(), QSize(1000, 700));
+    QVERIFY(!next->isFullScreen() && next->menuBar()->isVisible());
+    QVERIFY(!next->findChild<QDockWidget*>(QStringLiteral("maps"))->isHidden());
+    QSettings().clear();
+}
+
 void MainWindowTest::windowsHaveTheirOwnDocuments() {
     MainWindow* first = shown(support::testData(QStringLiteral("shapes.ifs")));
     QVERIFY(QTest::qWaitForWindowActive(first));
@@ -487,6 +542,11 @@ void MainWindowTest::cageCommandsAreOfferedWhereTheyDoSomething() {
         return offered("Cage › Reset") == reset && offered("Cage › Bake") == bake &&
                offered("Cage › Unbake") == unbake;
     };
+    const QList<const char*> ofThePlane{"File › Export Picture", "File › Copy Picture",
+                                        "File › Print",          "Edit › Transform",
+                                        "Edit › Mutate",         "Cage › Fit Minimal Canonical Simplex",
+                                        "Cage › Make Regular",   "Cage › Affine Invariant Form"};
+    QVERIFY(std::all_of(ofThePlane.begin(), ofThePlane.end(), offered));
     QVERIFY(offers(false, false, true)); // at rest
     document::Fractal fractal = document.fractal();
     fractal.cage = document::effectiveCage(fractal);
@@ -504,6 +564,7 @@ void MainWindowTest::cageCommandsAreOfferedWhereTheyDoSomething() {
     space.system = document::System3{};
     document.edit(QStringLiteral("space"), space);
     QVERIFY(offers(false, false, false));
+    QVERIFY(std::none_of(ofThePlane.begin(), ofThePlane.end(), offered));
     QVERIFY(!offered("File › Revert")); // it has no file
     document.undoStack()->setClean();
 }

@@ -4,11 +4,13 @@
 #include "panels/arising_bar.h"
 #include "render_bridge.h"
 
+#include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
 
+#include <algorithm>
 #include <memory>
 
 using view::Arising;
@@ -73,8 +75,15 @@ private slots:
         m_arising->setRunning(true);
         QVERIFY(!m_arising->isRunning()); // only a chaos game runs
         m_arising->setMode(Mode::ChaosGame);
+        const auto saysHow = [&bar] {
+            const auto labels = bar.findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [](const QLabel* label) { return label->text().contains(u'▶'); });
+        };
+        QVERIFY(saysHow()); // nothing is seen yet
         m_arising->setSpeed(1000);
         bar.run()->click();
+        QVERIFY(!saysHow());
         QVERIFY(m_arising->isRunning());
         QTRY_VERIFY(m_arising->points() > 50);
         bar.run()->click();

@@ -221,6 +221,11 @@ private slots:
         const auto now = *document::effectiveSystem(m_document->fractal());
         for (std::size_t i = 0; i < shown.maps.size(); ++i)
             QVERIFY(distance(shown.maps[i].map, now.maps[i].map) < 1e-9);
+        const int steps = m_document->undoStack()->count();
+        QSignalSpy said(m_panel.get(), &CagePanel::message);
+        m_panel->fit(view::SimplexChoice::Minimal); // where it is already
+        QCOMPARE(m_document->undoStack()->count(), steps);
+        QCOMPARE(said.size(), 1);
 
         m_panel->reset();
         m_panel->fit(view::SimplexChoice::MinusMinus);

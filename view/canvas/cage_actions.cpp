@@ -42,6 +42,8 @@ Failure fitMinimalCanonicalSimplex(document::Document& document) {
     if (const QString obstacle = fitObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     auto fitted = withCageFitted(fractal, SimplexChoice::Minimal);
     if (!fitted) return tooFlat();
+    if (isCageAlike(fractal, *fitted))
+        return Actions::tr("The cage is the minimal canonical simplex already.");
     document.edit(Actions::tr("Fit the minimal canonical simplex"), *std::move(fitted));
     return std::nullopt;
 }
@@ -129,8 +131,9 @@ Failure makeCageRegular(document::Document& document) {
     const auto regular = ifs::regularPolygonNear(cage.current);
     if (!regular) return tooFlat();
     cage.current = *regular;
-    document.edit(Actions::tr("Make the cage regular"),
-                  withCageMoved(fractal, std::move(cage), document.cageMode()));
+    document::Fractal after = withCageMoved(fractal, std::move(cage), document.cageMode());
+    if (isCageAlike(fractal, after)) return Actions::tr("The cage is regular already.");
+    document.edit(Actions::tr("Make the cage regular"), std::move(after));
     return std::nullopt;
 }
 

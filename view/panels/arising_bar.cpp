@@ -153,6 +153,7 @@ void ArisingBar::follow() {
     if (m_arising->points() == 1) count = tr("1 point");
     if (const auto map = m_arising->lastMap(); map && !running)
         count += tr(", the last by map %1").arg(*map + 1);
+    if (m_arising->points() == 0 && !running) count = tr("no points yet: press ▶");
     m_count->setText(count);
 }
 

@@ -354,19 +354,24 @@ void CagePanel::editRest(std::size_t vertex, int axis, double value) {
 }
 
 void CagePanel::fit(SimplexChoice choice) {
-    if (auto fitted = withCageFitted(m_document->fractal(), choice))
-        m_document->edit(tr("Fit the cage"), std::move(*fitted));
-    else
-        emit message(fitObstacle(m_document->fractal()));
+    auto fitted = withCageFitted(m_document->fractal(), choice);
+    const QString obstacle = fitted ? QString() : fitObstacle(m_document->fractal());
+    fitTo(std::move(fitted), obstacle);
 }
 
 void CagePanel::fit(PolygonChoice choice, int corners) {
     const QString obstacle = fitObstacle(m_document->fractal());
     auto fitted = obstacle.isEmpty() ? withCageAround(m_document->fractal(), choice, corners) : std::nullopt;
-    if (fitted)
-        m_document->edit(tr("Fit the cage"), std::move(*fitted));
+    fitTo(std::move(fitted), obstacle.isEmpty() ? tr("The picture is too thin for such a cage.") : obstacle);
+}
+
+void CagePanel::fitTo(std::optional<document::Fractal> fitted, const QString& obstacle) {
+    if (!fitted)
+        emit message(obstacle);
+    else if (isCageAlike(m_document->fractal(), *fitted))
+        emit message(tr("The cage is there already."));
     else
-        emit message(obstacle.isEmpty() ? tr("The picture is too thin for such a cage.") : obstacle);
+        m_document->edit(tr("Fit the cage"), *std::move(fitted));
 }
 
 void CagePanel::reset() {
@@ -457,7 +462,7 @@ QString CagePanel::barycentric() const {
 void CagePanel::showPoint() {
     if (m_cage.current.size() != triangle) {
         m_barycentric->setText(m_cage.current.empty() ? QString()
-                                                      : tr("Only a triangle has barycentric coordinates."));
+                                                      : tr("The coordinates are read over a triangle."));
         return;
     }
     const ifs::Simplex<2> simplex{m_cage.current[0], m_cage.current[1], m_cage.current[2]};

@@ -55,6 +55,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void fitTo(std::optional<document::Fractal> fitted, const QString& obstacle); // nullopt: says why
     struct VertexRow {
         QLabel* number;
         std::array<NumberField*, 2> current;
