@@ -10,7 +10,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
-#include <chrono>
+#include <algorithm>
 #include <utility>
 
 using namespace std::chrono_literals;
@@ -18,12 +18,13 @@ using namespace std::chrono_literals;
 Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* parent)
     : QObject(parent), m_document(document), m_file(file), m_journal(folder()) {
     m_timer.setSingleShot(true);
-    m_timer.setInterval(1500ms);
-    connect(&m_timer, &QTimer::timeout, this, [this] { keepNow(); });
-    // Not restarted by further changes: a long drag is kept along the way.
-    connect(document, &document::Document::changed, this, [this] {
-        if (!m_timer.isActive()) m_timer.start();
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        if (m_writing > 0)
+            m_isLate = true; // the disk is slow: the newest state is kept next, and none between
+        else
+            keepNow();
     });
+    connect(document, &document::Document::changed, this, &Recovery::keepSoon);
     connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
         if (clean) discard();
     });
@@ -32,6 +33,11 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
 
 Recovery::~Recovery() {
     m_writer.waitForDone();
+}
+
+// Not put off by further changes: a long drag is kept along the way. What takes long begins early.
+void Recovery::keepSoon() {
+    if (!m_timer.isActive()) m_timer.start(std::clamp(1800ms - 3 * m_lastTook / 2, 100ms, 1000ms));
 }
 
 void Recovery::keepNow(std::function<void(bool)> then) {
@@ -46,18 +52,24 @@ void Recovery::keepNow(std::function<void(bool)> then) {
                                 QDateTime::currentDateTimeUtc(),
                                 {},
                                 m_file->digest()};
+    ++m_writing;
     m_writer.start([this, snapshot, file = m_document->file(), then = std::move(then)]() mutable {
+        const auto began = std::chrono::steady_clock::now();
         snapshot.bytes = io::writeFractint(file);
         const bool kept = m_journal.write(snapshot);
-        QMetaObject::invokeMethod(this, [this, kept, then = std::move(then)] {
+        const auto took = std::chrono::steady_clock::now() - began;
+        QMetaObject::invokeMethod(this, [this, kept, took, then = std::move(then)] {
+            --m_writing;
+            m_lastTook = std::chrono::duration_cast<std::chrono::milliseconds>(took);
             report(kept);
+            if (std::exchange(m_isLate, false)) keepNow();
             if (then) then(kept);
         });
     });
 }
 
 void Recovery::report(bool kept) {
-    if (!kept && m_document->isModified() && !m_timer.isActive()) m_timer.start(); // until it works
+    if (!kept && m_document->isModified()) keepSoon(); // until it works
     if (std::exchange(m_kept, kept) && !kept)
         emit cannotKeep(
             tr("Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the "

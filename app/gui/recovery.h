@@ -8,10 +8,11 @@
 #include <QThreadPool>
 #include <QTimer>
 
+#include <chrono>
 #include <functional>
 
-// Keeps a window's unsaved work in a journal, at most a second and a half behind, until it is saved or given
-// up.
+// Keeps a window's unsaved work in a journal, at most two seconds behind if the disk is fast enough, until it
+// is saved or given up.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -34,6 +35,7 @@ signals:
     void cannotKeep(const QString& sentence); // once, until it is possible again
 
 private:
+    void keepSoon();
     void report(bool kept);
     static void reportDamaged();
 
@@ -43,4 +45,7 @@ private:
     QThreadPool m_writer;        // of one thread, so that all happens in its order
     QTimer m_timer;
     bool m_kept = true; // the last time
+    int m_writing = 0;  // snapshots on their way to the disk
+    bool m_isLate = false;
+    std::chrono::milliseconds m_lastTook{0};
 };

@@ -174,10 +174,10 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
     for (std::size_t i = 0; i < words.size(); ++i)
         keepColour(system.maps[i].id, active.index[std::size_t(words[i].front())]);
     for (std::size_t place = 0; place < before.maps.size(); ++place) {
-        if (std::ranges::find(active.index, place) != active.index.end()) continue;
-        const ifs::WeightedMap<2>& idle = before.maps[place];
-        keepColour(ifs::append(system, idle.map, idle.weight), place);
-        system.maps.back().enabled = idle.enabled;
+        if (std::ranges::binary_search(active.index, place)) continue;
+        system.maps.push_back(before.maps[place]);
+        system.maps.back().id = ifs::MapId{std::uint32_t(system.maps.size())};
+        keepColour(system.maps.back().id, place);
     }
     result.moved.clear();
     for (const auto& [word, change] : ifs::overMaps<2>(movedBranches(fractal), active.index))

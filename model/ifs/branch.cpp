@@ -82,12 +82,17 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
                                               const AffineMap<Dim>& change) {
     const ActiveMaps<Dim> active = activeMaps(system);
     IteratedFunctionSystem<Dim> result;
-    for (const Word& word : cutSet(branch, active.maps.size())) {
+    const std::vector<Word> words = cutSet(branch, active.maps.size());
+    result.maps.reserve(words.size());
+    for (const Word& word : words) {
         const AffineMap<Dim> map = composed<Dim>(active.maps, word);
         double probability = 1;
         for (const int symbol : word)
             probability *= active.probabilities[std::size_t(symbol)];
-        append(result, word == branch ? change * map : map, std::optional(probability));
+        // Not by append(), which looks for a free number among all before.
+        result.maps.push_back({.id = MapId{std::uint32_t(result.maps.size() + 1)},
+                               .map = word == branch ? change * map : map,
+                               .weight = probability});
     }
     return result;
 }

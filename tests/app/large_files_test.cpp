@@ -201,6 +201,15 @@ void LargeFilesTest::mapsAreEdited() {
     doing("zoom", [&] { canvas->zoomBy(3); });
     doing("bake", [&] { m_window->findChild<view::CagePanel*>()->bake(); });
     doing("undo baking", [&] { history->undo(); });
+    doing("branch tool", [&] { canvas->setTool(view::CanvasView::Tool::Branch); });
+    doing("choose a branch", [&] {
+        canvas->findChild<view::CanvasScene*>()->setBranch(
+            {count / 2, 1}); // points under the pointer have many
+    });
+    doing("its own map", [&] { canvas->setBranchEdit(document::BranchEdit::OwnMap); });
+    doing("nudge the branch", press(Qt::Key_Right));
+    doing("undo the nudge", [&] { history->undo(); });
+    doing("cage tool", [&] { canvas->setTool(view::CanvasView::Tool::Cage); });
     doing("select all", [&] { panel->findChild<QTableView*>()->selectAll(); });
     doing("copy", [&] { panel->copyMaps(); });
     doing("paste", [&] { panel->pasteMaps(); });

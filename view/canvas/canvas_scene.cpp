@@ -112,6 +112,7 @@ void CanvasScene::follow(const document::Change& change) {
     const document::Fractal& fractal = m_document->fractal();
     if (change.parts & (Change::Current | Change::File)) {
         m_pivot.reset();
+        m_branch.clear();
         setFocused({});
         setSelectedMaps({});
         setSelectedVertices({});
@@ -445,7 +446,7 @@ std::vector<ifs::Vector<2>> CanvasScene::childCorners(int child) const {
 
 void CanvasScene::takeBranch() {
     m_branchHandles.reset();
-    if (m_cage && !m_branch.empty())
+    if (m_taken == Taken::Branch && m_cage && !m_branch.empty())
         m_branchHandles = document::branchHandles(m_document->fractal(), *m_cage, m_branch, m_branchEdit);
 }
 
@@ -496,6 +497,7 @@ void CanvasScene::setTaken(Taken taken) {
     setSelectedVertices({});
     m_cageItem->setQuiet(taken != Taken::Cage);
     raiseTaken();
+    takeBranch();
     place();
 }
 
