@@ -43,6 +43,16 @@ QByteArray rows(int count) {
     return text;
 }
 
+// A square of so many times so many copies that can all be told apart.
+QByteArray square(int side) {
+    QByteArray text = "square {\n";
+    for (int i = 0; i < side * side; ++i)
+        text += QByteArray::number(0.8 / side) + " 0 0 " + QByteArray::number(0.8 / side) + ' ' +
+                QByteArray::number(double(i % side) / side) + ' ' +
+                QByteArray::number(double(i / side) / side) + " 1\n";
+    return text + "}\n";
+}
+
 QByteArray entries(int count, int maps, const QByteArray& comment = {}) {
     QByteArray text;
     for (int i = 0; i < count; ++i)
@@ -76,6 +86,7 @@ private slots:
     void mapsAreSelected();
     void mapsAreEdited_data();
     void mapsAreEdited();
+    void framesOfManyMapsAreDragged();
     void workIsRecovered();
     void aFolderIsBrowsed();
 
@@ -216,6 +227,20 @@ void LargeFilesTest::mapsAreEdited() {
     doing("undo pasting", [&] { history->undo(); });
     doing("remove", [&] { panel->deleteMaps(); });
     doing("undo removing", [&] { history->undo(); });
+    QCOMPARE(takeLate(), QString());
+}
+
+void LargeFilesTest::framesOfManyMapsAreDragged() {
+    openLarge(square(40));
+    auto* canvas = m_window->findChild<view::CanvasView*>();
+    doing("maps tool", [&] { canvas->setTool(view::CanvasView::Tool::Maps); });
+    const QPoint inside = canvas->canvas().positionOf({view::CanvasPart::Kind::Inside, 0, 800}).toPoint();
+    doing("press", [&] { QTest::mousePress(canvas->viewport(), Qt::LeftButton, {}, inside); });
+    for (int step = 1; step <= 10; ++step)
+        doing("drag", [&] { QTest::mouseMove(canvas->viewport(), inside + QPoint(3 * step, 2 * step)); });
+    QTest::mouseRelease(canvas->viewport(), Qt::LeftButton, {}, inside + QPoint(30, 20));
+    doing("rest", [] {});
+    QCOMPARE(m_window->document().undoStack()->count(), 1);
     QCOMPARE(takeLate(), QString());
 }
 

@@ -21,6 +21,7 @@ constexpr double dot = 3.5;  // of any other
 constexpr double focusRadius = 13;
 constexpr double leastSide = 8;         // of a frame whose corners can be told apart
 constexpr std::ptrdiff_t mostHeld = 50; // selected frames that show their handles however small
+constexpr std::size_t mostWhole = 250;  // frames that can be painted with corners for every move of a drag
 
 double area(const QPolygonF& polygon) {
     double doubled = 0;
@@ -156,6 +157,20 @@ void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
         for (const MapFrame* frame : whole)
             strokeOutline(*painter, frame->outline, m_style, frame->colour, m_style.lineWidth, Qt::DotLine);
         return;
+    }
+    if (whole.size() > mostWhole) {
+        const auto thin = std::ranges::partition(whole, [&](const MapFrame* frame) {
+            return isHovered(*frame) || m_focused.map == frame->place ||
+                   (frame->selected && selectedCount <= mostHeld);
+        });
+        painter->setRenderHint(QPainter::Antialiasing, false);
+        painter->setBrush(Qt::NoBrush);
+        for (const MapFrame* frame : thin) {
+            painter->setPen(frame->selected ? m_style.line : frame->colour);
+            painter->drawPolygon(frame->outline);
+        }
+        painter->setRenderHint(QPainter::Antialiasing);
+        whole.erase(thin.begin(), thin.end());
     }
     for (const MapFrame* frame : whole) // below all lines, which they would make fainter
         painter->fillPath(closed(frame->outline),
