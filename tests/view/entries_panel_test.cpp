@@ -392,13 +392,14 @@ void EntriesPanelTest::comment() {
     QVERIFY(!ok->isEnabled());
     lines->setPlainText(QString(199, u'x'));
     QVERIFY(!ok->isEnabled());
-    lines->setPlainText(u"one\ntwo"_s);
+    lines->setPlainText(u"one\n two\tor\tthree "_s);
+    dialog->findChild<QLineEdit*>()->setText(u"Barnsley's\nown"_s); // as pasted from elsewhere
     QVERIFY(ok->isEnabled());
     QSignalSpy accepted(dialog, &QDialog::accepted);
     dialog->accept();
     QCOMPARE(accepted.count(), 1);
-    QCOMPARE(m_document->fractal().headerComment, u"Barnsley's"_s);
-    QCOMPARE(m_document->fractal().comments, (QStringList{u"one"_s, u"two"_s}));
+    QCOMPARE(m_document->fractal().headerComment, u"Barnsley's own"_s); // as it will be read again
+    QCOMPARE(m_document->fractal().comments, (QStringList{u"one"_s, u"two or three"_s}));
     checkOneStep();
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/entries_comment_dialog.h"
+
+#include "io/fractint_rows.h"
 #include "whats_this.h"
 
 #include <QDialogButtonBox>
@@ -63,11 +65,11 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
 
 document::Fractal EntriesCommentDialog::fractal() const {
     document::Fractal after = m_before;
-    // Without the blanks around it, as it will be read from the file.
-    after.headerComment = m_header->text().trimmed();
+    // As it will be read from the file: what was pasted may hold line ends and tabs.
+    after.headerComment = io::fractint::storedComment(m_header->text());
     after.comments = lines();
     for (QString& line : after.comments)
-        line = line.trimmed();
+        line = io::fractint::storedComment(line);
     return after;
 }
 
