@@ -283,6 +283,10 @@ void MonkeyTest::nothingBreaks() {
     if (m_megabytes.size() >= 6) {
         const double grown =
             *std::min_element(half, m_megabytes.cend()) - *std::max_element(m_megabytes.cbegin() + 1, half);
+        QStringList all;
+        for (const double megabytes : m_megabytes)
+            all << QString::number(megabytes, 'f', 1);
+        qInfo("MB: %s", qPrintable(all.join(u' ')));
         QVERIFY2(grown < 8, qPrintable(QStringLiteral("%1 MB more in the second half").arg(grown)));
     }
 #endif

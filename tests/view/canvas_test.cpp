@@ -526,6 +526,25 @@ private slots:
         QCOMPARE(undoText(), QStringLiteral("Delete vertex 5"));
     }
 
+    // Another file may come while the pointer rests.
+    void edgesThatAreGoneAreNotInserted() {
+        QSignalSpy said(m_canvas.get(), &CanvasView::message);
+        document::Fractal square = m_document->fractal();
+        square.cage = ifs::polygonAtRest<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+        document::Fractal space;
+        space.system = document::System3{};
+        for (const document::Fractal& next : {document::sierpinskiTriangle(), space}) {
+            m_document->setFile(document::fileOf(square));
+            m_canvas->fit();
+            hover(at({Kind::Edge, 3}));
+            QCOMPARE(scene().hovered(), (CanvasPart{Kind::Edge, 3}));
+            m_document->setFile(document::fileOf(next));
+            key(Qt::Key_Insert);
+            QCOMPARE(steps(), 0);
+            QVERIFY(said.takeLast().first().toString().startsWith(QStringLiteral("Point at an edge")));
+        }
+    }
+
     void doubleClickOnAnEdgeInsertsAVertex() {
         const QPoint edge = at({Kind::Edge, 1}).toPoint();
         const auto before = vertices();

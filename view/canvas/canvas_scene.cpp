@@ -137,7 +137,8 @@ void CanvasScene::follow(const document::Change& change) {
         }
         takeBranch();
         m_addresses.reset();
-        if (m_focused.map >= childCount()) setFocused({});
+        if (!exists(m_focused)) setFocused({});
+        if (!exists(m_hovered)) setHovered({});
         place();
     }
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
@@ -212,6 +213,12 @@ CanvasPart CanvasScene::partAt(const QPointF& position, Reach reach) const {
     if (nearest.kind == Kind::None && polygon.containsPoint(position, Qt::OddEvenFill))
         return {Kind::Inside, 0};
     return nearest;
+}
+
+bool CanvasScene::exists(const CanvasPart& part) const {
+    if (part.kind == Kind::None) return true;
+    const bool hasIndex = part.kind == Kind::Vertex || part.kind == Kind::Edge;
+    return m_cage && part.map < childCount() && (!hasIndex || part.index < int(m_cage->current.size()));
 }
 
 QPointF CanvasScene::positionOf(const CanvasPart& part) const {
@@ -456,7 +463,7 @@ void CanvasScene::setBranch(const ifs::Word& branch) {
     takeBranch();
     if (m_taken == Taken::Branch) {
         if (m_pressed.kind == Kind::None) m_pivot.reset();
-        if (m_focused.map >= childCount()) setFocused({});
+        if (!exists(m_focused)) setFocused({});
     }
     place();
 }

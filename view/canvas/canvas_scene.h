@@ -88,6 +88,7 @@ public:
 
     // What a press would take hold of: from the geometry, whatever has been painted.
     CanvasPart partAt(const QPointF& position, Reach reach) const;
+    bool exists(const CanvasPart& part) const; // none does always
     QPointF positionOf(const CanvasPart& part) const;
     std::vector<CanvasPart> handles() const; // those the keyboard walks through, in that order
     QString nameOf(const CanvasPart& part) const;
