@@ -83,7 +83,7 @@ std::shared_ptr<const ifs::SupportFunction<2>> supportFunction(const Fractal& fr
     const auto support = computed();
     const std::lock_guard lock(mutex);
     if (!known()) {
-        std::ranges::rotate(newest, std::prev(newest.end()));
+        std::rotate(newest.begin(), std::prev(newest.end()), newest.end());
         newest.front() = {*system, support};
     }
     return support;

@@ -159,18 +159,18 @@ void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
         return;
     }
     if (whole.size() > mostWhole) {
-        const auto thin = std::ranges::partition(whole, [&](const MapFrame* frame) {
+        const auto thin = std::partition(whole.begin(), whole.end(), [&](const MapFrame* frame) {
             return isHovered(*frame) || m_focused.map == frame->place ||
                    (frame->selected && selectedCount <= mostHeld);
         });
         painter->setRenderHint(QPainter::Antialiasing, false);
         painter->setBrush(Qt::NoBrush);
-        for (const MapFrame* frame : thin) {
-            painter->setPen(frame->selected ? m_style.line : frame->colour);
-            painter->drawPolygon(frame->outline);
+        for (auto frame = thin; frame != whole.end(); ++frame) {
+            painter->setPen((*frame)->selected ? m_style.line : (*frame)->colour);
+            painter->drawPolygon((*frame)->outline);
         }
         painter->setRenderHint(QPainter::Antialiasing);
-        whole.erase(thin.begin(), thin.end());
+        whole.erase(thin, whole.end());
     }
     for (const MapFrame* frame : whole) // below all lines, which they would make fainter
         painter->fillPath(closed(frame->outline),
