@@ -2,6 +2,7 @@
 #include "document/variations.h"
 
 #include "ifs/attractor_existence.h"
+#include "ifs/polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +82,14 @@ void weighByDeterminant(System2& system) {
 
 // The size of the system: how far its fixed points lie apart, so that moves are in proportion.
 double extentOf(const System2& system) {
+    ifs::Polygon ends;
+    for (const auto& map : system.maps)
+        ends.push_back(map.map.translation);
     double extent = 0;
-    for (const auto& a : system.maps)
-        for (const auto& b : system.maps)
-            extent = std::max(extent, (a.map.translation - b.map.translation).norm());
+    if (ends.size() > 16) ends = ifs::convexHull(std::move(ends), 0); // the farthest are corners of it
+    for (const ifs::Vector<2>& a : ends)
+        for (const ifs::Vector<2>& b : ends)
+            extent = std::max(extent, (a - b).norm());
     return extent > 0 ? extent : 1;
 }
 

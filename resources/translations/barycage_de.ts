@@ -2388,6 +2388,14 @@
         <source>Copies the triangle and the matrices with all digits.</source>
         <translation>Kopiert das Dreieck und die Matrizen mit allen Stellen.</translation>
     </message>
+    <message>
+        <source>
+… and %1 more. Copy takes all of them.
+</source>
+        <translation>
+… und %1 weitere. „Kopieren“ nimmt alle.
+</translation>
+    </message>
 </context>
 <context>
     <name>view::AnalysisPanel</name>

@@ -2388,6 +2388,14 @@
         <source>Copies the triangle and the matrices with all digits.</source>
         <translation>Copia el triángulo y las matrices con todas las cifras.</translation>
     </message>
+    <message>
+        <source>
+… and %1 more. Copy takes all of them.
+</source>
+        <translation>
+… y %1 más. «Copiar» las toma todas.
+</translation>
+    </message>
 </context>
 <context>
     <name>view::AnalysisPanel</name>

@@ -1183,7 +1183,7 @@
     </message>
     <message>
         <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
-        <translation>Laisser tout l’écran à la zone de dessin, par exemple pour un projecteur ; Échap ramène le reste</translation>
+        <translation>Laisser tout l’écran à la zone de dessin, par exemple pour un projecteur&#x202f;; Échap ramène le reste</translation>
     </message>
 </context>
 <context>
@@ -1457,7 +1457,7 @@
     </message>
     <message>
         <source>no attractor: map %1 does not contract</source>
-        <translation>pas d’attracteur : l’application %1 n’est pas contractante</translation>
+        <translation>pas d’attracteur&#x202f;: l’application %1 n’est pas contractante</translation>
     </message>
 </context>
 <context>
@@ -2388,6 +2388,14 @@
         <source>Copies the triangle and the matrices with all digits.</source>
         <translation>Copie le triangle et les matrices avec tous les chiffres.</translation>
     </message>
+    <message>
+        <source>
+… and %1 more. Copy takes all of them.
+</source>
+        <translation>
+… et %1 de plus. « Copier » les prend toutes.
+</translation>
+    </message>
 </context>
 <context>
     <name>view::AnalysisPanel</name>
@@ -2782,7 +2790,7 @@
     </message>
     <message>
         <source>no points yet: press ▶</source>
-        <translation>pas encore de points : appuyez sur ▶</translation>
+        <translation>pas encore de points&#x202f;: appuyez sur ▶</translation>
     </message>
 </context>
 <context>

@@ -2394,6 +2394,14 @@
         <source>Copies the triangle and the matrices with all digits.</source>
         <translation>Ги копира триаголникот и матриците со сите цифри.</translation>
     </message>
+    <message>
+        <source>
+… and %1 more. Copy takes all of them.
+</source>
+        <translation>
+… и уште %1. „Копирај“ ги зема сите.
+</translation>
+    </message>
 </context>
 <context>
     <name>view::AnalysisPanel</name>

@@ -12,6 +12,7 @@
 #include "support/watchdog.h"
 
 #include <QAction>
+#include <QDialog>
 #include <QFile>
 #include <QLineEdit>
 #include <QListView>
@@ -212,6 +213,18 @@ void LargeFilesTest::mapsAreEdited() {
     doing("zoom", [&] { canvas->zoomBy(3); });
     doing("bake", [&] { m_window->findChild<view::CagePanel*>()->bake(); });
     doing("undo baking", [&] { history->undo(); });
+    const auto choose = [this](const char* name) {
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->text().remove(u'&') == QString::fromUtf8(name)) return action->trigger();
+        QFAIL(name);
+    };
+    doing("affine invariant form", [&] { choose("Affine Invariant Form…"); });
+    doing("mutate", [&] { choose("Mutate…"); });
+    QTest::qWait(500); // some variations
+    doing("leave the dialogs", [&] {
+        for (auto* dialog : m_window->findChildren<QDialog*>())
+            dialog->reject();
+    });
     doing("branch tool", [&] { canvas->setTool(view::CanvasView::Tool::Branch); });
     doing("choose a branch", [&] {
         canvas->findChild<view::CanvasScene*>()->setBranch(

@@ -167,6 +167,13 @@ private slots:
         view::AifsDialog(fractal).copy();
         QVERIFY(
             QGuiApplication::clipboard()->text().contains(QRegularExpression(QStringLiteral("0\\.\\d{15}"))));
+        // Of very many, some are shown and all copied.
+        document::System2& system = *document::system2(fractal);
+        system.maps.resize(700, system.maps[0]);
+        const QString some = view::aifsText(fractal, view::Digits::Few);
+        QVERIFY(some.contains(QStringLiteral("S500 =")) && !some.contains(QStringLiteral("S501 =")));
+        QVERIFY(some.contains(QStringLiteral("and 200 more")));
+        QVERIFY(view::aifsText(fractal, view::Digits::All).contains(QStringLiteral("S700 =")));
     }
 
     void unbakeKeepsThePicture() {

@@ -20,6 +20,8 @@ namespace view {
 
 namespace {
 
+constexpr std::size_t mostShown = 500; // maps: nobody reads more, and a text of ten thousand is slow
+
 // To be read: without what rounding has left of a zero or a one.
 QString entry(double value, Digits digits) {
     if (digits == Digits::All) return fullNumber(value).rightJustified(26);
@@ -50,7 +52,9 @@ QString aifsText(const document::Fractal& fractal, Digits digits) {
         text += QStringLiteral("V%1 = (%2, %3)\n")
                     .arg(j + 1)
                     .arg(number(cage.current[j].x()), number(cage.current[j].y()));
-    for (std::size_t i = 0; i < form.maps.size(); ++i) {
+    const std::size_t shown =
+        digits == Digits::All ? form.maps.size() : std::min(form.maps.size(), mostShown);
+    for (std::size_t i = 0; i < shown; ++i) {
         text += QStringLiteral("\nS%1 =\n").arg(i + 1);
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 3; ++column)
@@ -58,11 +62,13 @@ QString aifsText(const document::Fractal& fractal, Digits digits) {
             text += u'\n';
         }
     }
+    if (shown < form.maps.size())
+        text += AifsDialog::tr("\n… and %1 more. Copy takes all of them.\n").arg(form.maps.size() - shown);
     return text;
 }
 
 AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
-    : QDialog(parent), m_exact(aifsText(fractal, Digits::All)) {
+    : QDialog(parent), m_fractal(fractal) {
     setWindowTitle(tr("Affine Invariant Form"));
     auto* explanation = new QLabel(
         tr("Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so "
@@ -89,7 +95,7 @@ AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
 }
 
 void AifsDialog::copy() const {
-    QGuiApplication::clipboard()->setText(m_exact);
+    QGuiApplication::clipboard()->setText(aifsText(m_fractal, Digits::All));
 }
 
 } // namespace view

@@ -16,11 +16,11 @@ public:
     void copy() const; // with all digits
 
 private:
-    QString m_exact;
+    document::Fractal m_fractal;
 };
 
-// What the dialog shows, with few digits, or copies, with all; a sentence for an entry that is no system of
-// the plane.
+// What the dialog shows, the first maps with few digits, or copies, with all; a sentence for an entry that is
+// no system of the plane.
 enum class Digits { Few, All };
 QString aifsText(const document::Fractal& fractal, Digits digits);
 
