@@ -113,6 +113,7 @@ FoundEntries entriesIn(const QByteArray& text) {
     for (document::Entry entry : collection.file.entries) {
         if (isReadable(entry)) entry.source.reset();
         found.problems += entry.problems;
+        if (!isReadable(entry) && !text.contains('{')) continue; // numbers alone, and not those of maps
         found.entries.append(std::move(entry));
     }
     found.areFlames = collection.format == u"flame";

@@ -138,6 +138,9 @@ void ClipboardTest::columnsThatSayNothing() {
 }
 
 void ClipboardTest::nothingToFind() {
+    // In a file such a number would be no entry, or one without a name.
+    QVERIFY(view::entriesIn("1").entries.isEmpty());
+    QVERIFY(!view::entriesIn("1").problems.isEmpty());
     QVERIFY(view::entriesIn("a sentence about ferns, nothing more").entries.isEmpty());
     QVERIFY(view::entriesIn("").entries.isEmpty());
     QVERIFY(view::entriesText({}).isEmpty());
