@@ -122,7 +122,7 @@ void MainWindow::createFileActions() {
     QAction* copyAction =
         command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
                 tr("Copy the picture to the clipboard"), [this] {
-                    view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture());
+                    view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture(), this);
                     say(tr("The picture is on the clipboard."));
                 });
     QAction* printAction = command(m_fileMenu, QStringLiteral("print"), tr("&Print…"), QKeySequence::Print,

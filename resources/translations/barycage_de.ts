@@ -4694,6 +4694,10 @@
         <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
         <translation>Fragt nach dem Namen der Datei und schreibt sie. Das Fenster lässt sich inzwischen benutzen.</translation>
     </message>
+    <message>
+        <source>Copying the picture…</source>
+        <translation>Das Bild wird kopiert …</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>

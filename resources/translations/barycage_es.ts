@@ -4694,6 +4694,10 @@
         <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
         <translation>Pide el nombre del archivo y lo escribe. Entretanto se puede usar la ventana.</translation>
     </message>
+    <message>
+        <source>Copying the picture…</source>
+        <translation>Copiando la imagen…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>

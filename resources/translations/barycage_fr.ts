@@ -2393,7 +2393,7 @@
 … and %1 more. Copy takes all of them.
 </source>
         <translation>
-… et %1 de plus. « Copier » les prend toutes.
+… et %1 de plus. «&#x202f;Copier&#x202f;» les prend toutes.
 </translation>
     </message>
 </context>
@@ -4693,6 +4693,10 @@
     <message>
         <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
         <translation>Demande le nom du fichier et l’écrit. La fenêtre reste utilisable pendant ce temps.</translation>
+    </message>
+    <message>
+        <source>Copying the picture…</source>
+        <translation>Copie de l’image…</translation>
     </message>
 </context>
 <context>

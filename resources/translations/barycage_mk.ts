@@ -4707,6 +4707,10 @@
         <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
         <translation>Прашува за името на датотеката и ја запишува. Во меѓувреме прозорецот може да се користи.</translation>
     </message>
+    <message>
+        <source>Copying the picture…</source>
+        <translation>Сликата се копира…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export_dialog.h"
 
+#include "dialogs/wait_for.h"
+#include "io/background.h"
 #include "io/svg_writer.h"
 
 #include <QClipboard>
@@ -9,11 +11,18 @@
 
 namespace view {
 
-void copyPicture(document::Document* document, const attractor::Camera& camera, const QImage& shown) {
+void copyPicture(document::Document* document, const attractor::Camera& camera, const QImage& shown,
+                 QWidget* parent) {
     auto data = std::make_unique<QMimeData>();
     data->setImageData(shown);
-    const io::SvgPicture svg = io::svgPicture(document->fractal(), camera, {});
-    if (!svg.plan.failure) data->setData(QStringLiteral("image/svg+xml"), svg.bytes);
+    QFuture<io::SvgPicture> writing = io::inBackground<io::SvgPicture>(
+        [fractal = document->fractal(), camera](QPromise<io::SvgPicture>& promise) {
+            promise.addResult(io::svgPicture(fractal, camera, {}));
+        });
+    // Without its lines it is still a picture.
+    if (waitFor(QFuture<void>(writing), ExportDialog::tr("Copying the picture…"), parent))
+        if (const io::SvgPicture svg = writing.takeResult(); !svg.plan.failure)
+            data->setData(QStringLiteral("image/svg+xml"), svg.bytes);
     QGuiApplication::clipboard()->setMimeData(data.release()); // the clipboard owns it
 }
 

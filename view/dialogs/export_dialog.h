@@ -84,7 +84,9 @@ private:
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
 };
 
-// Puts the picture on the clipboard: `shown` as pixels, and the same view as SVG.
-void copyPicture(document::Document* document, const attractor::Camera& camera, const QImage& shown);
+// Puts the picture on the clipboard: `shown` as pixels, and the same view as SVG, which is written beside the
+// window. Waits for it; cancelled over `parent`, the pixels alone are copied.
+void copyPicture(document::Document* document, const attractor::Camera& camera, const QImage& shown,
+                 QWidget* parent = nullptr);
 
 } // namespace view
