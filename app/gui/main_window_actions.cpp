@@ -25,6 +25,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QSettings>
 #include <QToolBar>
 #include <QWhatsThis>
@@ -122,8 +123,9 @@ void MainWindow::createFileActions() {
     QAction* copyAction =
         command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
                 tr("Copy the picture to the clipboard"), [this] {
+                    const QPointer<MainWindow> here(this); // it may be closed while the lines are written
                     view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture(), this);
-                    say(tr("The picture is on the clipboard."));
+                    if (here) say(tr("The picture is on the clipboard."));
                 });
     QAction* printAction = command(m_fileMenu, QStringLiteral("print"), tr("&Print…"), QKeySequence::Print,
                                    tr("Print the picture, its name and its coefficients"),

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "support/watchdog.h"
 
-#include <QHash>
 #include <QMetaEnum>
 #include <QMouseEvent>
 #include <QThread>
 
-#include <algorithm>
 #include <ctime>
 
 namespace support {
@@ -25,21 +23,6 @@ double processorTime() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return double(now.tv_sec) * 1e3 + double(now.tv_nsec) / 1e6;
-}
-
-// How many times slower the machine is at this moment than the one that the limits are meant for, by work of
-// the kinds that events do: strings made, found and freed, and fresh memory. At least 1.
-double slowness() {
-    constexpr double usual = 7; // milliseconds
-    constexpr int strings = 16'000;
-    constexpr qsizetype fresh = 8 << 20;
-    const double began = processorTime();
-    QHash<QString, int> found;
-    for (int i = 0; i < strings; ++i)
-        found[QString::number(i * 7919)] += i;
-    const QByteArray memory(fresh, char('a' + found.size() % 7));
-    const double spent = memory.back() ? processorTime() - began : 0;
-    return std::clamp(spent / usual, 1.0, 4.0);
 }
 
 bool isOfAKey(QEvent::Type type) {
@@ -75,11 +58,7 @@ void WatchedApplication::judge(const Event& event, bool dragging, double spent) 
     m_slowest[dragging] = std::max(m_slowest[dragging], spent);
     if (dragging) ++m_forgivable;
     if (!judged || spent <= limits[dragging]) return;
-    const double measuring = processorTime();
-    const double limit = limits[dragging] * slowness();
-    if (!m_running.isEmpty()) m_running.last().inner += processorTime() - measuring;
-    if (spent <= limit) return;
-    m_unforgivable = m_unforgivable || spent > 2 * limit;
+    m_unforgivable = m_unforgivable || spent > 2 * limits[dragging];
     m_late << QStringLiteral("%1 to %2 took %3 ms%4")
                   .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event.type)),
                        QLatin1String(event.receiver))

@@ -18,9 +18,8 @@ public:
 
     bool notify(QObject* receiver, QEvent* event) override;
 
-    // What was late since the last call, a line each. On a slow or busy machine even processor time is
-    // stretched: what is late is given as much more as a measure of the machine takes right then, four times
-    // at most, and two late events, or one in a hundred, are forgiven when none took twice as long as it may.
+    // What was late since the last call, a line each. On a busy machine even processor time is stretched: two
+    // late events, or one in a hundred, are forgiven when none took twice as long as it may.
     QStringList takeLate();
     void ignoreThisEvent();  // it is a test's own work
     QString summary() const; // how many events, and the slowest of either kind

@@ -37,8 +37,6 @@ namespace {
 
 constexpr int narrowest = 30; // of a number column
 
-// Rows that were copied here: their columns are known.
-
 } // namespace
 
 MapsPanel::MapsPanel(document::Document* document, QWidget* parent)

@@ -85,7 +85,11 @@ document::EntryId ProblemsModel::entryAt(int row) const {
 }
 
 QList<ProblemsModel::Row> ProblemsModel::collect() const {
+    qsizetype count = m_document->file().problems.size();
+    for (const document::Entry& entry : m_document->file().entries)
+        count += entry.problems.size();
     QList<Row> rows;
+    rows.reserve(count); // of a large file each entry may have one
     for (const document::Problem& problem : m_document->file().problems)
         rows.append({document::EntryId::None, problem});
     for (const document::Entry& entry : m_document->file().entries)
