@@ -52,6 +52,7 @@ ParsedEntry parseEntry(QByteArrayView text, const Block& block, char lineEndByte
 // UTF-8 where it is valid, else Latin-1.
 QString decoded(QByteArrayView bytes);
 
+constexpr qsizetype maxEntries = 200'000;   // per file
 constexpr std::size_t maxMaps = 250'000;    // per entry
 constexpr std::size_t maxLines = 1'000'000; // per entry
 constexpr qsizetype maxProblems = 10;       // told per entry

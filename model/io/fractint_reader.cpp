@@ -24,7 +24,6 @@ using document::Problems;
 using fractint::Block;
 using fractint::BlockKind;
 
-constexpr qsizetype maxEntries = 200'000;
 constexpr qsizetype maxFileProblems = 100;
 constexpr qsizetype mostEntriesElsewhere = 2000;
 constexpr qsizetype comparedName = 18;
@@ -158,10 +157,10 @@ void FileReader::readBlocks() {
     fractint::Scanner scanner(m_bytes, m_lineEnd, begin);
     while (const auto block = scanner.next()) {
         m_lines.moveTo(block->all.begin);
-        if (m_file.entries.size() >= maxEntries) {
+        if (m_file.entries.size() >= fractint::maxEntries) {
             report(Problem::Severity::Error, m_lines.line(), m_lines.column(),
                    Text::tr("The file has more than %1 entries; the rest is kept as text but not shown.")
-                       .arg(maxEntries));
+                       .arg(fractint::maxEntries));
             return;
         }
         readBlock(*block);

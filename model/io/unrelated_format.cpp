@@ -32,12 +32,15 @@ bool isBinary(QByteArrayView bytes) {
 }
 
 // An entry that can be read outweighs every word and odd byte around it, and does so after any edit of it.
+// Entries that are never shown are not looked at.
 bool holdsSystem(QByteArrayView bytes) {
     const char lineEnd = fractint::lineEndByte(bytes);
     fractint::Scanner scanner(bytes, lineEnd);
+    qsizetype count = 0;
     while (const auto block = scanner.next()) {
         if (block->kind != fractint::BlockKind::Entry && block->kind != fractint::BlockKind::Unclosed)
             continue;
+        if (++count > fractint::maxEntries) return false;
         const QByteArrayView text = bytes.sliced(block->all.begin, block->all.size());
         if (fractint::parseEntry(text, fractint::relative(*block), lineEnd).layout.rowLength > 0) return true;
     }
