@@ -20,8 +20,10 @@ XML
 HOME=$home XDG_RUNTIME_DIR=$home/runtime
 export HOME XDG_RUNTIME_DIR
 unset XDG_CONFIG_HOME XDG_DATA_HOME XDG_CACHE_HOME
-openbox --config-file "$home/openbox.xml" 2>/dev/null &
+openbox --config-file "$home/openbox.xml" --startup "touch '$home/ready'" 2>/dev/null &
 manager=$!
+# A window that is there before the manager is never given the focus.
+while [ ! -e "$home/ready" ] && kill -0 $manager 2>/dev/null; do sleep 0.05; done
 "$@"
 code=$?
 kill $manager
