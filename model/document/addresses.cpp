@@ -17,6 +17,8 @@ Addresses::Addresses(const Fractal& fractal) {
     m_attractor = supportFunction(fractal);
     m_placement = placement(fractal);
     m_pieces = ifs::pieces<2>(ifs::overMaps<2>(movedBranches(fractal), m_active.index), m_active.maps.size());
+    for (const ifs::MovedBranch<2>& piece : m_pieces)
+        m_unmoved.push_back(ifs::inverse(piece.change));
 }
 
 ifs::Word Addresses::at(const ifs::Vector<2>& displayed, double pixel) const {
@@ -27,17 +29,11 @@ ifs::Word Addresses::at(const ifs::Vector<2>& displayed, double pixel) const {
     const auto back = ifs::inverse(ifs::firstOrder(m_placement, *point));
     if (!back) return {};
     const double inCode = pixel * ifs::spectralNorm<2>(back->linear);
-    std::optional<ifs::Addressed> nearest;
-    for (const auto& [beginning, change] : m_pieces) {
-        const auto unmoved = ifs::inverse(change);
-        if (!unmoved) continue;
-        const double scale = ifs::spectralNorm<2>(unmoved->linear);
-        auto found = ifs::addressNear(*m_attractor, (*unmoved)(*point), reach * inCode * scale,
-                                      inCode * scale, beginning);
-        if (!found) continue;
-        found->distance /= scale;
-        if (!nearest || found->distance < nearest->distance) nearest = std::move(found);
-    }
+    std::vector<ifs::Sought> sought;
+    for (std::size_t k = 0; k < m_pieces.size(); ++k)
+        if (const auto& unmoved = m_unmoved[k])
+            sought.push_back({(*unmoved)(*point), ifs::spectralNorm<2>(unmoved->linear), m_pieces[k].word});
+    const auto nearest = ifs::addressNear(*m_attractor, sought, reach * inCode, inCode);
     ifs::Word word;
     for (const int letter : nearest ? nearest->address : ifs::Word{})
         word.push_back(int(m_active.index[std::size_t(letter)]));

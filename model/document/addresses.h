@@ -26,7 +26,8 @@ private:
     ifs::ActiveMaps<2> m_active;
     std::shared_ptr<const ifs::SupportFunction<2>> m_attractor;
     ifs::Placement m_placement;
-    std::vector<ifs::MovedBranch<2>> m_pieces; // of what is shown, words over the active maps
+    std::vector<ifs::MovedBranch<2>> m_pieces;               // of what is shown, words over the active maps
+    std::vector<std::optional<ifs::AffineMap<2>>> m_unmoved; // the inverses of their changes
 };
 
 // "3 2 3 2 …": the numbers that the user counts maps by, at most `longest` of them.

@@ -6,6 +6,7 @@
 #include "ifs/weaving.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace document {
 
@@ -36,8 +37,8 @@ AffineMap<2> changeAround(const Fractal& fractal, const std::vector<ifs::MapId>&
 
 } // namespace
 
-MapHandles::MapHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage, const AffineMap<2>& within)
-    : m_fractal(fractal), m_cage(cage), m_placement(placement(fractal)), m_within(within) {}
+MapHandles::MapHandles(Fractal fractal, const ifs::ControlCage<2>& cage, const AffineMap<2>& within)
+    : m_fractal(std::move(fractal)), m_cage(cage), m_placement(placement(m_fractal)), m_within(within) {}
 
 MapHandles MapHandles::ofBranch(const Fractal& fractal, const ifs::ControlCage<2>& cage,
                                 const ifs::Word& branch) {

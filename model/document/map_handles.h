@@ -17,7 +17,7 @@ class MapHandles {
 public:
     // The fractal must be a system of the plane and `cage` its effective one. The maps are shown and taken as
     // they are seen inside the piece that `within` makes of the attractor.
-    MapHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage, const ifs::AffineMap<2>& within = {});
+    MapHandles(Fractal fractal, const ifs::ControlCage<2>& cage, const ifs::AffineMap<2>& within = {});
     // The map of one branch as the only one, at place 0; taking it moves what is shown of the branch
     // (Fractal::moved) and leaves the code alone. The word has places of maps that take part.
     static MapHandles ofBranch(const Fractal& fractal, const ifs::ControlCage<2>& cage,

@@ -9,82 +9,120 @@ namespace ifs {
 
 namespace {
 
+constexpr std::size_t LookedAtPerNode = 10; // words beyond reach cost less
+constexpr std::size_t LookedAtPerMap = 24;
+constexpr std::size_t FollowedPerNode = 256; // of more children within reach, those with x in the middle
+
 struct Node {
     double nearest = 0; // no point of the piece is nearer than this to x
-    double radius = 0;  // of the ball around the piece
+    double aside = 0;   // how far x is from the middle of the ball around the piece, in its radii
+    double radius = 0;  // of that ball
     AffineMap<2> map;
-    int parent = -1;
+    int sought = 0;
+    int parent = -1; // −1: its beginning
     int symbol = 0;
     int length = 0;
 };
 
-// The nearest first; of those that may be equally near, the longest, so that ties do not widen the search.
+// The nearest first; of those that may be equally near, the longest, so that ties do not widen the search; of
+// those the one with x in its middle, so that few lead astray.
 struct Later {
     const std::vector<Node>& nodes;
     bool operator()(int a, int b) const {
         const Node &p = nodes[std::size_t(a)], &q = nodes[std::size_t(b)];
         if (p.nearest != q.nearest) return p.nearest > q.nearest;
-        return p.length != q.length ? p.length < q.length : a > b;
+        if (p.length != q.length) return p.length < q.length;
+        return p.aside != q.aside ? p.aside > q.aside : a > b;
     }
 };
 
-Word spelled(const std::vector<Node>& nodes, int node) {
-    Word word;
-    for (; nodes[std::size_t(node)].parent >= 0; node = nodes[std::size_t(node)].parent)
-        word.push_back(nodes[std::size_t(node)].symbol);
-    std::ranges::reverse(word);
-    return word;
+Addressed found(const std::vector<Node>& nodes, std::size_t place, double distance,
+                std::span<const Sought> sought) {
+    Word after;
+    for (; nodes[place].parent >= 0; place = std::size_t(nodes[place].parent))
+        after.push_back(nodes[place].symbol);
+    Word address = sought[std::size_t(nodes[place].sought)].beginning;
+    address.insert(address.end(), after.rbegin(), after.rend());
+    return {std::move(address), distance};
+}
+
+double distanceTo(const Node& node, const SupportFunction<2>& attractor, const Sought& sought) {
+    return (node.map(attractor.pointOfAttractor()) - sought.x).norm() / sought.scale;
+}
+
+bool isDetail(const Node& node, const Sought& sought, double width) {
+    return node.length > 0 && 2 * node.radius <= width * sought.scale;
 }
 
 // Where pieces overlap a great deal, all of those that are nearest cannot be looked at; a near one will do.
 std::optional<Addressed> bestOf(const std::vector<Node>& nodes, const SupportFunction<2>& attractor,
-                                const Vector<2>& x, double reach, double width) {
-    int best = -1;
-    double least = reach;
-    for (std::size_t k = 1; k < nodes.size(); ++k) {
-        if (2 * nodes[k].radius > width) continue;
-        const double distance = (nodes[k].map(attractor.pointOfAttractor()) - x).norm();
-        if (distance <= least) {
-            least = distance;
-            best = int(k);
-        }
+                                std::span<const Sought> sought, double reach, double width) {
+    std::optional<std::size_t> best;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Sought& within = sought[std::size_t(nodes[k].sought)];
+        if (!isDetail(nodes[k], within, width)) continue;
+        const double distance = distanceTo(nodes[k], attractor, within);
+        if (distance > reach) continue;
+        reach = distance;
+        best = k;
     }
-    if (best < 0) return std::nullopt;
-    return Addressed{spelled(nodes, best), least};
+    return best ? std::optional(found(nodes, *best, reach, sought)) : std::nullopt;
 }
 
 } // namespace
 
-std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const Vector<2>& x, double reach,
-                                     double width, const Word& beginning, int maxNodes) {
+std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, std::span<const Sought> sought,
+                                     double reach, double width, int maxNodes) {
     const std::vector<AffineMap<2>>& maps = attractor.maps();
-    std::vector<Node> nodes{{.radius = attractor.radius(), .map = {}}};
-    const auto add = [&](int parent, int symbol) {
-        const Node& outer = nodes[std::size_t(parent)];
-        const AffineMap<2> map = outer.map * maps[std::size_t(symbol)];
-        const double radius = spectralNorm<2>(map.linear) * attractor.radius();
-        const double nearest = std::max(outer.nearest, (x - map(attractor.centre())).norm() - radius);
-        nodes.push_back({nearest, radius, map, parent, symbol, outer.length + 1});
-        return int(nodes.size()) - 1;
-    };
-    int first = 0;
-    for (const int symbol : beginning)
-        first = add(first, symbol);
+    std::vector<Node> nodes;
     std::priority_queue<int, std::vector<int>, Later> open(Later{nodes});
-    open.push(first);
-    while (!open.empty()) {
-        const int top = open.top();
-        open.pop();
-        const Node node = nodes[std::size_t(top)];
-        if (node.nearest > reach) return std::nullopt;
-        if (node.length > 0 && 2 * node.radius <= width) {
-            const double distance = (node.map(attractor.pointOfAttractor()) - x).norm();
-            return Addressed{spelled(nodes, top), distance};
+    const auto consider = [&](Node node, double outer) {
+        const Sought& within = sought[std::size_t(node.sought)];
+        node.radius = spectralNorm<2>(node.map.linear) * attractor.radius();
+        const double distance = (within.x - node.map(attractor.centre())).norm();
+        node.nearest = std::max(outer, (distance - node.radius) / within.scale);
+        if (node.nearest > reach) return;
+        node.aside = node.radius > 0 ? distance / node.radius : 0;
+        nodes.push_back(node);
+    };
+    const auto follow = [&](std::size_t first) {
+        const auto children = nodes.begin() + std::ptrdiff_t(first);
+        if (nodes.size() - first > FollowedPerNode) {
+            const auto end = children + std::ptrdiff_t(FollowedPerNode);
+            std::nth_element(children, end, nodes.end(), [](const Node& a, const Node& b) {
+                return a.nearest != b.nearest ? a.nearest < b.nearest : a.aside < b.aside;
+            });
+            nodes.erase(end, nodes.end());
         }
-        if (nodes.size() + maps.size() > std::size_t(maxNodes))
-            return bestOf(nodes, attractor, x, reach, width);
+        for (std::size_t k = first; k < nodes.size(); ++k)
+            open.push(int(k));
+    };
+    for (std::size_t k = 0; k < sought.size(); ++k)
+        consider({.map = composed<2>(maps, sought[k].beginning),
+                  .sought = int(k),
+                  .length = int(sought[k].beginning.size())},
+                 0);
+    follow(0);
+    const std::size_t maxLookedAt =
+        LookedAtPerNode * std::size_t(std::max(maxNodes, 1)) + LookedAtPerMap * maps.size();
+    for (std::size_t lookedAt = 0; !open.empty(); lookedAt += maps.size()) {
+        const auto top = std::size_t(open.top());
+        open.pop();
+        const Node node = nodes[top];
+        const Sought& within = sought[std::size_t(node.sought)];
+        if (isDetail(node, within, width))
+            return found(nodes, top, distanceTo(node, attractor, within), sought);
+        if (nodes.size() > std::size_t(maxNodes) || lookedAt > maxLookedAt)
+            return bestOf(nodes, attractor, sought, reach, width);
+        const std::size_t first = nodes.size();
         for (std::size_t i = 0; i < maps.size(); ++i)
-            open.push(add(top, int(i)));
+            consider({.map = node.map * maps[i],
+                      .sought = node.sought,
+                      .parent = int(top),
+                      .symbol = int(i),
+                      .length = node.length + 1},
+                     node.nearest);
+        follow(first);
     }
     return std::nullopt;
 }

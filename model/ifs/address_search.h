@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace ifs {
 
@@ -15,12 +16,18 @@ struct Addressed {
     double distance = 0;
 };
 
+// Looked for among the addresses that start with `beginning`; there all lengths are `scale` times as long.
+struct Sought {
+    Vector<2> x;
+    double scale = 1;
+    Word beginning{};
+};
+
 // The address of the point of the attractor nearest to x, as far as pieces wider than `width` go, at least
-// one symbol. Where pieces overlap, that of the piece whose enclosing ball is nearest. nullopt when no point
-// lies within `reach` of x, or when the search is given up after `maxNodes` words. Only addresses that start
-// with `beginning` are looked at. Best first, over the balls w_σ(Ball) ⊃ w_σ(A). docs/mathematics.md,
-// "Branches".
-std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, const Vector<2>& x, double reach,
-                                     double width, const Word& beginning = {}, int maxNodes = 20'000);
+// one symbol. Where pieces overlap, one of a piece whose enclosing ball is nearest. nullopt when no point
+// lies within `reach` of x, or when the search is given up after `maxNodes` words within reach. Best first,
+// over the balls w_σ(Ball) ⊃ w_σ(A). docs/mathematics.md, "Branches".
+std::optional<Addressed> addressNear(const SupportFunction<2>& attractor, std::span<const Sought> sought,
+                                     double reach, double width, int maxNodes = 20'000);
 
 } // namespace ifs

@@ -26,7 +26,9 @@ constexpr int ExactMerging = 43;             // bits of a state that must agree;
 constexpr std::size_t ConsideredPerNode = 8; // children that are dropped at once cost less than nodes
 constexpr std::size_t ConsideredPerMap = 40;
 constexpr int TableDepth = 4;
-constexpr std::size_t TableWork = 60'000; // bounds evaluated at most while the container is shrunk
+constexpr std::size_t TableWork = 60'000; // bounds evaluated at most while the container is shrunk …
+constexpr std::size_t LeastSweeps = 3;    // … but for maps that are too many for that
+constexpr std::size_t FewMaps = 256;      // not worth asking which of them matter
 
 template <int Dim> Vector<Dim> solveFixedPoint(const AffineMap<Dim>& contraction) {
     return (Matrix<Dim>::Identity() - contraction.linear).inverse() * contraction.translation;
@@ -72,43 +74,44 @@ Ellipsoid<Dim> enclosingEllipsoid(std::span<const AffineMap<Dim>> maps, const Co
     return {centre, radius(centre) * unroot};
 }
 
-// The maps that can lead to the hull of the attractor. One that takes all of the ellipsoid into the hull of
-// some points of the attractor does not: without it the hull solves the same equation h(u) = max_i ⟨u, t_i⟩ +
-// h(A_iᵀu), which has one solution. Few maps are left as they are.
-template <int Dim>
-std::vector<std::size_t> outerMaps(std::span<const AffineMap<Dim>> maps, const Ellipsoid<Dim>& ellipsoid) {
-    constexpr std::size_t Few = 256;
-    std::vector<std::size_t> places(maps.size());
-    std::iota(places.begin(), places.end(), std::size_t(0));
-    if constexpr (Dim == 2) {
-        constexpr int Directions = 32;
-        if (maps.size() <= Few) return places;
-        std::vector<Vector<2>> fixed;
-        for (const auto& map : maps)
-            if (const Vector<2> point = solveFixedPoint<2>(map); point.allFinite()) fixed.push_back(point);
-        if (fixed.empty()) return places;
-        std::vector<Vector<2>> inner;
-        for (int k = 0; k < Directions; ++k) {
-            const double angle = 2 * std::numbers::pi * k / Directions;
-            const Vector<2> u(std::cos(angle), std::sin(angle));
-            inner.push_back(*std::ranges::max_element(fixed, {}, [&u](const auto& x) { return u.dot(x); }));
-        }
-        const double size = spectralNorm<2>(ellipsoid.shape) + ellipsoid.centre.norm();
-        const Polygon hull = convexHull(std::move(inner), 0);
-        if (hull.size() < 3) return places;
-        const auto isInside = [&](std::size_t i) {
-            const Vector<2> centre = maps[i](ellipsoid.centre);
-            const Matrix<2> shape = maps[i].linear * ellipsoid.shape;
-            for (std::size_t k = 0; k < hull.size(); ++k) {
-                const Vector<2> edge = hull[(k + 1) % hull.size()] - hull[k];
-                const Vector<2> outwards = Vector<2>(edge.y(), -edge.x()).normalized();
-                if (outwards.dot(centre - hull[k]) + (shape.transpose() * outwards).norm() > -1e-9 * size)
-                    return false;
-            }
-            return true;
-        };
-        std::erase_if(places, isInside);
+// Points of the attractor far out in some directions, of those that the maps leave where they are.
+std::vector<Vector<2>> outerFixedPoints(std::span<const AffineMap<2>> maps) {
+    constexpr int Directions = 32;
+    std::vector<Vector<2>> fixed;
+    for (const auto& map : maps)
+        if (const Vector<2> point = solveFixedPoint<2>(map); point.allFinite()) fixed.push_back(point);
+    std::vector<Vector<2>> outer;
+    for (int k = 0; k < Directions && !fixed.empty(); ++k) {
+        const double angle = 2 * std::numbers::pi * k / Directions;
+        const Vector<2> u(std::cos(angle), std::sin(angle));
+        outer.push_back(*std::ranges::max_element(fixed, {}, [&u](const auto& x) { return u.dot(x); }));
     }
+    return outer;
+}
+
+// Of the maps at `places` those that can lead to the hull of the attractor. One that takes all of a container
+// into the hull of some `points` of the attractor does not: without it the hull solves the same equation
+// h(u) = max_i ⟨u, t_i⟩ + h(A_iᵀu), which has one solution. `bound` is that of the container seen from
+// `centre`.
+template <class Bound>
+std::vector<std::size_t> outerMaps(std::span<const AffineMap<2>> maps, std::vector<std::size_t> places,
+                                   const Vector<2>& centre, double radius, Bound bound,
+                                   const std::vector<Vector<2>>& points) {
+    const Polygon hull = convexHull(points, 0);
+    if (hull.size() < 3) return places;
+    const double margin = 1e-9 * (radius + centre.norm());
+    std::vector<Vector<2>> outwards;
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+        const Vector<2> edge = hull[(k + 1) % hull.size()] - hull[k];
+        outwards.push_back(Vector<2>(edge.y(), -edge.x()).normalized());
+    }
+    std::erase_if(places, [&](std::size_t i) {
+        const Vector<2> image = maps[i](centre);
+        for (std::size_t k = 0; k < hull.size(); ++k)
+            if (outwards[k].dot(image - hull[k]) + bound(maps[i].linear.transpose() * outwards[k]) > -margin)
+                return false;
+        return true;
+    });
     return places;
 }
 
@@ -229,7 +232,8 @@ template <int Dim> void SupportFunction<Dim>::Container::shrink() {
     const auto& directions = fan.directions();
     const std::size_t sweepWork = directions.size() * offsets.size();
     double progress = radius;
-    for (std::size_t work = 0; work < TableWork && progress > 1e-6 * radius; work += sweepWork) {
+    const std::size_t mostWork = std::max(TableWork, LeastSweeps * sweepWork);
+    for (std::size_t work = 0; work < mostWork && progress > 1e-6 * radius; work += sweepWork) {
         progress = 0;
         for (std::size_t g = 0; g < directions.size(); ++g) {
             double height = -std::numeric_limits<double>::infinity();
@@ -327,32 +331,65 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     const double radius = spectralNorm<Dim>(ellipsoid.shape);
     if (!std::isfinite(radius) || !ellipsoid.centre.allFinite() || !anchor.allFinite()) return std::nullopt;
 
-    std::vector<std::size_t> places = outerMaps(maps, ellipsoid);
-    int depth = TableDepth;
-    while (depth > 0 && (std::size_t(4) << depth) * places.size() > TableWork)
-        --depth;
-    auto container = std::make_shared<Container>(depth);
-    container->places = std::move(places);
-    for (const std::size_t i : container->places)
-        container->transposed.push_back(maps[i].linear.transpose());
-    container->ellipsoid = {Vector<Dim>::Zero(), ellipsoid.shape};
-    container->radius = radius;
-    for (const auto& direction : container->fan.directions())
-        container->heights.push_back(container->ellipsoid.bound(direction) * (1 + 1e-15));
-    container->mergeLimit = (1 - norm.contractivity) / norm.equivalence;
-
     SupportFunction result;
-    const auto centreOn = [&](const Vector<Dim>& centre) {
-        result.m_centre = centre;
-        container->offsets.clear();
+    result.m_centre = ellipsoid.centre;
+    int finer = 0;
+    const auto contain = [&](std::vector<std::size_t> places, const Container* known) {
+        int depth = TableDepth;
+        while (depth > 0 && (std::size_t(4) << depth) * places.size() > TableWork)
+            --depth;
+        depth = std::min(depth + finer, TableDepth);
+        auto container = std::make_shared<Container>(depth);
+        container->places = std::move(places);
         for (const std::size_t i : container->places)
-            container->offsets.push_back(maps[i](centre) - centre);
-        container->anchor = anchor - centre;
+            container->transposed.push_back(maps[i].linear.transpose());
+        container->ellipsoid =
+            known ? known->ellipsoid : Ellipsoid<Dim>{Vector<Dim>::Zero(), ellipsoid.shape};
+        container->radius = known ? known->radius : radius;
+        for (const auto& direction : container->fan.directions())
+            container->heights.push_back(known ? known->bound(direction) + known->rounding()
+                                               : container->ellipsoid.bound(direction) * (1 + 1e-15));
+        container->mergeLimit = (1 - norm.contractivity) / norm.equivalence;
+        const auto centreOn = [&](const Vector<Dim>& centre) {
+            result.m_centre = centre;
+            container->offsets.clear();
+            for (const std::size_t i : container->places)
+                container->offsets.push_back(maps[i](centre) - centre);
+            container->anchor = anchor - centre;
+        };
+        centreOn(result.m_centre);
+        if (!container->solve()) container->shrink();
+        centreOn(result.m_centre + container->recentre());
+        container->findPoints();
+        return container;
     };
-    centreOn(ellipsoid.centre);
-    if (!container->solve()) container->shrink();
-    centreOn(result.m_centre + container->recentre());
-    container->findPoints();
+    std::vector<std::size_t> all(maps.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    std::shared_ptr<const Container> container;
+    if constexpr (Dim == 2) {
+        if (all.size() > FewMaps) {
+            std::vector<Vector<2>> points = outerFixedPoints(maps);
+            const auto ofEllipsoid = [&](const Vector<2>& v) {
+                return (ellipsoid.shape.transpose() * v).norm();
+            };
+            container = contain(
+                outerMaps(maps, std::move(all), ellipsoid.centre, radius, ofEllipsoid, points), nullptr);
+            // Where that leaves as many, more directions may tell more.
+            while (container->places.size() > FewMaps) {
+                for (const Vector<2>& point : container->points)
+                    points.push_back(result.m_centre + point);
+                auto fewer = outerMaps(
+                    maps, container->places, result.m_centre, container->radius,
+                    [&](const Vector<2>& v) { return container->bound(v); }, points);
+                if (10 * fewer.size() > 9 * container->places.size()) {
+                    if (finer == TableDepth) break;
+                    finer += 2;
+                }
+                container = contain(std::move(fewer), container.get());
+            }
+        }
+    }
+    if (!container) container = contain(std::move(all), nullptr);
 
     result.m_maps.assign(maps.begin(), maps.end());
     result.m_radius = container->radius;

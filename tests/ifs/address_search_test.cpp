@@ -9,6 +9,16 @@
 using namespace ifs;
 using namespace canonical;
 
+namespace {
+
+std::optional<Addressed> near(const SupportFunction<2>& attractor, const Vector<2>& x, double reach,
+                              double width, int maxNodes = 20'000) {
+    const Sought anywhere{x};
+    return addressNear(attractor, {&anywhere, 1}, reach, width, maxNodes);
+}
+
+} // namespace
+
 class AddressSearchTest : public QObject {
     Q_OBJECT
 
@@ -25,7 +35,7 @@ private slots:
             for (int k = 0; k < 30; ++k)
                 word.push_back(int(random() % 3));
             const Vector<2> point = composed<2>(maps, word)({0.3, 0.3});
-            const auto found = addressNear(*attractor, point, 1e-3, 1e-3);
+            const auto found = near(*attractor, point, 1e-3, 1e-3);
             QVERIFY(found);
             QVERIFY(found->address.size() >= 6 && found->address.size() < word.size());
             QVERIFY(std::equal(found->address.begin(), found->address.end(), word.begin()));
@@ -51,7 +61,7 @@ private slots:
         Vector<2> x = attractor->pointOfAttractor();
         for (int n = 0; n < 300; ++n) {
             x = maps[random() % maps.size()](x);
-            const auto found = addressNear(*attractor, x, 2 * pixel, pixel);
+            const auto found = near(*attractor, x, 2 * pixel, pixel);
             QVERIFY(found);
             const auto fixed = addressPoint<2>(maps, found->address, {0});
             QVERIFY((*fixed - x).norm() <= 3 * pixel);
@@ -60,17 +70,39 @@ private slots:
 
     void farFromTheAttractorThereIsNone() {
         const auto attractor = SupportFunction<2>::of(Maps2{maple()});
-        QVERIFY(!addressNear(*attractor, {100, 100}, 1, 0.01));
+        QVERIFY(!near(*attractor, {100, 100}, 1, 0.01));
         const auto holes = SupportFunction<2>::of(Maps2{sierpinskiRight()});
-        QVERIFY(!addressNear(*holes, {0.4, 0.4}, 0.01, 0.01)); // in the great hole
-        QVERIFY(addressNear(*holes, {0.4, 0.4}, 0.2, 0.01));
+        QVERIFY(!near(*holes, {0.4, 0.4}, 0.01, 0.01)); // in the great hole
+        QVERIFY(near(*holes, {0.4, 0.4}, 0.2, 0.01));
+    }
+
+    // Every point has so many addresses that not all can be looked at; one is found all the same.
+    void thereIsAnAddressAmongManyMaps() {
+        for (const int side : {10, 32, 100}) {
+            Maps2 maps;
+            for (int i = 0; i < side * side; ++i)
+                maps.push_back({Matrix<2>::Identity() / 2, Vector<2>(i % side, i / side) / (2 * side)});
+            const auto attractor = SupportFunction<2>::of(maps);
+            QVERIFY(attractor);
+            const double extent = (side - 1.0) / side; // a square, which has no holes
+            Random random(6);
+            for (int n = 0; n < 10; ++n) {
+                const Vector<2> x =
+                    extent * Vector<2>(double(random() % 1000) / 999, double(random() % 1000) / 999);
+                const auto found = near(*attractor, x, 0.003, 0.001);
+                QVERIFY(found);
+                QVERIFY((composed<2>(maps, found->address)(attractor->pointOfAttractor()) - x).norm() <
+                        0.004);
+            }
+            QVERIFY(!near(*attractor, {-0.01, 0.5}, 0.003, 0.001));
+        }
     }
 
     // The search ends at its bound, and what it has then is no address when it is wider than was asked for.
     void withTooFewNodesThereIsNone() {
         const auto attractor = SupportFunction<2>::of(Maps2{sierpinskiRight()});
-        QVERIFY(addressNear(*attractor, {0, 0}, 0.01, 1e-6));
-        QVERIFY(!addressNear(*attractor, {0, 0}, 0.01, 1e-6, {}, 20));
+        QVERIFY(near(*attractor, {0, 0}, 0.01, 1e-6));
+        QVERIFY(!near(*attractor, {0, 0}, 0.01, 1e-6, 20));
     }
 };
 

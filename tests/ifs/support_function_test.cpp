@@ -206,6 +206,37 @@ private slots:
         properties<2>(onOneLine, random);
     }
 
+    // Images as large as a half of the attractor, which no ellipsoid tells from those that matter.
+    void manyLargeMaps() {
+        Random random(3);
+        for (const int side : {20, 100, 316}) {
+            Maps2 maps;
+            for (int i = 0; i < side * side; ++i)
+                maps.push_back({Matrix<2>::Identity() / 2, Vector<2>(i % side, i / side) / (2 * (side - 1))});
+            const auto square = supportOf<2>(maps); // of side 1
+            QVERIFY(square.mapsToTheHull().size() <= std::size_t(std::max(256, 5 * side)));
+            for (const auto& u : {Vector<2>(1, 0), Vector<2>(-1, 0), Vector<2>(0.6, 0.8)}) {
+                const auto value = square(u, 1e-9);
+                QVERIFY2(value.error < 1e-8, qPrintable(QString::number(value.error)));
+                const double exact = std::max(u.x(), 0.0) + std::max(u.y(), 0.0);
+                QVERIFY(value.value <= exact + 1e-12 && exact <= value.value + value.error);
+            }
+        }
+        for (const int count : {1000, 20'000}) {
+            const auto maps = randomContractions<2>(random, count, 0.6);
+            const auto h = supportOf<2>(maps);
+            QVERIFY(h.mapsToTheHull().size() < 300);
+            for (const auto& u : {Vector<2>(1, 0), Vector<2>(-0.6, 0.8)}) {
+                const auto value = h(u, 1e-9 * h.radius());
+                QVERIFY(value.error < 1e-8 * h.radius());
+                double farthest = -HUGE_VAL;
+                for (const auto& x : orbit<2>(maps, 100'000, random))
+                    farthest = std::max(farthest, u.dot(x));
+                QVERIFY(farthest <= value.value + value.error);
+            }
+        }
+    }
+
     void equalMaps() {
         const Maps2 maps(50, affineMap(.5, .1, -.2, .4, 1, 1));
         const auto h = supportOf<2>(maps);
