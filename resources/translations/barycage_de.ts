@@ -157,6 +157,10 @@
         <source>None: no map takes part.</source>
         <translation>Keiner: keine Abbildung nimmt teil.</translation>
     </message>
+    <message>
+        <source>None: map %1 does not contract (%2 a map).</source>
+        <translation>Keiner: Abbildung %1 kontrahiert nicht (%2 je Abbildung).</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -4166,12 +4170,12 @@
         <translation>Von jedem gewählten Eintrag eine Kopie hinzufügen.</translation>
     </message>
     <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Entfernen</translation>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>Remove the selected entries from the file.</source>
-        <translation>Die gewählten Einträge aus der Datei entfernen.</translation>
+        <source>Delete the selected entries from the file.</source>
+        <translation>Die gewählten Einträge aus der Datei löschen.</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -4226,14 +4230,14 @@
         <translation>Einen Eintrag hinzufügen</translation>
     </message>
     <message>
-        <source>Remove %1</source>
-        <translation>%1 entfernen</translation>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
     </message>
     <message numerus="yes">
-        <source>Remove %n entries</source>
+        <source>Delete %n entries</source>
         <translation>
-            <numerusform>%n Eintrag entfernen</numerusform>
-            <numerusform>%n Einträge entfernen</numerusform>
+            <numerusform>%n Eintrag löschen</numerusform>
+            <numerusform>%n Einträge löschen</numerusform>
         </translation>
     </message>
     <message>
@@ -4812,12 +4816,12 @@
         <translation>Eine Marke nach der gewählten hinzufügen</translation>
     </message>
     <message>
-        <source>Remove Stop</source>
-        <translation>Marke entfernen</translation>
+        <source>Delete Stop</source>
+        <translation>Marke löschen</translation>
     </message>
     <message>
-        <source>Remove the chosen stop</source>
-        <translation>Die gewählte Marke entfernen</translation>
+        <source>Delete the chosen stop</source>
+        <translation>Die gewählte Marke löschen</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -4923,9 +4927,9 @@
         <translation>Marken des Farbverlaufs</translation>
     </message>
     <message>
-        <source>Double-click: new stop, or the colour of one. Drag: move. Del: remove.
+        <source>Double-click: new stop, or the colour of one. Drag: move. Del: delete it.
 Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
-        <translation>Doppelklick: neue Marke oder Farbe der getroffenen. Ziehen: bewegen. Entf: entfernen.
+        <translation>Doppelklick: neue Marke oder Farbe der getroffenen. Ziehen: bewegen. Entf: löschen.
 Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg fügt eine hinzu, Eingabe öffnet ihre Farbe.</translation>
     </message>
     <message>
@@ -4937,8 +4941,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Der Palette eine Marke hinzufügen</translation>
     </message>
     <message>
-        <source>Remove a stop of the palette</source>
-        <translation>Eine Marke der Palette entfernen</translation>
+        <source>Delete a stop of the palette</source>
+        <translation>Eine Marke der Palette löschen</translation>
     </message>
     <message>
         <source>Move a stop of the palette</source>
@@ -6027,8 +6031,8 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Einfg oder +, oder Doppelklick</translation>
     </message>
     <message>
-        <source>Remove the stop</source>
-        <translation>Die Marke entfernen</translation>
+        <source>Delete the stop</source>
+        <translation>Die Marke löschen</translation>
     </message>
     <message>
         <source>Del or Backspace</source>

@@ -78,13 +78,6 @@
 <context>
     <name>view::EntriesPanel</name>
     <message numerus="yes">
-        <source>Remove %n entries</source>
-        <translation>
-            <numerusform>Remove %n entry</numerusform>
-            <numerusform>Remove %n entries</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Duplicate %n entries</source>
         <translation>
             <numerusform>Duplicate %n entry</numerusform>
@@ -110,6 +103,13 @@
         <translation>
             <numerusform>Move %n entry</numerusform>
             <numerusform>Move %n entries</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n entries</source>
+        <translation>
+            <numerusform>Delete %n entry</numerusform>
+            <numerusform>Delete %n entries</numerusform>
         </translation>
     </message>
 </context>

@@ -157,6 +157,10 @@
         <source>None: no map takes part.</source>
         <translation>Ninguno: no participa ninguna aplicación.</translation>
     </message>
+    <message>
+        <source>None: map %1 does not contract (%2 a map).</source>
+        <translation>Ninguno: la aplicación %1 no contrae (%2 por aplicación).</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -4166,12 +4170,12 @@
         <translation>Añadir una copia de cada entrada seleccionada.</translation>
     </message>
     <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Quitar</translation>
+        <source>De&amp;lete</source>
+        <translation>&amp;Eliminar</translation>
     </message>
     <message>
-        <source>Remove the selected entries from the file.</source>
-        <translation>Quitar del archivo las entradas seleccionadas.</translation>
+        <source>Delete the selected entries from the file.</source>
+        <translation>Eliminar del archivo las entradas seleccionadas.</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -4226,14 +4230,14 @@
         <translation>Añadir una entrada</translation>
     </message>
     <message>
-        <source>Remove %1</source>
-        <translation>Quitar %1</translation>
+        <source>Delete %1</source>
+        <translation>Eliminar %1</translation>
     </message>
     <message numerus="yes">
-        <source>Remove %n entries</source>
+        <source>Delete %n entries</source>
         <translation>
-            <numerusform>Quitar %n entrada</numerusform>
-            <numerusform>Quitar %n entradas</numerusform>
+            <numerusform>Eliminar %n entrada</numerusform>
+            <numerusform>Eliminar %n entradas</numerusform>
         </translation>
     </message>
     <message>
@@ -4812,12 +4816,12 @@
         <translation>Añadir una parada después de la elegida</translation>
     </message>
     <message>
-        <source>Remove Stop</source>
-        <translation>Quitar parada</translation>
+        <source>Delete Stop</source>
+        <translation>Eliminar parada</translation>
     </message>
     <message>
-        <source>Remove the chosen stop</source>
-        <translation>Quitar la parada elegida</translation>
+        <source>Delete the chosen stop</source>
+        <translation>Eliminar la parada elegida</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -4923,9 +4927,9 @@
         <translation>Paradas del degradado</translation>
     </message>
     <message>
-        <source>Double-click: new stop, or the colour of one. Drag: move. Del: remove.
+        <source>Double-click: new stop, or the colour of one. Drag: move. Del: delete it.
 Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
-        <translation>Doble clic: parada nueva, o el color de una. Arrastrar: mover. Supr: quitar.
+        <translation>Doble clic: parada nueva, o el color de una. Arrastrar: mover. Supr: eliminar.
 Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade una, Intro abre su color.</translation>
     </message>
     <message>
@@ -4937,8 +4941,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Añadir una parada a la paleta</translation>
     </message>
     <message>
-        <source>Remove a stop of the palette</source>
-        <translation>Quitar una parada de la paleta</translation>
+        <source>Delete a stop of the palette</source>
+        <translation>Eliminar una parada de la paleta</translation>
     </message>
     <message>
         <source>Move a stop of the palette</source>
@@ -6027,8 +6031,8 @@ La entrada se conserva tal cual.</translation>
         <translation>Ins o +, o doble clic</translation>
     </message>
     <message>
-        <source>Remove the stop</source>
-        <translation>Quitar la parada</translation>
+        <source>Delete the stop</source>
+        <translation>Eliminar la parada</translation>
     </message>
     <message>
         <source>Del or Backspace</source>

@@ -157,6 +157,10 @@
         <source>None: no map takes part.</source>
         <translation>Aucun : aucune application ne participe.</translation>
     </message>
+    <message>
+        <source>None: map %1 does not contract (%2 a map).</source>
+        <translation>Aucun : l’application %1 ne contracte pas (%2 par application).</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -4166,11 +4170,11 @@
         <translation>Ajouter une copie de chaque entrée sélectionnée.</translation>
     </message>
     <message>
-        <source>&amp;Remove</source>
+        <source>De&amp;lete</source>
         <translation>&amp;Supprimer</translation>
     </message>
     <message>
-        <source>Remove the selected entries from the file.</source>
+        <source>Delete the selected entries from the file.</source>
         <translation>Supprimer du fichier les entrées sélectionnées.</translation>
     </message>
     <message>
@@ -4226,11 +4230,11 @@
         <translation>Ajouter une entrée</translation>
     </message>
     <message>
-        <source>Remove %1</source>
+        <source>Delete %1</source>
         <translation>Supprimer %1</translation>
     </message>
     <message numerus="yes">
-        <source>Remove %n entries</source>
+        <source>Delete %n entries</source>
         <translation>
             <numerusform>Supprimer %n entrée</numerusform>
             <numerusform>Supprimer %n entrées</numerusform>
@@ -4812,11 +4816,11 @@
         <translation>Ajouter un repère après celui qui est choisi</translation>
     </message>
     <message>
-        <source>Remove Stop</source>
+        <source>Delete Stop</source>
         <translation>Supprimer le repère</translation>
     </message>
     <message>
-        <source>Remove the chosen stop</source>
+        <source>Delete the chosen stop</source>
         <translation>Supprimer le repère choisi</translation>
     </message>
     <message>
@@ -4923,7 +4927,7 @@
         <translation>Repères du dégradé</translation>
     </message>
     <message>
-        <source>Double-click: new stop, or the colour of one. Drag: move. Del: remove.
+        <source>Double-click: new stop, or the colour of one. Drag: move. Del: delete it.
 Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
         <translation>Double-clic&#x202f;: nouveau repère, ou couleur d’un repère. Glisser&#x202f;: déplacer. Suppr&#x202f;: supprimer.
 Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches le déplacent, Inser en ajoute un, Entrée ouvre sa couleur.</translation>
@@ -4937,7 +4941,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Ajouter un repère à la palette</translation>
     </message>
     <message>
-        <source>Remove a stop of the palette</source>
+        <source>Delete a stop of the palette</source>
         <translation>Supprimer un repère de la palette</translation>
     </message>
     <message>
@@ -6027,8 +6031,8 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Inser ou +, ou double-clic</translation>
     </message>
     <message>
-        <source>Remove the stop</source>
-        <translation>Retirer le repère</translation>
+        <source>Delete the stop</source>
+        <translation>Supprimer le repère</translation>
     </message>
     <message>
         <source>Del or Backspace</source>

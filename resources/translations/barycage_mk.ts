@@ -158,6 +158,10 @@
         <source>None: no map takes part.</source>
         <translation>Нема: ниту едно пресликување не учествува.</translation>
     </message>
+    <message>
+        <source>None: map %1 does not contract (%2 a map).</source>
+        <translation>Нема: пресликувањето %1 не контрахира (%2 по пресликување).</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -4174,12 +4178,12 @@
         <translation>Додај копија од секој избран запис.</translation>
     </message>
     <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Отстрани</translation>
+        <source>De&amp;lete</source>
+        <translation>&amp;Избриши</translation>
     </message>
     <message>
-        <source>Remove the selected entries from the file.</source>
-        <translation>Отстрани ги избраните записи од датотеката.</translation>
+        <source>Delete the selected entries from the file.</source>
+        <translation>Избриши ги избраните записи од датотеката.</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -4234,15 +4238,15 @@
         <translation>Додавање на запис</translation>
     </message>
     <message>
-        <source>Remove %1</source>
-        <translation>Отстранување на %1</translation>
+        <source>Delete %1</source>
+        <translation>Бришење на %1</translation>
     </message>
     <message numerus="yes">
-        <source>Remove %n entries</source>
+        <source>Delete %n entries</source>
         <translation>
-            <numerusform>Отстранување на %n запис</numerusform>
-            <numerusform>Отстранување на %n записи</numerusform>
-            <numerusform>Отстранување на %n записи</numerusform>
+            <numerusform>Бришење на %n запис</numerusform>
+            <numerusform>Бришење на %n записи</numerusform>
+            <numerusform>Бришење на %n записи</numerusform>
         </translation>
     </message>
     <message>
@@ -4825,12 +4829,12 @@
         <translation>Додај маркер по избраниот</translation>
     </message>
     <message>
-        <source>Remove Stop</source>
-        <translation>Отстрани маркер</translation>
+        <source>Delete Stop</source>
+        <translation>Избриши маркер</translation>
     </message>
     <message>
-        <source>Remove the chosen stop</source>
-        <translation>Отстрани го избраниот маркер</translation>
+        <source>Delete the chosen stop</source>
+        <translation>Избриши го избраниот маркер</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -4936,9 +4940,9 @@
         <translation>Маркери на градиентот</translation>
     </message>
     <message>
-        <source>Double-click: new stop, or the colour of one. Drag: move. Del: remove.
+        <source>Double-click: new stop, or the colour of one. Drag: move. Del: delete it.
 Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
-        <translation>Двојно кликање: нов маркер или боја на постоен. Влечење: поместување. Del: отстранување.
+        <translation>Двојно кликање: нов маркер или боја на постоен. Влечење: поместување. Del: бришење.
 Копчиња: Page Up и Page Down избираат маркер, стрелките го поместуваат, Ins додава нов, Enter ја отвора неговата боја.</translation>
     </message>
     <message>
@@ -4950,8 +4954,8 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Додавање на маркер во палетата</translation>
     </message>
     <message>
-        <source>Remove a stop of the palette</source>
-        <translation>Отстранување на маркер од палетата</translation>
+        <source>Delete a stop of the palette</source>
+        <translation>Бришење на маркер од палетата</translation>
     </message>
     <message>
         <source>Move a stop of the palette</source>
@@ -6041,8 +6045,8 @@ The entry is kept as it is.</source>
         <translation>Ins или +, или двоен клик</translation>
     </message>
     <message>
-        <source>Remove the stop</source>
-        <translation>Отстрани го маркерот</translation>
+        <source>Delete the stop</source>
+        <translation>Избриши го маркерот</translation>
     </message>
     <message>
         <source>Del or Backspace</source>

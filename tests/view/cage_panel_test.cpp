@@ -244,6 +244,26 @@ private slots:
         QVERIFY(qAbs(cage().rest[0].x() - cage().rest[1].x() - 11.704657475156326) < 1e-6);
     }
 
+    void saysTheMinimalCanonicalSimplexOfWhatIsShown() {
+        const auto text = [this] {
+            for (const auto* label : m_panel->findChildren<QLabel*>())
+                if (label->accessibleName() == QStringLiteral("Minimal canonical simplex"))
+                    return label->text();
+            return QString();
+        };
+        m_document->setFile(document::fileOf(maple()));
+        QTRY_COMPARE(text(), QStringLiteral("(−, −), leg 11.7047, corner (3.3442, 5.0725)"));
+        document::Fractal twice = withTriangle(maple());
+        for (std::size_t i = 0; i < 3; ++i)
+            twice.cage->current[i] = 2 * twice.cage->rest[i];
+        m_document->setFile(document::fileOf(twice));
+        QTRY_COMPARE(text(), QStringLiteral("(−, −), leg 23.4093, corner (6.6884, 10.1449)"));
+        document::Fractal none = maple();
+        document::system2(none)->maps.clear();
+        m_document->setFile(document::fileOf(none));
+        QTRY_COMPARE(text(), QStringLiteral("No map takes part, so there is nothing to enclose."));
+    }
+
     void asksForTheThreeClicks() {
         QSignalSpy asked(m_panel.get(), &CagePanel::defineRequested);
         for (QAction* action : m_panel->findChildren<QAction*>())

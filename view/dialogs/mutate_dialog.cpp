@@ -2,6 +2,7 @@
 #include "dialogs/mutate_dialog.h"
 
 #include "document/variations.h"
+#include "io/background.h"
 #include "panels/entries_edits.h"
 #include "panels/thumbnail_tile.h"
 
@@ -16,6 +17,8 @@
 #include <QStyle>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace view {
 
@@ -55,9 +58,9 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     : QDialog(parent),
       m_document(document),
       m_source(source),
-      m_parent(document->fractal()),
+      m_parent(document->currentEntry().fractal),
       m_thumbnails(new Thumbnails(this)) {
-    setWindowTitle(source == Source::Current ? tr("Variations of “%1”").arg(m_parent.name)
+    setWindowTitle(source == Source::Current ? tr("Variations of “%1”").arg(m_parent->name)
                                              : tr("Fractals by Chance"));
     m_thumbnails->setSize(side, devicePixelRatioF());
     connect(m_thumbnails, &Thumbnails::ready, this, [this](quint64 key) {
@@ -91,8 +94,12 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     connect(m_vary, &QPushButton::clicked, this, &MutateDialog::varyChosen);
     connect(m_grid, &QListWidget::itemDoubleClicked, this, &MutateDialog::accept);
     connect(m_grid, &QListWidget::itemSelectionChanged, this, &MutateDialog::updateButtons);
-    connect(&m_timer, &QTimer::timeout, this, &MutateDialog::makeNext);
+    connect(&m_making, &QFutureWatcherBase::resultReadyAt, this, &MutateDialog::take);
     makeAll();
+}
+
+MutateDialog::~MutateDialog() {
+    m_making.cancel();
 }
 
 void MutateDialog::createControls() {
@@ -128,28 +135,28 @@ void MutateDialog::createControls() {
 }
 
 void MutateDialog::makeAll() {
+    m_making.cancel();
     m_thumbnails->clear();
-    m_fractals.clear();
+    io::letGo(std::exchange(m_fractals, {}));
     m_grid->clear();
     for (int i = 0; i < count; ++i) {
         auto* item = new QListWidgetItem(m_grid);
         item->setSizeHint(m_grid->gridSize()); // before its picture is there
     }
-    m_timer.start(0);
+    const std::uint64_t first = std::uint64_t(m_seed->value()) * count;
+    const double strength = double(m_strength->value()) / strengthSteps;
+    m_making.setFuture(io::inBackground<FractalPointer>(
+        [source = m_source, parent = m_parent, first, strength](QPromise<FractalPointer>& made) {
+            for (std::uint64_t seed = first; seed < first + count && !made.isCanceled(); ++seed)
+                made.addResult(std::make_shared<const document::Fractal>(
+                    source == Source::Current ? document::variation(*parent, strength, seed)
+                                              : document::randomFractal(seed)));
+        }));
     updateButtons();
 }
 
-void MutateDialog::makeNext() {
-    const auto index = int(m_fractals.size());
-    if (index == count) {
-        m_timer.stop();
-        return;
-    }
-    const std::uint64_t seed = std::uint64_t(m_seed->value()) * count + std::uint64_t(index);
-    const double strength = double(m_strength->value()) / strengthSteps;
-    m_fractals.push_back(std::make_shared<const document::Fractal>(
-        m_source == Source::Current ? document::variation(m_parent, strength, seed)
-                                    : document::randomFractal(seed)));
+void MutateDialog::take(int index) {
+    m_fractals.push_back(m_making.resultAt(index));
     m_grid->item(index)->setData(Qt::AccessibleTextRole, tr("Variation %1").arg(index + 1));
     showPicture(index);
     updateButtons();
@@ -176,7 +183,7 @@ void MutateDialog::updateButtons() {
 
 void MutateDialog::varyChosen() {
     if (chosen() < 0) return;
-    m_parent = *m_fractals[std::size_t(chosen())];
+    m_parent = m_fractals[std::size_t(chosen())];
     makeAll();
 }
 

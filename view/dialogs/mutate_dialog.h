@@ -5,7 +5,7 @@
 #include "thumbnails.h"
 
 #include <QDialog>
-#include <QTimer>
+#include <QFutureWatcher>
 
 #include <vector>
 
@@ -29,13 +29,16 @@ public:
     static constexpr int count = 12;
 
     MutateDialog(document::Document* document, Source source, QWidget* parent = nullptr);
+    ~MutateDialog() override;
 
     void accept() override; // makes the chosen one the document's
 
 private:
+    using FractalPointer = Thumbnails::FractalPointer;
+
     void createControls();
-    void makeAll(); // from the seed, one per turn of the event loop
-    void makeNext();
+    void makeAll(); // from the seed, beside the window
+    void take(int index);
     void varyChosen();
     void showPicture(int index);
     int chosen() const; // −1: none
@@ -43,15 +46,15 @@ private:
 
     document::Document* m_document;
     const Source m_source;
-    document::Fractal m_parent; // that is varied
-    std::vector<std::shared_ptr<const document::Fractal>> m_fractals;
+    FractalPointer m_parent; // that is varied
+    std::vector<FractalPointer> m_fractals;
+    QFutureWatcher<FractalPointer> m_making;
     Thumbnails* m_thumbnails;
     QListWidget* m_grid = nullptr;
     QSlider* m_strength = nullptr;
     QSpinBox* m_seed = nullptr;
     QPushButton* m_use = nullptr;
     QPushButton* m_vary = nullptr;
-    QTimer m_timer;
 };
 
 } // namespace view

@@ -66,7 +66,7 @@ void addGestures(QTreeWidget* tree) {
          ShortcutsDialog::tr("Page Up, Page Down, Home, End, or Ctrl + Left, Right")},
         {ShortcutsDialog::tr("Move the stop"), ShortcutsDialog::tr("Left, Right; Shift ×10")},
         {ShortcutsDialog::tr("Add a stop"), ShortcutsDialog::tr("Ins or +, or double-click")},
-        {ShortcutsDialog::tr("Remove the stop"), ShortcutsDialog::tr("Del or Backspace")},
+        {ShortcutsDialog::tr("Delete the stop"), ShortcutsDialog::tr("Del or Backspace")},
         {ShortcutsDialog::tr("Change the colour of the stop"),
          ShortcutsDialog::tr("Enter or Space, or double-click it")},
         {ShortcutsDialog::tr("Take the change back"), ShortcutsDialog::tr("Esc")},

@@ -7,10 +7,13 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace view {
 
 namespace {
+
+using document::Analysis;
 
 constexpr std::size_t mostListed = 24; // maps of which a line says something
 
@@ -18,16 +21,21 @@ class Facts {
     Q_DECLARE_TR_FUNCTIONS(Analysis)
 
 public:
-    explicit Facts(const document::Analysis& analysis) : m_analysis(analysis), m_facts(analysis.facts) {}
+    explicit Facts(std::shared_ptr<const Analysis> analysis)
+        : m_analysis(std::move(analysis)), m_facts(m_analysis->facts) {}
     QList<Fact> all();
 
 private:
     using Format = QString (*)(double);
-    // The same text with few and with all digits; empty when there is nothing to say.
+    // The same text with few digits and, when it is asked for, with all: those of 10⁵ maps take long.
     template <class Writer>
     void add(const QString& name, const QString& definition, bool isKnown, Writer write) {
-        m_lines.append({name, isKnown ? write(&shortNumber) : QString(),
-                        isKnown ? write(&fullNumber) : QString(), definition});
+        if (isKnown)
+            m_lines.append({name, write(*m_analysis, &shortNumber),
+                            [analysis = m_analysis, write] { return write(*analysis, &fullNumber); },
+                            definition});
+        else
+            m_lines.append({name, QString(), [] { return QString(); }, definition});
     }
     static QString pair(const ifs::Vector<2>& v, Format number) {
         return QStringLiteral("(%1, %2)").arg(number(v.x()), number(v.y()));
@@ -46,7 +54,7 @@ private:
     void addMoments();
     void addExtents();
 
-    const document::Analysis& m_analysis;
+    std::shared_ptr<const Analysis> m_analysis;
     const ifs::Facts<2>& m_facts;
     QList<Fact> m_lines;
 };
@@ -69,86 +77,90 @@ void Facts::addMaps() {
     add(tr("Attractor"),
         tr("A system has one attractor if some power of it contracts: then every start leads to the same "
            "set."),
-        true, [&](Format) { return verdict; });
+        true, [verdict](const Analysis&, Format) { return verdict; });
     add(tr("Contraction"), tr("‖A‖ of each map that takes part: the most by which it stretches distances."),
-        !m_facts.active.maps.empty(), [&](Format number) {
-            const auto& maps = m_facts.active.maps;
+        !m_facts.active.maps.empty(), [](const Analysis& analysis, Format number) {
+            const auto& maps = analysis.facts.active.maps;
             return list(maps.size(), number,
                         [&](std::size_t i) { return number(ifs::spectralNorm<2>(maps[i].linear)); });
         });
     add(tr("Fixed points"), tr("The point that each map leaves where it is; it lies on the attractor."),
-        !m_analysis.fixedPoints.empty(), [&](Format number) {
-            const auto& points = m_analysis.fixedPoints;
+        !m_analysis->fixedPoints.empty(), [](const Analysis& analysis, Format number) {
+            const auto& points = analysis.fixedPoints;
             return list(points.size(), number, [&](std::size_t i) { return pair(points[i], number); });
         });
 }
 
 void Facts::addDimensions() {
-    const auto& similarity = m_facts.similarityDimension;
     add(tr("Similarity dimension"),
         tr("The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It "
            "is "
            "the dimension of the attractor when the pieces do not overlap."),
-        similarity.has_value(), [&](Format number) { return number(*similarity); });
-    const auto& affinity = m_facts.affinityDimension;
+        m_facts.similarityDimension.has_value(),
+        [](const Analysis& analysis, Format number) { return number(*analysis.facts.similarityDimension); });
     add(tr("Affinity dimension"),
         tr("Falconer’s dimension: where the sum of the singular value functions of all words of one length "
            "neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to "
            "it "
            "for almost all translations when the maps contract enough."),
-        affinity.has_value(), [&](Format number) { return number(*affinity); });
-    m_lines.last().isPending = !m_analysis.isComplete;
-    const auto& counting = m_analysis.boxCounting;
+        m_facts.affinityDimension.has_value(),
+        [](const Analysis& analysis, Format number) { return number(*analysis.facts.affinityDimension); });
+    m_lines.last().isPending = !m_analysis->isComplete;
     add(tr("Box-counting dimension"),
         tr("Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the "
            "attractor. An estimate: it depends on the sizes counted."),
-        counting.has_value(), [&](Format number) { return number(counting->fit.slope); });
-    m_lines.last().isPending = !m_analysis.isComplete;
+        m_analysis->boxCounting.has_value(),
+        [](const Analysis& analysis, Format number) { return number(analysis.boxCounting->fit.slope); });
+    m_lines.last().isPending = !m_analysis->isComplete;
 }
 
 void Facts::addMoments() {
-    const auto& moments = m_facts.moments;
     add(tr("Mean"), tr("Mean of the invariant measure, solved exactly: the centre of mass of the picture."),
-        moments.has_value(), [&](Format number) { return pair(moments->mean, number); });
+        m_facts.moments.has_value(),
+        [](const Analysis& analysis, Format number) { return pair(analysis.facts.moments->mean, number); });
     add(tr("Covariance"),
         tr("Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. "
            "The ellipse is the one on which an even mass has the same mean and covariance."),
-        moments.has_value(), [&](Format number) {
-            const auto& covariance = moments->covariance;
+        m_facts.moments.has_value(), [](const Analysis& analysis, Format number) {
+            const auto& covariance = analysis.facts.moments->covariance;
             return QStringLiteral("%1, %2, %3")
                 .arg(number(covariance(0, 0)), number(covariance(0, 1)), number(covariance(1, 1)));
         });
 }
 
 void Facts::addExtents() {
-    const auto& box = m_facts.box;
     add(tr("Box"),
         tr("The smallest box with sides parallel to the axes that holds the attractor; certified."),
-        box.has_value(), [&](Format number) {
+        m_facts.box.has_value(), [](const Analysis& analysis, Format number) {
+            const auto& box = analysis.facts.box;
             return QStringLiteral("[%1, %2] × [%3, %4]")
                 .arg(number(box->min.x()), number(box->max.x()), number(box->min.y()), number(box->max.y()));
         });
-    const auto& simplex = m_facts.simplex;
     add(tr("Canonical simplex"),
         tr("The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; "
            "certified. The signs are the directions of its legs."),
-        simplex.has_value(), [&](Format number) {
+        m_facts.simplex.has_value(), [](const Analysis& analysis, Format number) {
+            const auto& simplex = analysis.facts.simplex;
             return tr("%1, leg %2, corner %3")
                 .arg(orientationText(simplex->orientation), number(simplex->leg),
                      pair(simplex->vertices[0], number));
         });
-    const auto& hull = m_facts.hull;
     add(tr("Hull area"),
         tr("Area of the convex hull: of the polygon whose vertices were found on the "
            "attractor. The hull itself is larger by at most its border times the error bound."),
-        hull.has_value(), [&](Format number) { return number(hull->area); });
+        m_facts.hull.has_value(),
+        [](const Analysis& analysis, Format number) { return number(analysis.facts.hull->area); });
     add(tr("Hull vertices"),
         tr("Corners of the convex hull as found, each a point of the attractor. A hull "
            "with infinitely many has as many as its tolerance asks for."),
-        hull.has_value(), [&](Format) { return QString::number(hull->vertices.size()); });
+        m_facts.hull.has_value(), [](const Analysis& analysis, Format) {
+            return QString::number(analysis.facts.hull->vertices.size());
+        });
     add(tr("Hull error bound"), tr("The attractor reaches at most this far beyond the polygon; certified."),
-        hull.has_value(),
-        [&](Format number) { return number == &shortNumber ? bound(hull->error) : number(hull->error); });
+        m_facts.hull.has_value(), [](const Analysis& analysis, Format number) {
+            const double error = analysis.facts.hull->error;
+            return number == &shortNumber ? bound(error) : number(error);
+        });
 }
 
 QString word(const std::vector<int>& address, const std::vector<std::size_t>& rows) {
@@ -170,6 +182,9 @@ QString existenceSentence(const ifs::Existence& existence, const std::vector<std
             .arg(existence.wordLength)
             .arg(factor);
     case ifs::Verdict::None:
+        if (existence.witness.size() == 1)
+            return Facts::tr("None: map %1 does not contract (%2 a map).")
+                .arg(word(existence.witness, rows), factor);
         return Facts::tr("None: the word %1 does not contract (%2 a map).")
             .arg(word(existence.witness, rows), factor);
     case ifs::Verdict::Undecided:
@@ -180,8 +195,8 @@ QString existenceSentence(const ifs::Existence& existence, const std::vector<std
     return {};
 }
 
-QList<Fact> analysisFacts(const document::Analysis& analysis) {
-    return Facts(analysis).all();
+QList<Fact> analysisFacts(std::shared_ptr<const document::Analysis> analysis) {
+    return Facts(std::move(analysis)).all();
 }
 
 } // namespace view

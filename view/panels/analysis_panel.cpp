@@ -184,7 +184,7 @@ void AnalysisPanel::showAnalysis() {
     showNotice();
     if (!isVisible()) return;
     const auto analysis = m_bridge->analysis();
-    QList<Fact> facts = analysis ? analysisFacts(*analysis) : QList<Fact>();
+    QList<Fact> facts = analysis ? analysisFacts(analysis) : QList<Fact>();
     // What is still being worked out keeps the value of a moment ago.
     for (qsizetype k = 0; k < facts.size() && k < m_facts.size(); ++k)
         if (facts[k].isPending) {
@@ -213,7 +213,7 @@ void AnalysisPanel::makeLines(qsizetype count) {
         connect(value, &QWidget::customContextMenuRequested, this, [this, i, value](const QPoint& place) {
             QMenu menu(value);
             menu.addAction(tr("Copy with All Digits"),
-                           [this, i] { QGuiApplication::clipboard()->setText(m_facts.value(i).exact); });
+                           [this, i] { QGuiApplication::clipboard()->setText(m_facts.at(i).exact()); });
             menu.addAction(tr("Copy All Facts"), this, &AnalysisPanel::copyAll);
             menu.exec(value->mapToGlobal(place));
         });
@@ -239,7 +239,7 @@ void AnalysisPanel::showLines() {
 void AnalysisPanel::copyAll() const {
     QStringList lines;
     for (const Fact& fact : m_facts)
-        if (!fact.exact.isEmpty()) lines << fact.name + u'\t' + fact.exact;
+        if (!fact.value.isEmpty()) lines << fact.name + u'\t' + fact.exact();
     QGuiApplication::clipboard()->setText(lines.join(u'\n'));
 }
 

@@ -2,6 +2,7 @@
 #include "panels/cage_panel.h"
 
 #include "icon.h"
+#include "io/background.h"
 #include "panels/number_field.h"
 
 #include <QAction>
@@ -90,6 +91,8 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     m_settled.setSingleShot(true);
     m_settled.setInterval(restPause);
     connect(&m_settled, &QTimer::timeout, this, &CagePanel::showSimplex);
+    connect(&m_enclosing, &QFutureWatcherBase::resultReadyAt, this,
+            [this](int index) { m_simplex->setText(m_enclosing.resultAt(index)); });
     connect(document, &document::Document::changed, this, &CagePanel::follow);
     showCage();
 }
@@ -479,12 +482,16 @@ void CagePanel::showPoint() {
 void CagePanel::showSimplex() {
     if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_settled.start(); // still held
     if (!isVisible()) return;
-    const auto simplex = displayedSimplex(m_document->fractal(), SimplexChoice::Minimal);
-    m_simplex->setText(simplex ? tr("%1, leg %2, corner (%3, %4)")
+    m_enclosing.cancel();
+    m_enclosing.setFuture(io::inBackground<QString>([fractal = m_document->currentEntry().fractal](
+                                                        QPromise<QString>& text) {
+        const auto simplex = displayedSimplex(*fractal, SimplexChoice::Minimal);
+        text.addResult(simplex ? tr("%1, leg %2, corner (%3, %4)")
                                      .arg(orientationText(simplex->orientation), shortNumber(simplex->leg),
                                           shortNumber(simplex->vertices[0].x()),
                                           shortNumber(simplex->vertices[0].y()))
-                               : fitObstacle(m_document->fractal()));
+                               : fitObstacle(*fractal));
+    }));
 }
 
 void CagePanel::updateActions() {

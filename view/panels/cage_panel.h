@@ -4,6 +4,7 @@
 #include "cage_edits.h"
 #include "panels/live_edit.h"
 
+#include <QFutureWatcher>
 #include <QTimer>
 #include <QWidget>
 
@@ -100,7 +101,8 @@ private:
     QAction* m_reset = nullptr;
     QAction* m_bake = nullptr;
     QToolButton* m_fit = nullptr;
-    QTimer m_settled; // the simplex is computed when the hand rests
+    QTimer m_settled;                    // the simplex is computed when the hand rests,
+    QFutureWatcher<QString> m_enclosing; // beside the window
 };
 
 } // namespace view

@@ -120,7 +120,7 @@ void EntriesPanel::createActions() {
     m_duplicate =
         createAction(tr("D&uplicate"), tr("Add a copy of each selected entry."), QStringLiteral("duplicate"),
                      {Qt::Key_Insert}, &EntriesPanel::duplicateSelected);
-    m_remove = createAction(tr("&Remove"), tr("Remove the selected entries from the file."),
+    m_remove = createAction(tr("De&lete"), tr("Delete the selected entries from the file."),
                             QStringLiteral("remove"), {QKeySequence::Delete}, &EntriesPanel::removeSelected);
     m_rename = createAction(tr("Re&name"), tr("Give the entry another name."), {}, {Qt::Key_F2},
                             &EntriesPanel::renameCurrent);
@@ -191,8 +191,8 @@ void EntriesPanel::removeSelected() {
     const QList<EntryId> ids = m_list->selectedIds();
     if (ids.isEmpty()) return;
     const QList<Entry> entries = entriesOf(ids);
-    const QString text = ids.size() == 1 ? tr("Remove %1").arg(quotedName(entries.front()))
-                                         : tr("Remove %n entries", nullptr, static_cast<int>(ids.size()));
+    const QString text = ids.size() == 1 ? tr("Delete %1").arg(quotedName(entries.front()))
+                                         : tr("Delete %n entries", nullptr, static_cast<int>(ids.size()));
     m_document->editFile(text, removed(m_document->file(), ids));
 }
 

@@ -33,7 +33,7 @@ GradientEditor::GradientEditor(QWidget* parent) : QWidget(parent) {
     m_position->setRange({0.0, 1.0, NumberRange::Ends::Closed});
     m_position->setFixedWidth(m_position->minimumSizeHint().width() + 14);
     auto* add = button(QStringLiteral("add"), tr("Add Stop"), tr("Add a stop after the chosen one"));
-    m_remove = button(QStringLiteral("remove"), tr("Remove Stop"), tr("Remove the chosen stop"));
+    m_remove = button(QStringLiteral("remove"), tr("Delete Stop"), tr("Delete the chosen stop"));
     auto* turn = button({}, tr("Reverse"), tr("Turn the palette round"));
     auto* spread = button({}, tr("Distribute"), tr("Put the stops at equal distances"));
     auto* open =

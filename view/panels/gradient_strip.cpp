@@ -30,7 +30,7 @@ GradientStrip::GradientStrip(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Stops of the gradient"));
     setToolTip(
-        tr("Double-click: new stop, or the colour of one. Drag: move. Del: remove.\n"
+        tr("Double-click: new stop, or the colour of one. Drag: move. Del: delete it.\n"
            "Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its "
            "colour."));
     m_settled.setSingleShot(true);
@@ -84,7 +84,7 @@ void GradientStrip::removeSelected() {
     settle();
     attractor::Palette changed = m_gradient;
     removeStop(changed, m_selected);
-    emit tried(tr("Remove a stop of the palette"), changed);
+    emit tried(tr("Delete a stop of the palette"), changed);
     emit accepted();
     select(std::min(m_selected, changed.stops.size() - 1));
 }
