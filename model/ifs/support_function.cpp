@@ -27,7 +27,7 @@ constexpr std::size_t ConsideredPerNode = 8; // children that are dropped at onc
 constexpr std::size_t ConsideredPerMap = 40;
 constexpr int TableDepth = 4;
 constexpr std::size_t TableWork = 60'000; // bounds evaluated at most while the container is shrunk …
-constexpr std::size_t LeastSweeps = 3;    // … but for maps that are too many for that
+constexpr std::size_t LeastSweeps = 2;    // … but for maps that are too many for that
 constexpr std::size_t FewMaps = 256;      // not worth asking which of them matter
 
 template <int Dim> Vector<Dim> solveFixedPoint(const AffineMap<Dim>& contraction) {
@@ -381,10 +381,8 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
                 auto fewer = outerMaps(
                     maps, container->places, result.m_centre, container->radius,
                     [&](const Vector<2>& v) { return container->bound(v); }, points);
-                if (10 * fewer.size() > 9 * container->places.size()) {
-                    if (finer == TableDepth) break;
-                    finer += 2;
-                }
+                if (finer == TableDepth && 10 * fewer.size() > 9 * container->places.size()) break;
+                if (2 * fewer.size() > container->places.size()) finer = std::min(finer + 2, TableDepth);
                 container = contain(std::move(fewer), container.get());
             }
         }

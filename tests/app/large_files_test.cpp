@@ -37,11 +37,10 @@ void put(const QString& path, const QByteArray& bytes) {
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no test file");
 }
 
-QByteArray rows(int count) {
+QByteArray rows(int count, const QByteArray& linear = ".01 0 0 .01 ") {
     QByteArray text;
     for (int i = 0; i < count; ++i)
-        text +=
-            " .01 0 0 .01 " + QByteArray::number(i % 317) + ' ' + QByteArray::number(i / 317) + " .00001\n";
+        text += linear + QByteArray::number(i % 317) + ' ' + QByteArray::number(i / 317) + " .00001\n";
     return text;
 }
 
@@ -179,14 +178,16 @@ void LargeFilesTest::mapsAreSelected() {
 }
 
 void LargeFilesTest::mapsAreEdited_data() {
-    QTest::addColumn<int>("count");
-    QTest::newRow("1 000") << 1'000;
-    QTest::newRow("50 000") << 50'000;
+    QTest::addColumn<QByteArray>("maps");
+    QTest::newRow("1 000") << rows(1'000);
+    QTest::newRow("1 000 that overlap") << rows(1'000, ".5 .1 .05 .5 ");
+    QTest::newRow("50 000") << rows(50'000);
 }
 
 void LargeFilesTest::mapsAreEdited() {
-    QFETCH(int, count);
-    openLarge(entries(1, count));
+    QFETCH(QByteArray, maps);
+    openLarge("many {\n" + maps + "}\n");
+    const int count = int(maps.count('\n'));
     auto* panel = m_window->findChild<view::MapsPanel*>();
     auto* canvas = m_window->findChild<view::CanvasView*>();
     QAbstractItemModel* model = panel->findChild<QTableView*>()->model();

@@ -22,6 +22,7 @@ constexpr double focusRadius = 13;
 constexpr double leastSide = 8;         // of a frame whose corners can be told apart
 constexpr std::ptrdiff_t mostHeld = 50; // selected frames that show their handles however small
 constexpr std::size_t mostWhole = 250;  // frames that can be painted with corners for every move of a drag
+constexpr std::size_t mostThin = 1000;  // and as lines; of more every so many
 
 double area(const QPolygonF& polygon) {
     double doubled = 0;
@@ -137,6 +138,28 @@ void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const
     }
 }
 
+// Of ten thousand no more can be seen, and painted in time.
+void MapFramesItem::paintDot(QPainter& painter, const MapFrame& frame) const {
+    const int side = frame.selected ? 4 : 2;
+    painter.fillRect(QRect(frame.outline.boundingRect().center().toPoint(), QSize(side, side)), frame.colour);
+}
+
+void MapFramesItem::paintThin(QPainter& painter, std::span<const MapFrame* const> frames) const {
+    const std::size_t stride = (frames.size() + mostThin - 1) / mostThin;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setBrush(Qt::NoBrush);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        const MapFrame& frame = *frames[k];
+        if (k % stride != 0) {
+            paintDot(painter, frame);
+            continue;
+        }
+        painter.setPen(frame.selected ? m_style.line : frame.colour);
+        painter.drawPolygon(frame.outline);
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+}
+
 void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->setRenderHint(QPainter::Antialiasing);
     const auto selectedCount = std::ranges::count_if(m_frames, &MapFrame::selected);
@@ -149,28 +172,20 @@ void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
             whole.push_back(&frame);
             continue;
         }
-        // Of ten thousand no more can be seen, and painted in time.
-        const int side = frame.selected ? 4 : 2;
-        painter->fillRect(QRect(box.center().toPoint(), QSize(side, side)), frame.colour);
+        paintDot(*painter, frame);
+    }
+    if (whole.size() > mostWhole) {
+        const auto thin = std::partition(whole.begin(), whole.end(), [&](const MapFrame* frame) {
+            return m_mode == Mode::Held && (isHovered(*frame) || m_focused.map == frame->place ||
+                                            (frame->selected && selectedCount <= mostHeld));
+        });
+        paintThin(*painter, {thin, whole.end()});
+        whole.erase(thin, whole.end());
     }
     if (m_mode == Mode::Hint) {
         for (const MapFrame* frame : whole)
             strokeOutline(*painter, frame->outline, m_style, frame->colour, m_style.lineWidth, Qt::DotLine);
         return;
-    }
-    if (whole.size() > mostWhole) {
-        const auto thin = std::partition(whole.begin(), whole.end(), [&](const MapFrame* frame) {
-            return isHovered(*frame) || m_focused.map == frame->place ||
-                   (frame->selected && selectedCount <= mostHeld);
-        });
-        painter->setRenderHint(QPainter::Antialiasing, false);
-        painter->setBrush(Qt::NoBrush);
-        for (auto frame = thin; frame != whole.end(); ++frame) {
-            painter->setPen((*frame)->selected ? m_style.line : (*frame)->colour);
-            painter->drawPolygon((*frame)->outline);
-        }
-        painter->setRenderHint(QPainter::Antialiasing);
-        whole.erase(thin, whole.end());
     }
     for (const MapFrame* frame : whole) // below all lines, which they would make fainter
         painter->fillPath(closed(frame->outline),

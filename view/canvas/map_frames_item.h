@@ -5,6 +5,7 @@
 
 #include <QPolygonF>
 
+#include <span>
 #include <vector>
 
 namespace view {
@@ -40,6 +41,8 @@ private:
     bool isHovered(const MapFrame& frame) const;
     void paintFrame(QPainter& painter, const MapFrame& frame) const;
     void paintCorners(QPainter& painter, const MapFrame& frame) const;
+    void paintDot(QPainter& painter, const MapFrame& frame) const;
+    void paintThin(QPainter& painter, std::span<const MapFrame* const> frames) const;
 
     std::vector<MapFrame> m_frames;
     Mode m_mode = Mode::Hint;
