@@ -531,5 +531,12 @@ void MainWindow::dropEvent(QDropEvent* event) {
     QStringList paths;
     for (const QUrl& url : event->mimeData()->urls())
         if (url.isLocalFile()) paths << url.toLocalFile();
-    if (!paths.isEmpty() && maySpoil()) openEach(paths, this);
+    if (paths.isEmpty()) return;
+    // Once the drop is over: questions may follow, and the program that it came from waits.
+    QMetaObject::invokeMethod(
+        this,
+        [this, paths] {
+            if (maySpoil()) openEach(paths, this);
+        },
+        Qt::QueuedConnection);
 }

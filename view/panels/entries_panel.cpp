@@ -109,7 +109,13 @@ void EntriesPanel::createList() {
             &EntriesPanel::updateActions);
     connect(m_list, &EntriesList::entriesDropped, this, &EntriesPanel::moveEntries);
     connect(m_list, &EntriesList::dataDropped, this, [this](const QMimeData& mimeData, EntryId before) {
-        insertFrom(mimeData, idInFrontOf(m_document->file(), before));
+        // Once the drop is over: questions may follow, and the program that it came from waits.
+        QMetaObject::invokeMethod(
+            this,
+            [this, text = entriesTextIn(mimeData), after = idInFrontOf(m_document->file(), before)] {
+                insertFrom(text, after);
+            },
+            Qt::QueuedConnection);
     });
     connect(m_list, &QWidget::customContextMenuRequested, this, &EntriesPanel::showContextMenu);
 }
@@ -258,7 +264,7 @@ void EntriesPanel::copySelected() {
 void EntriesPanel::paste() {
     const QMimeData* mimeData = QGuiApplication::clipboard()->mimeData();
     if (mimeData && holdsText(*mimeData))
-        insertFrom(*mimeData, m_document->currentId());
+        insertFrom(entriesTextIn(*mimeData), m_document->currentId());
     else
         emit message(tr("Nothing was pasted: there is no text on the clipboard."));
 }
@@ -279,11 +285,9 @@ QList<EntryId> EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId 
     return result.ids;
 }
 
-void EntriesPanel::insertFrom(const QMimeData& mimeData, EntryId after) {
-    auto finding =
-        io::inBackground<FoundEntries>([text = entriesTextIn(mimeData)](QPromise<FoundEntries>& promise) {
-            promise.addResult(entriesIn(text));
-        });
+void EntriesPanel::insertFrom(const QByteArray& text, EntryId after) {
+    auto finding = io::inBackground<FoundEntries>(
+        [text](QPromise<FoundEntries>& promise) { promise.addResult(entriesIn(text)); });
     if (!waitFor(QFuture<void>(finding), tr("Reading what was pasted…"), this)) return;
     const FoundEntries found = finding.takeResult();
     if (found.entries.isEmpty()) {

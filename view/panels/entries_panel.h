@@ -7,7 +7,6 @@
 
 class QAction;
 class QLineEdit;
-class QMimeData;
 
 namespace view {
 
@@ -61,7 +60,7 @@ private:
     // Their new ids.
     QList<document::EntryId> insertEntries(const QList<document::Entry>& entries, document::EntryId after,
                                            const QString& text);
-    void insertFrom(const QMimeData& mimeData, document::EntryId after);
+    void insertFrom(const QByteArray& text, document::EntryId after);
     void moveEntries(const QList<document::EntryId>& ids, document::EntryId before);
 
     document::Document* m_document;
