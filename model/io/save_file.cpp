@@ -363,6 +363,10 @@ Failure saveFile(const QString& path, const QByteArray& bytes) {
 Loaded loadFile(const QString& path) {
     QFile file(path);
     const QFileInfo info(path);
+    if (!info.exists() && path.contains(QChar::ReplacementCharacter)) // as Qt reads other bytes
+        return {{},
+                Text::tr("The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.")
+                    .arg(shown(path))};
     if (!info.exists()) return {{}, Text::tr("“%1” does not exist.").arg(shown(path))};
     if (info.isDir()) return {{}, Text::tr("“%1” is a folder, not a file.").arg(shown(path))};
     const QString tooLarge =

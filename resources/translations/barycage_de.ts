@@ -2220,6 +2220,10 @@
         <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
         <translation>Der Käfig biegt das Bild oder drückt es flach. Die Zahlen sind die des Bildes in Ruhe.</translation>
     </message>
+    <message>
+        <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
+        <translation>Der Name „%1“ ist nicht in UTF-8. Bitte benennen Sie die Datei um, oder führen Sie durch einen Link zu ihr.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

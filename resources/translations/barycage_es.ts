@@ -2220,6 +2220,10 @@
         <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
         <translation>La jaula dobla o aplana la imagen. Los números son los de la imagen en reposo.</translation>
     </message>
+    <message>
+        <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
+        <translation>El nombre «%1» no está en UTF-8. Cambie el nombre del archivo o llegue a él por un enlace.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

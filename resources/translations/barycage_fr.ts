@@ -2220,6 +2220,10 @@
         <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
         <translation>La cage courbe ou aplatit l’image. Les nombres sont ceux de l’image au repos.</translation>
     </message>
+    <message>
+        <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
+        <translation>Le nom «&#x202f;%1&#x202f;» n’est pas en UTF-8. Renommez le fichier, ou menez-y par un lien.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -2226,6 +2226,10 @@
         <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
         <translation>Кафезот ја витка или сплескува сликата. Броевите се на сликата во мирување.</translation>
     </message>
+    <message>
+        <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
+        <translation>Името „%1“ не е во UTF-8. Преименувајте ја датотеката или водете до неа преку врска.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

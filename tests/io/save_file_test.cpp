@@ -13,6 +13,7 @@
 
 #ifdef Q_OS_UNIX
 #include <csignal>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -144,6 +145,11 @@ private slots:
         QVERIFY(says(io::saveFile(m_folder->filePath(QString(300, QLatin1Char('n'))), "x"), "too long"));
         QVERIFY(says(io::loadFile(m_path).failure, "does not exist"));
         QVERIFY(says(io::loadFile(m_folder->path()).failure, "folder"));
+        const QByteArray name = m_folder->path().toUtf8() + "/f\xe9.ifs"; // Latin-1
+        const int other = ::open(name.constData(), O_CREAT | O_WRONLY, 0600);
+        QVERIFY(other >= 0);
+        ::close(other);
+        QVERIFY(says(io::loadFile(QFile::decodeName(name)).failure, "not UTF-8"));
         QFile large(m_folder->filePath(QStringLiteral("large")));
         QVERIFY(large.open(QIODevice::WriteOnly) && large.resize(257LL * 1024 * 1024)); // sparse
         QVERIFY(says(io::loadFile(large.fileName()).failure, "256 MB"));
