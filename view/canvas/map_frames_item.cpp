@@ -21,8 +21,13 @@ constexpr double dot = 3.5;  // of any other
 constexpr double focusRadius = 13;
 constexpr double leastSide = 8;         // of a frame whose corners can be told apart
 constexpr std::ptrdiff_t mostHeld = 50; // selected frames that show their handles however small
-constexpr std::size_t mostWhole = 250;  // frames that can be painted with corners for every move of a drag
-constexpr std::size_t mostThin = 1000;  // and as lines; of more every so many
+// What can be painted for every move of a drag: frames with corners, and outlines of frames in pixels of the
+// screen, filled, with corners, and thin; of more every so many.
+constexpr std::ptrdiff_t leastWhole = 8; // selected ones, whatever it takes
+constexpr std::size_t mostWhole = 250;
+constexpr double mostFilled = 16'000;
+constexpr double mostOutlined = 48'000;
+constexpr double mostThin = 200'000;
 
 double area(const QPolygonF& polygon) {
     double doubled = 0;
@@ -31,6 +36,21 @@ double area(const QPolygonF& polygon) {
         doubled += p.x() * q.y() - p.y() * q.x();
     }
     return std::abs(doubled) / 2;
+}
+
+// What is seen of the outlines, or a little more, in pixels of the screen.
+double lengthSeen(const QPainter& painter, std::span<const MapFrame* const> frames) {
+    const QRectF view = painter.viewport();
+    double all = 0;
+    for (const MapFrame* frame : frames) {
+        const QPolygonF& outline = frame->outline;
+        if (!outline.boundingRect().adjusted(-1, -1, 1, 1).intersects(view)) continue;
+        double length = 0;
+        for (qsizetype i = 0; i < outline.size(); ++i)
+            length += QLineF(outline[i], outline[(i + 1) % outline.size()]).length();
+        all += std::min(length, 2 * (view.width() + view.height()));
+    }
+    return all * painter.device()->devicePixelRatioF();
 }
 
 double distanceToOutline(const QPolygonF& polygon, const QPointF& p) {
@@ -145,7 +165,7 @@ void MapFramesItem::paintDot(QPainter& painter, const MapFrame& frame) const {
 }
 
 void MapFramesItem::paintThin(QPainter& painter, std::span<const MapFrame* const> frames) const {
-    const std::size_t stride = (frames.size() + mostThin - 1) / mostThin;
+    const auto stride = 1 + std::size_t(lengthSeen(painter, frames) / mostThin);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setBrush(Qt::NoBrush);
     for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -174,10 +194,14 @@ void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
         }
         paintDot(*painter, frame);
     }
-    if (whole.size() > mostWhole) {
+    const double length = lengthSeen(*painter, whole);
+    const auto isHeld = [&](const MapFrame* frame) {
+        return isHovered(*frame) || m_focused.map == frame->place ||
+               (frame->selected && selectedCount <= leastWhole);
+    };
+    if (whole.size() > mostWhole || length > mostOutlined) {
         const auto thin = std::partition(whole.begin(), whole.end(), [&](const MapFrame* frame) {
-            return m_mode == Mode::Held && (isHovered(*frame) || m_focused.map == frame->place ||
-                                            (frame->selected && selectedCount <= mostHeld));
+            return m_mode == Mode::Held && isHeld(frame);
         });
         paintThin(*painter, {thin, whole.end()});
         whole.erase(thin, whole.end());
@@ -188,8 +212,9 @@ void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
         return;
     }
     for (const MapFrame* frame : whole) // below all lines, which they would make fainter
-        painter->fillPath(closed(frame->outline),
-                          withOpacity(frame->colour, frame->selected || isHovered(*frame) ? 0.16 : 0.05));
+        if (length <= mostFilled || isHeld(frame))
+            painter->fillPath(closed(frame->outline),
+                              withOpacity(frame->colour, frame->selected || isHovered(*frame) ? 0.16 : 0.05));
     for (const bool selected : {false, true}) {
         for (const MapFrame* frame : whole)
             if (frame->selected == selected) paintFrame(*painter, *frame);

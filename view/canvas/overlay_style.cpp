@@ -82,11 +82,11 @@ QList<QLineF> straightLines(const QPainterPath& path) {
 // every move of the pointer. The ends lie under handles.
 void stroke(QPainter& painter, const QPainterPath& path, const QColor& colour, double width,
             Qt::PenStyle pattern = Qt::SolidLine) {
-    const QList<QLineF> lines = pattern == Qt::SolidLine ? straightLines(path) : QList<QLineF>();
-    // Round ends would close the gaps, in which the line below is seen.
-    const Qt::PenCapStyle cap = !lines.isEmpty()          ? Qt::SquareCap
-                                : pattern == Qt::DashLine ? Qt::FlatCap
-                                                          : Qt::RoundCap;
+    const QList<QLineF> lines = straightLines(path);
+    // Other ends would close the gaps, in which the line below is seen.
+    const Qt::PenCapStyle cap = pattern != Qt::SolidLine ? Qt::FlatCap
+                                : lines.isEmpty()        ? Qt::RoundCap
+                                                         : Qt::SquareCap;
     painter.setPen(QPen(colour, width, pattern, cap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
     if (lines.isEmpty())
