@@ -123,8 +123,10 @@ void MainWindow::createFileActions() {
     QAction* copyAction =
         command(m_fileMenu, QStringLiteral("copy"), tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
                 tr("Copy the picture to the clipboard"), [this] {
+                    const attractor::Camera camera = m_canvas->camera();
+                    const auto picture = m_canvas->picture();
                     const QPointer<MainWindow> here(this); // it may be closed while the lines are written
-                    view::copyPicture(&m_document, m_canvas->camera(), m_canvas->picture(), this);
+                    view::copyPicture(&m_document, camera, picture, this);
                     if (here) say(tr("The picture is on the clipboard."));
                 });
     QAction* printAction = command(m_fileMenu, QStringLiteral("print"), tr("&Print…"), QKeySequence::Print,

@@ -372,8 +372,7 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
             const auto ofEllipsoid = [&](const Vector<2>& v) {
                 return (ellipsoid.shape.transpose() * v).norm();
             };
-            container = contain(
-                outerMaps(maps, std::move(all), ellipsoid.centre, radius, ofEllipsoid, points), nullptr);
+            container = contain(outerMaps(maps, all, ellipsoid.centre, radius, ofEllipsoid, points), nullptr);
             // Where that leaves as many, more directions may tell more.
             while (container->places.size() > FewMaps) {
                 for (const Vector<2>& point : container->points)
