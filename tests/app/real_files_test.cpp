@@ -232,7 +232,7 @@ void RealFilesTest::workIsRecoveredAfterAKill() {
     const QDir journals(Recovery::folder());
     QVERIFY(support::waitFor(
         [&] { return !journals.entryList({QStringLiteral("*.journal")}, QDir::Files).isEmpty(); }));
-    QTest::qWait(500); // it is written
+    QTest::qWait(2000); // what is offered is at most so old
     other.kill();
     QVERIFY(other.waitForFinished());
 
@@ -247,7 +247,8 @@ void RealFilesTest::workIsRecoveredAfterAKill() {
     QVERIFY(another()->isWindowModified());
     const Vector<2> moved =
         (document::effectiveCage(another()->document().fractal()).current[1] - held[1]) * scale;
-    QVERIFY((moved - Vector<2>(-60, 45)).norm() < 2);
+    QVERIFY2((moved - Vector<2>(-60, 45)).norm() < 2,
+             qPrintable(QStringLiteral("moved by %1, %2").arg(moved.x()).arg(moved.y())));
     QVERIFY(QTest::qWaitForWindowActive(another()));
     hand().key("Control+s");
     QTRY_VERIFY(!another()->isWindowModified());
@@ -270,6 +271,7 @@ int edit(int& argc, char** argv) {
     if (!QTest::qWaitForWindowActive(&window)) return 1;
     QTest::qWait(300); // the window manager settles the geometry
     window.findChild<view::CanvasView*>()->fit();
+    QTest::qWait(300); // and the canvas is laid out
     const auto say = [](const char* word) {
         std::puts(word);
         std::fflush(stdout);
