@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
 
+#include "held_text.h"
+
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -19,9 +21,9 @@ namespace {
 constexpr int margin = 16;
 
 // As wide as its window and no wider: long lines of code are broken, and wide pictures made smaller.
-class Page : public QTextBrowser {
+class Page : public HeldText<QTextBrowser> {
 public:
-    explicit Page(QWidget* parent) : QTextBrowser(parent) {
+    explicit Page(QWidget* parent) : HeldText(parent) {
         document()->setDocumentMargin(margin);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the width does not depend on the height
     }
@@ -43,7 +45,7 @@ protected:
                 if (const auto picture = part.fragment().charFormat().toImageFormat(); picture.isValid())
                     fit(source().resolved(QUrl(picture.name())), room);
         document()->markContentsDirty(0, document()->characterCount());
-        QTextBrowser::resizeEvent(event);
+        HeldText::resizeEvent(event);
     }
 
 private:
