@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/aifs_dialog.h"
 
-#include "held_text.h"
 #include "io/aifs.h"
+#include "mended_text.h"
 #include "panels/number_text.h"
 
 #include <QClipboard>
@@ -77,7 +77,7 @@ AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
            "negative, the map takes the triangle into itself."),
         this);
     explanation->setWordWrap(true);
-    auto* text = new HeldText<QPlainTextEdit>(aifsText(fractal, Digits::Few), this);
+    auto* text = new MendedText<QPlainTextEdit>(aifsText(fractal, Digits::Few), this);
     text->setReadOnly(true);
     text->setAccessibleName(windowTitle());
     text->setWhatsThis(tr("Every map as a matrix that takes barycentric coordinates over the control "

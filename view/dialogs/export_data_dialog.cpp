@@ -4,7 +4,7 @@
 #include "dialogs/column_orders.h"
 #include "dialogs/save_file_dialog.h"
 #include "dialogs/start_export.h"
-#include "held_text.h"
+#include "mended_text.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -40,7 +40,7 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     setWindowTitle(tr("Export Data of “%1”").arg(m_fractal.name));
     m_form = new QFormLayout;
     createOptions(m_form);
-    m_preview = new HeldText<QPlainTextEdit>(this);
+    m_preview = new MendedText<QPlainTextEdit>(this);
     m_preview->setReadOnly(true);
     m_preview->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
 
-#include "held_text.h"
+#include "mended_text.h"
 
 #include <QCoreApplication>
 #include <QDialog>
@@ -21,9 +21,9 @@ namespace {
 constexpr int margin = 16;
 
 // As wide as its window and no wider: long lines of code are broken, and wide pictures made smaller.
-class Page : public HeldText<QTextBrowser> {
+class Page : public MendedText<QTextBrowser> {
 public:
-    explicit Page(QWidget* parent) : HeldText(parent) {
+    explicit Page(QWidget* parent) : MendedText(parent) {
         document()->setDocumentMargin(margin);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the width does not depend on the height
     }
@@ -45,7 +45,7 @@ protected:
                 if (const auto picture = part.fragment().charFormat().toImageFormat(); picture.isValid())
                     fit(source().resolved(QUrl(picture.name())), room);
         document()->markContentsDirty(0, document()->characterCount());
-        HeldText::resizeEvent(event);
+        MendedText::resizeEvent(event);
     }
 
 private:

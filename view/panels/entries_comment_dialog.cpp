@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/entries_comment_dialog.h"
 
-#include "held_text.h"
 #include "io/fractint_rows.h"
+#include "mended_text.h"
 #include "whats_this.h"
 
 #include <QDialogButtonBox>
@@ -34,7 +34,7 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
     : QDialog(parent),
       m_before(fractal),
       m_header(new QLineEdit(fractal.headerComment, this)),
-      m_lines(new HeldText<QPlainTextEdit>(fractal.comments.join(QLatin1Char('\n')), this)),
+      m_lines(new MendedText<QPlainTextEdit>(fractal.comments.join(QLatin1Char('\n')), this)),
       m_problem(new QLabel(this)),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Comment of “%1”").arg(fractal.name));

@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include "held_text.h"
+#include "mended_text.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBrowser>
 
-class HeldTextTest : public QObject {
+class MendedTextTest : public QObject {
     Q_OBJECT
 
 private slots:
     void nothingScrollsWithoutTheButton() {
-        view::HeldText<QPlainTextEdit> plain;
+        view::MendedText<QPlainTextEdit> plain;
         QVERIFY(!scrollsOn(plain));
-        view::HeldText<QTextBrowser> rich;
+        view::MendedText<QTextBrowser> rich;
         QVERIFY(!scrollsOn(rich));
         QPlainTextEdit other; // without this there would be nothing to mend
         QVERIFY(scrollsOn(other));
+    }
+
+    void anEmptyClipboardIsPasted() {
+        view::MendedText<QPlainTextEdit> plain;
+        QGuiApplication::clipboard()->setMimeData(new QMimeData);
+        QTest::keyClick(&plain, Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(plain.toPlainText(), QString());
+        QGuiApplication::clipboard()->setText(QStringLiteral("a word"));
+        QTest::keyClick(&plain, Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(plain.toPlainText(), QStringLiteral("a word"));
     }
 
 private:
@@ -39,5 +51,5 @@ private:
     }
 };
 
-QTEST_MAIN(HeldTextTest)
-#include "held_text_test.moc"
+QTEST_MAIN(MendedTextTest)
+#include "mended_text_test.moc"

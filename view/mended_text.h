@@ -3,13 +3,15 @@
 
 #include <QCursor>
 #include <QGuiApplication>
+#include <QMimeData>
 #include <QMouseEvent>
 
 namespace view {
 
-// A QTextEdit or QPlainTextEdit whose text may be dragged. When a drag ends outside, Qt (6.4) goes on to
-// scroll as if the button were held, and begins one drag after the other: nobody told it of the release.
-template <class TextEdit> class HeldText : public TextEdit {
+// A QTextEdit or QPlainTextEdit without two faults of Qt 6.4. When text is dragged and the drag ends outside,
+// it goes on to scroll as if the button were held, and begins one drag after the other: nobody told it of the
+// release. And to paste an empty clipboard is the end of the program.
+template <class TextEdit> class MendedText : public TextEdit {
 public:
     using TextEdit::TextEdit;
 
@@ -17,6 +19,9 @@ protected:
     void timerEvent(QTimerEvent* event) override {
         if (QGuiApplication::mouseButtons() == Qt::NoButton) release();
         TextEdit::timerEvent(event);
+    }
+    void insertFromMimeData(const QMimeData* source) override {
+        if (!source->formats().isEmpty()) TextEdit::insertFromMimeData(source);
     }
 
 private:
