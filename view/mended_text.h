@@ -5,6 +5,9 @@
 #include <QGuiApplication>
 #include <QMimeData>
 #include <QMouseEvent>
+#include <QWidget>
+
+#include <algorithm>
 
 namespace view {
 
@@ -25,10 +28,13 @@ protected:
     }
 
 private:
+    // Beside what is seen of the text: no link is followed and nothing scrolled to.
     void release() {
-        const QPoint place = this->viewport()->mapFromGlobal(QCursor::pos());
-        QMouseEvent event(QEvent::MouseButtonRelease, place, QCursor::pos(), Qt::LeftButton, Qt::NoButton,
-                          Qt::NoModifier);
+        const QWidget* seen = this->viewport();
+        const QPoint beside(seen->width(), std::clamp(seen->mapFromGlobal(QCursor::pos()).y(), 0,
+                                                      std::max(0, seen->height() - 1)));
+        QMouseEvent event(QEvent::MouseButtonRelease, beside, seen->mapToGlobal(beside), Qt::LeftButton,
+                          Qt::NoButton, Qt::NoModifier);
         this->mouseReleaseEvent(&event);
     }
 };

@@ -333,8 +333,8 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
 
     SupportFunction result;
     result.m_centre = ellipsoid.centre;
-    int finer = 0;
-    const auto contain = [&](std::vector<std::size_t> places, const Container* known) {
+    // `finer` than the work for so many maps allows; inside what is `known`.
+    const auto contain = [&](std::vector<std::size_t> places, int finer, const Container* known) {
         int depth = TableDepth;
         while (depth > 0 && (std::size_t(4) << depth) * places.size() > TableWork)
             --depth;
@@ -372,9 +372,10 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
             const auto ofEllipsoid = [&](const Vector<2>& v) {
                 return (ellipsoid.shape.transpose() * v).norm();
             };
-            container = contain(outerMaps(maps, all, ellipsoid.centre, radius, ofEllipsoid, points), nullptr);
+            container =
+                contain(outerMaps(maps, all, ellipsoid.centre, radius, ofEllipsoid, points), 0, nullptr);
             // Where that leaves as many, more directions may tell more.
-            while (container->places.size() > FewMaps) {
+            for (int finer = 0; container->places.size() > FewMaps;) {
                 for (const Vector<2>& point : container->points)
                     points.push_back(result.m_centre + point);
                 auto fewer = outerMaps(
@@ -382,11 +383,11 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
                     [&](const Vector<2>& v) { return container->bound(v); }, points);
                 if (finer == TableDepth && 10 * fewer.size() > 9 * container->places.size()) break;
                 if (2 * fewer.size() > container->places.size()) finer = std::min(finer + 2, TableDepth);
-                container = contain(std::move(fewer), container.get());
+                container = contain(std::move(fewer), finer, container.get());
             }
         }
     }
-    if (!container) container = contain(std::move(all), nullptr);
+    if (!container) container = contain(std::move(all), 0, nullptr);
 
     result.m_maps.assign(maps.begin(), maps.end());
     result.m_radius = container->radius;
