@@ -167,9 +167,10 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
     Fractal result = fractal;
     System2 system = ifs::withBranchChanged<2>(before, letters, {});
     result.appearance.mapColours.clear();
-    const auto keepColour = [&](ifs::MapId id, std::size_t place) {
-        result.appearance.mapColours[id] =
-            attractor::mapColour(fractal.appearance, before.maps[place].id, place);
+    auto& colours = result.appearance.mapColours;
+    const auto keepColour = [&](ifs::MapId id, std::size_t place) { // ids grow
+        colours.emplace_hint(colours.end(), id,
+                             attractor::mapColour(fractal.appearance, before.maps[place].id, place));
     };
     const std::vector<ifs::Word> words = ifs::cutSet(letters, active.maps.size());
     for (std::size_t i = 0; i < words.size(); ++i)

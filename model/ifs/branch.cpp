@@ -82,17 +82,25 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
                                               const AffineMap<Dim>& change) {
     const ActiveMaps<Dim> active = activeMaps(system);
     IteratedFunctionSystem<Dim> result;
+    // Where words of the cut set leave the branch: before their last symbol.
+    std::vector<AffineMap<Dim>> beginnings(1);
+    std::vector<double> chances{1};
+    for (const int symbol : branch) {
+        beginnings.push_back(beginnings.back() * active.maps[std::size_t(symbol)]);
+        chances.push_back(chances.back() * active.probabilities[std::size_t(symbol)]);
+    }
     const std::vector<Word> words = cutSet(branch, active.maps.size());
     result.maps.reserve(words.size());
-    for (const Word& word : words) {
-        const AffineMap<Dim> map = composed<Dim>(active.maps, word);
-        double probability = 1;
-        for (const int symbol : word)
-            probability *= active.probabilities[std::size_t(symbol)];
-        // Not by append(), which looks for a free number among all before.
-        result.maps.push_back({.id = MapId{std::uint32_t(result.maps.size() + 1)},
-                               .map = word == branch ? change * map : map,
-                               .weight = probability});
+    // Not by append(), which looks for a free number among all before.
+    const auto add = [&](const AffineMap<Dim>& map, double probability) {
+        result.maps.push_back(
+            {.id = MapId{std::uint32_t(result.maps.size() + 1)}, .map = map, .weight = probability});
+    };
+    add(change * beginnings.back(), chances.back());
+    for (const Word& word : std::span(words).subspan(1)) {
+        const auto last = std::size_t(word.back());
+        add(beginnings[word.size() - 1] * active.maps[last],
+            chances[word.size() - 1] * active.probabilities[last]);
     }
     return result;
 }

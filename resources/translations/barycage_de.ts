@@ -4963,6 +4963,22 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>The user guide: what can be done here, in the order in which one needs it.</source>
         <translation>Das Handbuch: was sich hier tun lässt, in der Reihenfolge, in der man es braucht.</translation>
     </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Marks these words in the guide. Enter shows the next place, Shift+Enter the one before. Ctrl+F leads here.</source>
+        <translation>Markiert diese Wörter im Handbuch. Die Eingabetaste zeigt die nächste Stelle, mit der Umschalttaste die vorige. Strg+F führt hierher.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>

@@ -4963,6 +4963,22 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>The user guide: what can be done here, in the order in which one needs it.</source>
         <translation>La guía del usuario: lo que se puede hacer aquí, en el orden en que hace falta.</translation>
     </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Buscar en la guía</translation>
+    </message>
+    <message>
+        <source>Marks these words in the guide. Enter shows the next place, Shift+Enter the one before. Ctrl+F leads here.</source>
+        <translation>Marca estas palabras en la guía. Intro muestra el lugar siguiente, Mayús+Intro el anterior. Ctrl+F lleva hasta aquí.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>No se encontró</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>

@@ -4963,6 +4963,22 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>The user guide: what can be done here, in the order in which one needs it.</source>
         <translation>Le guide d’utilisation&#x202f;: ce que l’on peut faire ici, dans l’ordre où l’on en a besoin.</translation>
     </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Chercher dans le guide</translation>
+    </message>
+    <message>
+        <source>Marks these words in the guide. Enter shows the next place, Shift+Enter the one before. Ctrl+F leads here.</source>
+        <translation>Marque ces mots dans le guide. Entrée montre le passage suivant, Maj+Entrée le précédent. Ctrl+F mène ici.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Introuvable</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>

@@ -4976,6 +4976,22 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <source>The user guide: what can be done here, in the order in which one needs it.</source>
         <translation>Упатството за корисници: што може да се направи тука, по редоследот по кој е потребно.</translation>
     </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Барај во упатството</translation>
+    </message>
+    <message>
+        <source>Marks these words in the guide. Enter shows the next place, Shift+Enter the one before. Ctrl+F leads here.</source>
+        <translation>Ги означува овие зборови во упатството. Enter го покажува следното место, Shift+Enter претходното. Ctrl+F води овде.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Не е најдено</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 од %2</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>

@@ -182,7 +182,7 @@ void LargeFilesTest::mapsAreEdited_data() {
     QTest::newRow("1 000") << rows(1'000);
     for (const int count : {100, 1'000})
         QTest::addRow("%d that overlap", count) << rows(count, ".5 .1 .05 .5 ");
-    QTest::newRow("20 000") << rows(20'000); // beyond it an edit of a branch takes over 100 ms
+    QTest::newRow("50 000") << rows(50'000); // twice as many with a branch as a map of its own
 }
 
 void LargeFilesTest::mapsAreEdited() {

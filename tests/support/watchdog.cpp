@@ -58,6 +58,7 @@ void WatchedApplication::judge(const Event& event, bool dragging, double spent) 
     m_slowest[dragging] = std::max(m_slowest[dragging], spent);
     if (dragging) ++m_forgivable;
     if (!judged || spent <= limits[dragging]) return;
+    ++m_lateCount[dragging];
     m_unforgivable = m_unforgivable || spent > 2 * limits[dragging];
     m_late << QStringLiteral("%1 to %2 took %3 ms%4")
                   .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event.type)),
@@ -71,17 +72,20 @@ void WatchedApplication::ignoreThisEvent() {
 }
 
 QStringList WatchedApplication::takeLate() {
-    const qint64 few = std::max<qint64>(2, std::exchange(m_forgivable, 0) / 100);
+    const qint64 few = std::max<qint64>(2, std::exchange(m_forgivable, 0) / 1000);
     const bool forgiven = !std::exchange(m_unforgivable, false) && m_late.size() <= few;
     const QStringList late = std::exchange(m_late, {});
     return forgiven ? QStringList() : late;
 }
 
 QString WatchedApplication::summary() const {
-    return QStringLiteral("%1 events, the slowest %2 ms; %3 during drags, the slowest %4 ms")
+    return QStringLiteral(
+               "%1 events, %2 late, the slowest %3 ms; %4 during drags, %5 late, the slowest %6 ms")
         .arg(m_count[0])
+        .arg(m_lateCount[0])
         .arg(m_slowest[0], 0, 'f', 1)
         .arg(m_count[1])
+        .arg(m_lateCount[1])
         .arg(m_slowest[1], 0, 'f', 1);
 }
 

@@ -19,7 +19,7 @@ public:
     bool notify(QObject* receiver, QEvent* event) override;
 
     // What was late since the last call, a line each. On a busy machine even processor time is stretched: two
-    // late events, or one in a hundred, are forgiven when none took twice as long as it may.
+    // late events, or one in a thousand during drags, are forgiven when none took twice as long as it may.
     QStringList takeLate();
     void ignoreThisEvent();  // it is a test's own work
     QString summary() const; // how many events, and the slowest of either kind
@@ -42,6 +42,7 @@ private:
     bool m_unforgivable = false;
     qint64 m_forgivable = 0;      // events of drags since the last call
     double m_slowest[2] = {0, 0}; // otherwise, while dragging
+    qint64 m_lateCount[2] = {0, 0};
     qint64 m_count[2] = {0, 0};
 };
 

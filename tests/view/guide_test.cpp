@@ -4,6 +4,8 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QLabel>
+#include <QLineEdit>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
@@ -15,6 +17,7 @@ class GuideTest : public QObject {
 private slots:
     void showsTextAndPictures();
     void nothingIsBesideANarrowWindow();
+    void wordsAreFound();
 };
 
 void GuideTest::showsTextAndPictures() {
@@ -48,6 +51,45 @@ void GuideTest::nothingIsBesideANarrowWindow() {
         QTRY_COMPARE(browser->window()->width(), width);
         QTRY_COMPARE(browser->horizontalScrollBar()->maximum(), 0);
     }
+}
+
+void GuideTest::wordsAreFound() {
+    QWidget window;
+    view::showGuide(&window);
+    auto* browser = window.findChild<QTextBrowser*>();
+    auto* field = browser->window()->findChild<QLineEdit*>();
+    auto* count = browser->window()->findChild<QLabel*>();
+    QVERIFY(QTest::qWaitForWindowActive(browser->window()));
+    QTest::keyClick(browser, Qt::Key_F, Qt::ControlModifier);
+    QVERIFY(field->hasFocus());
+    const auto isShown = [&](qsizetype place) {
+        const QTextCursor found = browser->extraSelections().at(place).cursor;
+        return browser->textCursor().position() == found.selectionStart() &&
+               browser->viewport()->rect().contains(browser->cursorRect());
+    };
+    QTest::keyClicks(field, QStringLiteral("Corner"));
+    const qsizetype places = browser->toPlainText().count(QLatin1String("corner"), Qt::CaseInsensitive);
+    QVERIFY(places > 3);
+    QCOMPARE(browser->extraSelections().size(), places);
+    const auto numbered = [&](qsizetype place) { return QStringLiteral("%1 of %2").arg(place).arg(places); };
+    QCOMPARE(count->text(), numbered(1));
+    QVERIFY(isShown(0));
+    QTest::keyClick(field, Qt::Key_Return, Qt::ShiftModifier); // round the corner
+    QCOMPARE(count->text(), numbered(places));
+    QVERIFY(isShown(places - 1));
+    QTest::keyClick(field, Qt::Key_Return);
+    QTest::keyClick(field, Qt::Key_F3);
+    QCOMPARE(count->text(), numbered(2));
+    QVERIFY(isShown(1));
+    QTest::keyClicks(field, QStringLiteral("zz"));
+    QCOMPARE(count->text(), QStringLiteral("Not found"));
+    QVERIFY(browser->extraSelections().isEmpty());
+    QTest::keyClick(field, Qt::Key_Escape); // what was typed first, then the window
+    QCOMPARE(field->text(), QString());
+    QCOMPARE(count->text(), QString());
+    QVERIFY(browser->isVisible());
+    QTest::keyClick(field, Qt::Key_Escape);
+    QTRY_VERIFY(!window.findChild<QTextBrowser*>());
 }
 
 QTEST_MAIN(GuideTest)

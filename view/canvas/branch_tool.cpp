@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 
 #include <algorithm>
+#include <utility>
 
 namespace view {
 
@@ -54,10 +55,6 @@ void BranchTool::setDepth(int depth) {
     if (!isBusy()) select(m_address);
 }
 
-void BranchTool::setEdit(document::BranchEdit edit) {
-    scene().setBranchEdit(edit);
-}
-
 void BranchTool::selectAt(const QPointF& position) {
     const ifs::Word address = scene().addressAt(position);
     if (address.empty()) return;
@@ -95,9 +92,9 @@ MapsTool::Taken BranchTool::take(const CanvasPart&) {
         m_before = scene().document().fractal();
         m_addressAtPress = m_address;
     }
-    const std::optional<document::BranchHandles>& branch = scene().branchHandles();
+    auto branch = document::branchHandles(*m_before, *scene().cage(), scene().branch(), m_edit);
     if (!branch) return {};
-    return {branch->handles, {branch->place}};
+    return {std::move(branch->handles), {branch->place}};
 }
 
 QString BranchTool::stepText(Mode mode, std::optional<std::size_t> corner) const {
@@ -110,7 +107,7 @@ QString BranchTool::stepText(Mode mode, std::optional<std::size_t> corner) const
 // Once it is a map of its own the branch is the first one.
 double BranchTool::preview(const std::function<DragResult(double)>& resultAt) {
     const double share = MapsTool::preview(resultAt);
-    const bool converted = scene().branchEdit() == document::BranchEdit::OwnMap &&
+    const bool converted = m_edit == document::BranchEdit::OwnMap &&
                            std::min<std::size_t>(m_addressAtPress.size(), std::size_t(m_depth)) > 1 &&
                            resultAt(share).points != drag().points;
     select(converted ? ifs::Word{0} : m_addressAtPress);

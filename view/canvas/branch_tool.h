@@ -16,7 +16,7 @@ public:
 
     int depth() const { return m_depth; } // symbols of the branch's address
     void setDepth(int depth);
-    void setEdit(document::BranchEdit edit);
+    void setEdit(document::BranchEdit edit) { m_edit = edit; } // of the drags to come
     // The whole address of the point that was clicked, of which the branch is the beginning.
     const ifs::Word& address() const { return m_address; }
 
@@ -44,6 +44,7 @@ private:
     void ask();
 
     int m_depth = 2;
+    document::BranchEdit m_edit = document::BranchEdit::OwnMap;
     ifs::Word m_address;
     ifs::Word m_addressAtPress;
     std::optional<document::Fractal> m_before; // as it was at the press, while something is held

@@ -426,10 +426,8 @@ void CanvasScene::placeMaps() {
                           m_taken == Taken::Cage ? QPolygonF() : inPixels(handles.corners(place)), // a hint
                           inPixels(handles.outline(place)), colour, selected, handles.maps()[place].enabled});
     };
-    if (m_taken == Taken::Branch && m_branchHandles) {
-        add(m_branchHandles->handles, m_branchHandles->place, 0,
-            m_mapColours.at(std::size_t(m_branch.front())), true);
-    }
+    if (m_taken == Taken::Branch && m_branchHandles)
+        add(*m_branchHandles, 0, 0, m_mapColours.at(std::size_t(m_branch.front())), true);
     std::vector<bool> isChosen(std::size_t(mapCount()), false);
     for (const std::size_t place : selectedPlaces())
         isChosen[place] = true;
@@ -447,14 +445,16 @@ int CanvasScene::childCount() const {
 }
 
 std::vector<ifs::Vector<2>> CanvasScene::childCorners(int child) const {
-    if (m_taken == Taken::Branch) return m_branchHandles->handles.corners(m_branchHandles->place);
+    if (m_taken == Taken::Branch) return m_branchHandles->corners(0);
     return m_handles->corners(std::size_t(child));
 }
 
 void CanvasScene::takeBranch() {
     m_branchHandles.reset();
-    if (m_taken == Taken::Branch && m_cage && !m_branch.empty())
-        m_branchHandles = document::branchHandles(m_document->fractal(), *m_cage, m_branch, m_branchEdit);
+    if (m_taken != Taken::Branch || !m_cage) return;
+    const auto shown =
+        document::branchHandles(m_document->fractal(), *m_cage, m_branch, document::BranchEdit::Display);
+    if (shown) m_branchHandles = shown->handles;
 }
 
 void CanvasScene::setBranch(const ifs::Word& branch) {
@@ -465,12 +465,6 @@ void CanvasScene::setBranch(const ifs::Word& branch) {
         if (m_pressed.kind == Kind::None) m_pivot.reset();
         if (!exists(m_focused)) setFocused({});
     }
-    place();
-}
-
-void CanvasScene::setBranchEdit(document::BranchEdit edit) {
-    m_branchEdit = edit;
-    takeBranch();
     place();
 }
 

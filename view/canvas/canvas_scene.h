@@ -74,9 +74,6 @@ public:
     // The branch that is taken, by places in the system; empty: none.
     const ifs::Word& branch() const { return m_branch; }
     void setBranch(const ifs::Word& branch);
-    document::BranchEdit branchEdit() const { return m_branchEdit; }
-    void setBranchEdit(document::BranchEdit edit);
-    const std::optional<document::BranchHandles>& branchHandles() const { return m_branchHandles; }
     // Addresses of what is displayed; made when first asked for.
     const document::Addresses& addresses();
     ifs::Word addressAt(const QPointF& position);
@@ -160,8 +157,7 @@ private:
     std::vector<ifs::MapId> m_selectedMaps;
     std::vector<std::size_t> m_selectedVertices;
     ifs::Word m_branch;
-    document::BranchEdit m_branchEdit = document::BranchEdit::OwnMap;
-    std::optional<document::BranchHandles> m_branchHandles;
+    std::optional<document::MapHandles> m_branchHandles; // as it is shown, at place 0
     std::optional<document::Addresses> m_addresses;
     std::optional<ifs::Vector<2>> m_pivot;
     std::optional<QPointF> m_heldKnob;

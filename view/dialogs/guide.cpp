@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
 
+#include "icon.h"
 #include "mended_text.h"
 
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QHBoxLayout>
 #include <QImage>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QScreen>
+#include <QScrollBar>
+#include <QShortcut>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -25,6 +33,7 @@ class Page : public MendedText<QTextBrowser> {
 public:
     explicit Page(QWidget* parent) : MendedText(parent) {
         document()->setDocumentMargin(margin);
+        document()->setIndentWidth(1.25 * margin);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the width does not depend on the height
     }
 
@@ -35,6 +44,15 @@ public:
         breakable.setNonBreakableLines(false);
         cursor.select(QTextCursor::Document);
         cursor.mergeBlockFormat(breakable);
+    }
+
+    // Where one reads, with some lines before it, unless it is seen already.
+    void show(const QTextCursor& place) {
+        const QRect there = cursorRect(place);
+        if (!viewport()->rect().contains(there))
+            verticalScrollBar()->setValue(verticalScrollBar()->value() + there.top() -
+                                          viewport()->height() / 3);
+        setTextCursor(place);
     }
 
 protected:
@@ -58,6 +76,91 @@ private:
     }
 };
 
+// Marks what is typed wherever the page has it, and shows one place after the other.
+class FindField : public QLineEdit {
+public:
+    FindField(Page* page, QLabel* count, QWidget* parent) : QLineEdit(parent), m_page(page), m_count(count) {
+        setPlaceholderText(QCoreApplication::translate("view::Guide", "Find in the guide"));
+        setAccessibleName(placeholderText());
+        setWhatsThis(QCoreApplication::translate(
+            "view::Guide", "Marks these words in the guide. Enter shows the next place, Shift+Enter the one "
+                           "before. Ctrl+F leads here."));
+        setClearButtonEnabled(true);
+        addAction(icon(QStringLiteral("search")), LeadingPosition);
+        connect(this, &QLineEdit::textChanged, this, &FindField::find);
+    }
+
+    void step(int by) {
+        if (m_places.isEmpty()) return;
+        m_shown = (m_shown + by + m_places.size()) % m_places.size();
+        mark();
+    }
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+        if (isEnter)
+            step(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+        else if (event->key() == Qt::Key_Escape && !text().isEmpty())
+            clear();
+        else
+            QLineEdit::keyPressEvent(event);
+    }
+    void changeEvent(QEvent* event) override {
+        if (event->type() == QEvent::PaletteChange && !m_places.isEmpty()) mark();
+        QLineEdit::changeEvent(event);
+    }
+
+private:
+    // The first place after the one that is shown, or after the top of the page.
+    void find() {
+        const int from = m_places.isEmpty() ? m_page->cursorForPosition({0, 0}).position()
+                                            : m_places[m_shown].selectionStart();
+        m_places.clear();
+        m_shown = 0;
+        const QString words = text().simplified();
+        for (QTextCursor place(m_page->document()); !words.isEmpty();) {
+            place = m_page->document()->find(words, place);
+            if (place.isNull()) break;
+            if (place.selectionStart() < from) ++m_shown;
+            m_places << place;
+        }
+        if (m_shown == m_places.size()) m_shown = 0;
+        mark();
+    }
+
+    void mark() {
+        QList<QTextEdit::ExtraSelection> marks;
+        for (const QTextCursor& place : m_places) {
+            QTextEdit::ExtraSelection mark{place, {}};
+            QColor colour = palette().color(QPalette::Active, QPalette::Highlight);
+            if (&place == &m_places.at(m_shown))
+                mark.format.setForeground(palette().color(QPalette::Active, QPalette::HighlightedText));
+            else
+                colour.setAlphaF(0.3F);
+            mark.format.setBackground(colour);
+            marks << mark;
+        }
+        m_page->setExtraSelections(marks);
+        if (m_places.isEmpty()) {
+            m_count->setText(text().simplified().isEmpty()
+                                 ? QString()
+                                 : QCoreApplication::translate("view::Guide", "Not found"));
+            return;
+        }
+        m_count->setText(
+            QCoreApplication::translate("view::Guide", "%1 of %2").arg(m_shown + 1).arg(m_places.size()));
+        QTextCursor place = m_places[m_shown];
+        place.setPosition(place.selectionStart());
+        m_page->show(place);
+    }
+
+    Page* m_page;
+    QLabel* m_count;
+    QList<QTextCursor> m_places;
+    qsizetype m_shown = 0;
+};
+
 } // namespace
 
 void showGuide(QWidget* parent) {
@@ -71,10 +174,29 @@ void showGuide(QWidget* parent) {
     browser->setOpenExternalLinks(true);
     browser->open(QUrl(QStringLiteral("qrc:/guide/guide.md")));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter finds the next place
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    auto* count = new QLabel(dialog);
+    auto* field = new FindField(browser, count, dialog);
+    field->setMinimumWidth(dialog->fontMetrics().averageCharWidth() * 30);
+    const auto onKey = [dialog, field](QKeySequence::StandardKey key, auto&& what) {
+        QObject::connect(new QShortcut(key, dialog), &QShortcut::activated, field, what);
+    };
+    onKey(QKeySequence::FindNext, [field] { field->step(1); });
+    onKey(QKeySequence::FindPrevious, [field] { field->step(-1); });
+    onKey(QKeySequence::Find, [field] {
+        field->setFocus();
+        field->selectAll();
+    });
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(field);
+    foot->addWidget(count);
+    foot->addStretch();
+    foot->addWidget(buttons);
     auto* layout = new QVBoxLayout(dialog);
     layout->addWidget(browser);
-    layout->addWidget(buttons);
+    layout->addLayout(foot);
+    browser->setFocus();
     const QSize page(dialog->fontMetrics().averageCharWidth() * 96, dialog->fontMetrics().lineSpacing() * 42);
     dialog->resize(page.boundedTo(dialog->screen()->availableSize()));
     dialog->show();
