@@ -13,6 +13,7 @@
 
 #include <QEvent>
 #include <QIcon>
+#include <QLabel>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
@@ -47,6 +48,16 @@ void Application::speak(const QString& language) {
                       QLibraryInfo::path(QLibraryInfo::TranslationsPath)) ||
         toolkit->load(spoken, QStringLiteral("qtbase"), QStringLiteral("_"), folder))
         installTranslator(toolkit);
+}
+
+// What a label says may come out of a file: it is text, unless whoever made the label says otherwise. Tool
+// tips take care of themselves (plain_tip.h).
+bool Application::notify(QObject* receiver, QEvent* event) {
+    if (event->type() == QEvent::Polish)
+        if (auto* label = qobject_cast<QLabel*>(receiver);
+            label && label->textFormat() == Qt::AutoText && !label->inherits("QTipLabel"))
+            label->setTextFormat(Qt::PlainText);
+    return QApplication::notify(receiver, event);
 }
 
 bool Application::event(QEvent* event) {

@@ -16,6 +16,8 @@ public:
     // wished.
     void openWindows(const QStringList& files, Start start = Start::AsLastTime);
 
+    bool notify(QObject* receiver, QEvent* event) override;
+
 protected:
     bool event(QEvent* event) override;
 

@@ -281,9 +281,7 @@ void MainWindow::openRecovered(const document::Abandoned& abandoned) {
     if (!recovered)
         return say(
             tr("%1 was not recovered. It is offered again at the next start.").arg(abandoned.snapshot.title));
-    m_recovery.keepNow([abandoned](bool kept) {
-        if (kept) document::forget(abandoned);
-    });
+    m_recovery.takeOver(abandoned);
     say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
     if (const io::Failure& failure = *recovered)
         fail(tr("%1 could not be opened").arg(QFileInfo(abandoned.snapshot.path).fileName()),
@@ -396,7 +394,8 @@ void MainWindow::fillRecent() {
     m_recentMenu->clear();
     for (const QString& path : recent_files::list()) {
         QAction* action =
-            m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { openRecent(path); });
+            m_recentMenu->addAction(QFileInfo(path).fileName().replace(u'&', QLatin1String("&&")), this,
+                                    [this, path] { openRecent(path); });
         action->setStatusTip(path);
     }
     if (m_recentMenu->isEmpty()) m_recentMenu->addAction(tr("No recent files"))->setEnabled(false);
@@ -438,7 +437,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
     settings.setValue(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
     session::remember();
-    m_recovery.discard();
+    m_recovery.giveUp();
     event->accept();
 }
 

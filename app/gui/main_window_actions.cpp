@@ -16,6 +16,7 @@
 #include "panels/arising_bar.h"
 #include "panels/branch_bar.h"
 #include "panels/entries_panel.h"
+#include "plain_tip.h"
 #include "session.h"
 #include "theme.h"
 #include "tour.h"
@@ -156,6 +157,14 @@ void MainWindow::createEditActions() {
     redo->setStatusTip(tr("Make the edit again that was taken back"));
     m_editMenu->addActions({undo, redo});
     addActions({undo, redo});
+    // Names of entries are part of what is undone.
+    const auto tell = [](QAction* action, const QString& step) {
+        action->setToolTip(view::plainTip((action->iconText() + u' ' + step).trimmed()));
+    };
+    connect(m_document.undoStack(), &QUndoStack::undoTextChanged, undo,
+            [undo, tell](const QString& step) { tell(undo, step); });
+    connect(m_document.undoStack(), &QUndoStack::redoTextChanged, redo,
+            [redo, tell](const QString& step) { tell(redo, step); });
     m_editMenu->addSeparator();
     command(m_editMenu, QStringLiteral("paste"), tr("P&aste"), QKeySequence::Paste,
             tr("Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of "
@@ -413,14 +422,18 @@ void MainWindow::createHelpActions() {
     m_helpMenu->addAction(what);
     m_helpMenu->addSeparator();
     command(m_helpMenu, QStringLiteral("info"), tr("&About Barycage"), {}, tr("Version and licence"), [this] {
-        QMessageBox::about(
-            this, tr("About Barycage"),
+        QMessageBox box(
+            QMessageBox::NoIcon, tr("About Barycage"),
             tr("<h3>Barycage %1</h3><p>Take a fractal by its corners: an editor for iterated function "
                "systems "
                "whose attractors are held in barycentric coordinates of a control triangle.</p>"
                "<p>After E. Hadzieva and M. Shuminoska, <i>Real-time Tool for Affine Transformations of Two "
                "Dimensional IFS Fractals</i>.</p><p>MIT licence.</p>")
-                .arg(QApplication::applicationVersion()));
+                .arg(QApplication::applicationVersion()),
+            QMessageBox::Ok, this);
+        box.setTextFormat(Qt::RichText);
+        box.setIconPixmap(windowIcon().pixmap(64));
+        box.exec();
     });
     command(m_helpMenu, {}, tr("About &Qt"), {}, tr("The toolkit this program is built with"),
             &QApplication::aboutQt);

@@ -200,7 +200,7 @@ io::Failure OpenFile::write(const QString& path) {
 }
 
 void OpenFile::remember(const QString& path, const QByteArray& digest) {
-    m_path = path;
+    m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // it outlives this folder
     m_digest = digest;
     emit pathChanged();
 }

@@ -40,12 +40,8 @@ void Recovery::keepSoon() {
     if (!m_timer.isActive()) m_timer.start(std::clamp(1800ms - 3 * m_lastTook / 2, 100ms, 1000ms));
 }
 
-void Recovery::keepNow(std::function<void(bool)> then) {
-    if (!m_document->isModified()) {
-        discard();
-        if (then) then(true);
-        return;
-    }
+void Recovery::keepNow() {
+    if (m_isGivenUp || !m_document->isModified()) return discard();
     document::Snapshot snapshot{m_file->path(),
                                 m_file->name(),
                                 int(document::indexOf(m_document->file(), m_document->currentId())),
@@ -53,19 +49,31 @@ void Recovery::keepNow(std::function<void(bool)> then) {
                                 {},
                                 m_file->digest()};
     ++m_writing;
-    m_writer.start([this, snapshot, file = m_document->file(), then = std::move(then)]() mutable {
+    m_writer.start([this, snapshot, file = m_document->file(), old = m_takenOver]() mutable {
         const auto began = std::chrono::steady_clock::now();
         snapshot.bytes = io::writeFractint(file);
         const bool kept = m_journal.write(snapshot);
+        if (kept && old) document::forget(*old);
         const auto took = std::chrono::steady_clock::now() - began;
-        QMetaObject::invokeMethod(this, [this, kept, took, then = std::move(then)] {
+        QMetaObject::invokeMethod(this, [this, kept, took] {
             --m_writing;
+            if (kept) m_takenOver.reset();
             m_lastTook = std::chrono::duration_cast<std::chrono::milliseconds>(took);
             report(kept);
             if (std::exchange(m_isLate, false)) keepNow();
-            if (then) then(kept);
         });
     });
+}
+
+void Recovery::takeOver(const document::Abandoned& abandoned) {
+    m_takenOver = abandoned;
+    keepNow();
+}
+
+// Other windows may still ask about their work while this one has been answered for.
+void Recovery::giveUp() {
+    m_isGivenUp = true;
+    discard();
 }
 
 void Recovery::report(bool kept) {
@@ -79,7 +87,10 @@ void Recovery::report(bool kept) {
 
 void Recovery::discard() {
     m_timer.stop();
-    m_writer.start([this] { m_journal.discard(); });
+    m_writer.start([this, old = std::exchange(m_takenOver, std::nullopt)] {
+        m_journal.discard();
+        if (old) document::forget(*old);
+    });
 }
 
 QString Recovery::folder() {
@@ -87,8 +98,7 @@ QString Recovery::folder() {
            QStringLiteral("/recovery");
 }
 
-void Recovery::reportDamaged() {
-    QStringList paths = document::setDamagedAside(folder());
+void Recovery::reportDamaged(QStringList paths) {
     if (paths.isEmpty()) return;
     for (QString& path : paths)
         path = QDir::toNativeSeparators(path);
@@ -101,13 +111,18 @@ void Recovery::reportDamaged() {
 }
 
 QList<document::Abandoned> Recovery::ask() {
-    QFuture<QList<document::Abandoned>> looking = io::inBackground<QList<document::Abandoned>>(
-        [folder = folder()](QPromise<QList<document::Abandoned>>& promise) {
-            promise.addResult(document::abandonedSnapshots(folder));
-        });
+    struct Left {
+        QList<document::Abandoned> work;
+        QStringList damaged;
+    };
+    QFuture<Left> looking = io::inBackground<Left>([folder = folder()](QPromise<Left>& promise) {
+        Left left{document::abandonedSnapshots(folder), {}};
+        left.damaged = document::setDamagedAside(folder);
+        promise.addResult(std::move(left));
+    });
     if (!view::waitFor(QFuture<void>(looking), tr("Looking for unsaved work…"), nullptr)) return {};
-    const QList<document::Abandoned> found = looking.takeResult();
-    reportDamaged();
+    const auto [found, damaged] = looking.takeResult();
+    reportDamaged(damaged);
     if (found.isEmpty()) return {};
     QStringList lines;
     for (const document::Abandoned& abandoned : found)

@@ -9,7 +9,7 @@
 #include <QTimer>
 
 #include <chrono>
-#include <functional>
+#include <optional>
 
 // Keeps a window's unsaved work in a journal, at most two seconds behind if the disk is fast enough, until it
 // is saved or given up.
@@ -21,10 +21,10 @@ public:
 
     ~Recovery() override; // when all is written
 
-    // Without waiting for the next change; then(false) when nothing new could be written. Disks may be slow:
-    // another thread writes.
-    void keepNow(std::function<void(bool)> then = {});
-    void discard(); // the window closes and its work is saved or not wanted
+    // The document now holds this work of another process, which is forgotten once it is kept here, saved or
+    // discarded.
+    void takeOver(const document::Abandoned& abandoned);
+    void giveUp(); // the window closes, and its work is saved or not wanted
 
     static QString folder();
     // Asks about the work of processes that ended without closing; returns what the user wants back.
@@ -36,8 +36,10 @@ signals:
 
 private:
     void keepSoon();
+    void keepNow(); // without waiting for the next change. Disks may be slow: another thread writes
+    void discard();
     void report(bool kept);
-    static void reportDamaged();
+    static void reportDamaged(QStringList paths);
 
     document::Document* m_document;
     const OpenFile* m_file;
@@ -47,5 +49,7 @@ private:
     bool m_kept = true; // the last time
     int m_writing = 0;  // snapshots on their way to the disk
     bool m_isLate = false;
+    bool m_isGivenUp = false;
+    std::optional<document::Abandoned> m_takenOver;
     std::chrono::milliseconds m_lastTook{0};
 };

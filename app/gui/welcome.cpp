@@ -4,6 +4,7 @@
 #include "canvas/canvas_view.h"
 #include "icon.h"
 #include "main_window.h"
+#include "plain_tip.h"
 #include "recent_files.h"
 
 #include <QCommandLinkButton>
@@ -50,7 +51,7 @@ Welcome::Welcome(MainWindow* host) : Card(host) {
         auto* file = new QCommandLinkButton(QFileInfo(path).fileName().replace(u'&', QStringLiteral("&&")),
                                             folder, this);
         file->setIcon(view::icon(QStringLiteral("open")));
-        file->setToolTip(QDir::toNativeSeparators(path));
+        file->setToolTip(view::plainTip(QDir::toNativeSeparators(path)));
         connect(file, &QPushButton::clicked, host, [host, path] { host->openRecent(path); });
         layout->addWidget(file);
     }

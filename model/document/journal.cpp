@@ -37,7 +37,7 @@ QString lockOf(const QString& journal) {
 // container the next start may have the same.
 bool isHeld(const QString& lockFile) {
 #ifdef Q_OS_UNIX
-    const int file = ::open(QFile::encodeName(lockFile).constData(), O_RDONLY | O_CLOEXEC);
+    const int file = ::open(QFile::encodeName(lockFile).constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) return errno != ENOENT;
     const bool free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
     ::close(file); // and with it the lock
@@ -48,16 +48,18 @@ bool isHeld(const QString& lockFile) {
 }
 
 // The owner's process keeps the lock for as long as it lives; its age says nothing. One that is only just
-// being made is nobody's for a moment.
+// being made is nobody's for a moment. What is no file was never a lock.
 std::unique_ptr<QLockFile> lock(const QString& journal) {
     constexpr int justNow = 2; // seconds
     const QFileInfo left(lockOf(journal));
-    if (left.exists() && left.lastModified().secsTo(QDateTime::currentDateTime()) > justNow &&
-        !isHeld(left.filePath()))
+    const bool isOld = left.lastModified().secsTo(QDateTime::currentDateTime()) > justNow;
+    if (left.exists() && (!left.isFile() || (isOld && !isHeld(left.filePath()))))
         QFile::remove(left.filePath());
     auto made = std::make_unique<QLockFile>(lockOf(journal));
     made->setStaleLockTime(0);
-    return made->tryLock(0) ? std::move(made) : nullptr;
+    if (!made->tryLock(0)) return nullptr;
+    QFile::setPermissions(lockOf(journal), QFile::ReadOwner | QFile::WriteOwner);
+    return made;
 }
 
 void makeFolder(const QString& folder) {
@@ -66,8 +68,10 @@ void makeFolder(const QString& folder) {
 }
 
 std::optional<Snapshot> readJournal(const QString& path) {
+    if (!QFileInfo(path).isFile()) return std::nullopt; // a pipe may never come to an end
     QFile file(path);
     if (file.size() > maxJournal || !file.open(QIODevice::ReadOnly)) return std::nullopt;
+    if (file.peek(sizeof magic - 1) != magic) return std::nullopt;
     return snapshotIn(file.readAll());
 }
 
@@ -104,17 +108,14 @@ std::optional<Snapshot> snapshotIn(const QByteArray& data) {
     return snapshot;
 }
 
-Journal::Journal(const QString& folder) {
-    makeFolder(folder);
-    m_path = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) +
-                                   QStringLiteral(".journal"));
-    m_lock = lock(m_path);
-}
+Journal::Journal(const QString& folder)
+    : m_path(QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) +
+                                   QStringLiteral(".journal"))) {}
 
 Journal::~Journal() = default;
 
 bool Journal::write(const Snapshot& snapshot) {
-    // There may have been no room for the lock, or somebody may have emptied the folder.
+    // It is the first time, there was no room for the lock, or somebody has emptied the folder.
     if (!m_lock || !QFileInfo::exists(lockOf(m_path))) {
         makeFolder(QFileInfo(m_path).path());
         m_lock.reset();

@@ -34,14 +34,15 @@ std::optional<Snapshot> snapshotIn(const QByteArray& recoveryFile);
 // while its process lives, so that after a crash the next start can tell it from those of running windows.
 class Journal {
 public:
-    // The folder is created when missing. Journals in one folder never share a file.
+    // Nothing is made yet: that may take time. Journals in one folder never share a file.
     explicit Journal(const QString& folder);
     ~Journal(); // leaves the file if there is one: only discard() says that nothing is to be recovered
 
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    bool write(const Snapshot& snapshot); // false: not written, the one before is kept
+    // Creates the folder when it is missing. False: not written, the one before is kept.
+    bool write(const Snapshot& snapshot);
     void discard();
 
 private:

@@ -27,6 +27,8 @@ namespace io {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr qint64 largestFile = 256LL * 1024 * 1024;
 
 struct Text {
@@ -38,36 +40,51 @@ QString shown(const QString& path) {
 }
 
 // The file that `path` leads to through symbolic links; a dangling link leads to the file it names. Step by
-// step as the system does it: "..", after a link to a folder, is not the folder that the link lies in.
-QString target(const QString& path) {
-    namespace fs = std::filesystem;
+// step as the system does it: "..", after a link to a folder, is not the folder that the link lies in. Names
+// stay bytes on the way: not all of them are UTF-8. What a device or a pipe is called leads nowhere.
+fs::path target(const QString& path) {
     constexpr int mostLinks = 40; // as many as the kernel follows
     std::error_code error;
-    fs::path at(QFile::encodeName(path).toStdString());
-    bool isLink = false;
+    const fs::path given(QFile::encodeName(path).toStdString());
+    const fs::file_status end = fs::status(given, error);
+    if (fs::exists(end) && !fs::is_regular_file(end)) return given;
+    fs::path at = given;
     for (int i = 0; i < mostLinks && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
         const fs::path folder = fs::canonical(at.has_parent_path() ? at.parent_path() : ".", error);
-        if (error) return path;
+        if (error) return given;
         const fs::path link = fs::read_symlink(at, error);
-        if (error) return path;
+        if (error) return given;
         at = folder / link; // or `link`, if it begins at the root
-        isLink = true;
     }
-    return isLink ? QFile::decodeName(QByteArray::fromStdString(at.string())) : path;
+    return at;
 }
 
-Failure obstacle(const QString& path) {
+QString nameOf(const fs::path& path) {
+    return QFile::decodeName(QByteArray::fromStdString(path.string()));
+}
+
+bool isWritable(const fs::path& file) {
+#ifdef Q_OS_UNIX
+    return ::access(file.c_str(), W_OK) == 0;
+#else
+    return QFileInfo(nameOf(file)).isWritable();
+#endif
+}
+
+Failure obstacle(const fs::path& target) {
+    const QString path = nameOf(target);
     if (path.isEmpty()) return Text::tr("The file has no name. Choose one.");
-    const QFileInfo info(path);
-    const QFileInfo folder(info.path());
-    if (info.isDir()) return Text::tr("“%1” is a folder. Choose a file name.").arg(shown(path));
-    if (info.exists() && !info.isFile())
+    std::error_code error; // what cannot be asked about is not there
+    const fs::file_status file = fs::status(target, error);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    if (fs::is_directory(file)) return Text::tr("“%1” is a folder. Choose a file name.").arg(shown(path));
+    if (fs::exists(file) && !fs::is_regular_file(file))
         return Text::tr("“%1” is not an ordinary file and is not replaced. Choose another name.")
             .arg(shown(path));
-    if (!folder.isDir())
+    if (!fs::is_directory(folder, error))
         return Text::tr("The folder “%1” does not exist. Create it, or save somewhere else.")
-            .arg(shown(info.absolutePath()));
-    if (info.exists() && !info.isWritable())
+            .arg(shown(QFileInfo(path).absolutePath()));
+    if (fs::exists(file) && !isWritable(target))
         return Text::tr("“%1” is read-only. Save under another name, or change its permissions.")
             .arg(shown(path));
     return std::nullopt;
@@ -221,8 +238,8 @@ int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* n
 } // namespace
 
 struct NewFile::Temporary {
-    explicit Temporary(const QString& path)
-        : target(QFile::encodeName(path)),
+    explicit Temporary(const fs::path& path)
+        : target(QByteArray::fromStdString(path.string())),
           folder(folderOf(target)),
           file(createBeside(folder, target, &name)) {
         error = file.isOpen() ? 0 : errno;
@@ -276,9 +293,12 @@ struct NewFile::Temporary {
     bool isRenamed = false;
 };
 
-NewFile::NewFile(const QString& path) : m_path(target(path)), m_failure(obstacle(m_path)) {
+NewFile::NewFile(const QString& path) {
+    const fs::path end = target(path);
+    m_path = nameOf(end);
+    m_failure = obstacle(end);
     if (m_failure) return;
-    m_temporary = std::make_unique<Temporary>(m_path);
+    m_temporary = std::make_unique<Temporary>(end);
     if (!m_temporary->file.isOpen()) {
         fail(m_temporary->error);
         return;
@@ -313,13 +333,16 @@ Failure NewFile::commit() {
 } // namespace
 
 struct NewFile::Temporary {
-    explicit Temporary(const QString& path) : file(path) {}
+    explicit Temporary(const fs::path& path) : file(nameOf(path)) {}
     QSaveFile file;
 };
 
-NewFile::NewFile(const QString& path) : m_path(target(path)), m_failure(obstacle(m_path)) {
+NewFile::NewFile(const QString& path) {
+    const fs::path end = target(path);
+    m_path = nameOf(end);
+    m_failure = obstacle(end);
     if (m_failure) return;
-    m_temporary = std::make_unique<Temporary>(m_path);
+    m_temporary = std::make_unique<Temporary>(end);
     if (m_temporary->file.open(QIODevice::WriteOnly))
         setOpenMode(WriteOnly | Unbuffered);
     else

@@ -13,6 +13,8 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QLabel>
 #include <QListView>
 #include <QMessageBox>
 #include <QPointer>
@@ -26,7 +28,10 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
+
+#include <csignal>
 
 namespace {
 
@@ -96,7 +101,11 @@ private slots:
     void twoWindowsDoNotOverwriteEachOther();
     void recoveredWorkDoesNotOverwriteOthers();
     void recoveredWorkKeepsThePathOfAFileThatIsGone();
+    void recoveredWorkStaysUntilItIsKept();
     void unsavedWorkIsKeptWithinTwoSeconds();
+    void whatIsGivenUpIsNotKept();
+    void aPathIsKnownFromEveryFolder();
+    void namesAreNoMarkup();
     void aKilledEditorLeavesItsWork();
     void damagedWorkIsSaidOnce();
     void aPipeIsNotOpened();
@@ -185,6 +194,26 @@ void WindowFilesTest::recoveredWorkKeepsThePathOfAFileThatIsGone() {
     QCOMPARE(contents(m_path), abandoned().snapshot.bytes);
 }
 
+// A limit on the size of files stands in for a full disk.
+void WindowFilesTest::recoveredWorkStaysUntilItIsKept() {
+    const document::Abandoned old = abandoned();
+    put(old.journal, document::recoveryFile(old.snapshot));
+    rlimit before{};
+    QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit none = before;
+    none.rlim_cur = 64;
+    QCOMPARE(::setrlimit(RLIMIT_FSIZE, &none), 0);
+    auto* window = new MainWindow;
+    window->openRecovered(old);
+    QTest::qWait(1500);
+    const bool stayed = QFileInfo::exists(old.journal);
+    QCOMPARE(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    QVERIFY(stayed);
+    QTRY_VERIFY(!QFileInfo::exists(old.journal)); // it is kept as this window's now
+    QVERIFY(!QDir(Recovery::folder()).entryList({QStringLiteral("*.journal")}, QDir::Files).isEmpty());
+}
+
 void WindowFilesTest::unsavedWorkIsKeptWithinTwoSeconds() {
     MainWindow* window = opened();
     const QDir folder(Recovery::folder());
@@ -199,6 +228,57 @@ void WindowFilesTest::unsavedWorkIsKeptWithinTwoSeconds() {
     QCOMPARE(kept().base, QCryptographicHash::hash(twoEntries, QCryptographicHash::Sha256));
     window->document().undoStack()->undo();
     QTRY_VERIFY(kept().bytes.isEmpty()); // nothing is unsaved any more
+}
+
+// The other windows may still be asking about theirs.
+void WindowFilesTest::whatIsGivenUpIsNotKept() {
+    document::Document document;
+    const OpenFile file(&document, nullptr);
+    Recovery recovery(&document, &file, nullptr);
+    const QDir folder(Recovery::folder());
+    const auto journals = [&] { return folder.entryList({QStringLiteral("*.journal")}, QDir::Files).size(); };
+    const auto edit = [&](const char* name) {
+        document::Fractal changed = document.fractal();
+        changed.name = QString::fromUtf8(name);
+        document.edit(QStringLiteral("rename"), changed);
+    };
+    edit("mine");
+    QTRY_COMPARE(journals(), 1);
+    recovery.giveUp();
+    QTRY_COMPARE(journals(), 0);
+    edit("still mine");
+    QTest::qWait(2000);
+    QCOMPARE(journals(), 0);
+}
+
+void WindowFilesTest::aPathIsKnownFromEveryFolder() {
+    const QString before = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(m_folder->path()));
+    auto* window = new MainWindow;
+    const bool isOpen = window->openPath(QStringLiteral("two.ifs"));
+    QVERIFY(QDir::setCurrent(before));
+    QVERIFY(isOpen);
+    QCOMPARE(QFileInfo(window->path()).canonicalFilePath(), QFileInfo(m_path).canonicalFilePath());
+    QVERIFY(QFileInfo(window->path()).isAbsolute());
+}
+
+// Qt would read the picture, whatever that may be.
+void WindowFilesTest::namesAreNoMarkup() {
+    MainWindow* window = opened();
+    QVERIFY(!window->openPath(m_folder->filePath(QStringLiteral("<img src=pipe>.ifs"))));
+    auto* box = window->findChild<QMessageBox*>();
+    QVERIFY(box);
+    QVERIFY(box->text().contains(QStringLiteral("<img src=pipe>")));
+    const auto labels = box->findChildren<QLabel*>();
+    QVERIFY(labels.size() >= 2);
+    for (const QLabel* label : labels)
+        QCOMPARE(label->textFormat(), Qt::PlainText);
+    box->close();
+    document::Fractal changed = window->document().fractal();
+    changed.name = QStringLiteral("other");
+    window->document().edit(QStringLiteral("Rename “<img src=pipe>”"), changed);
+    for (const QAction* action : window->findChildren<QAction*>())
+        QVERIFY2(!action->toolTip().contains(QStringLiteral("<img")), qPrintable(action->toolTip()));
 }
 
 // This program again, as the editor, killed after it has said that its work is changed.

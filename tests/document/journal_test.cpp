@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <csignal>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
@@ -28,6 +29,7 @@ private slots:
     void damagedJournalsAreIgnored();
     void damagedJournalsAreSetAside();
     void onlyTheOwnerMayRead();
+    void aPipeIsNotWaitedFor();
     void aFolderThatMayNotBeWrittenIsSaid();
     void withoutRoomTheLastSnapshotStays();
     void lockAndFolderAreMadeAgain();
@@ -243,8 +245,27 @@ void JournalTest::onlyTheOwnerMayRead() {
     QCOMPARE(mode(folder), 0700U);
     QCOMPARE(mode(QDir(folder).filePath(journalsIn(folder).value(0))), 0600U);
     QCOMPARE(::chmod(QFile::encodeName(folder).constData(), 0755), 0);
-    const Journal another(folder);
+    Journal another(folder);
+    QVERIFY(another.write(snapshot("b")));
     QCOMPARE(mode(folder), 0700U);
+    const QStringList files = QDir(folder).entryList(QDir::Files);
+    QCOMPARE(files.size(), 4); // two journals, each with its lock
+    for (const QString& file : files)
+        QCOMPARE(mode(QDir(folder).filePath(file)), 0600U);
+}
+
+void JournalTest::aPipeIsNotWaitedFor() {
+    const QTemporaryDir folder;
+    const QString pipe = folder.filePath(QStringLiteral("pipe"));
+    const QString lock = folder.filePath(QStringLiteral("b.journal.lock"));
+    for (const QString& name : {pipe, lock})
+        QCOMPARE(::mkfifo(QFile::encodeName(name).constData(), 0600), 0);
+    const timespec longAgo[2] = {};
+    QCOMPARE(::utimensat(AT_FDCWD, QFile::encodeName(lock).constData(), longAgo, 0), 0);
+    QVERIFY(QFile::link(pipe, folder.filePath(QStringLiteral("a.journal"))));
+    QVERIFY(QFile::link(pipe, folder.filePath(QStringLiteral("b.journal"))));
+    QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty());
+    document::setDamagedAside(folder.path());
 }
 
 void JournalTest::aFolderThatMayNotBeWrittenIsSaid() {

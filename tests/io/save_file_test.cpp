@@ -127,6 +127,28 @@ private slots:
         QVERIFY(!QFileInfo::exists(at("a/y.ifs")));
     }
 
+    // Names are bytes; Qt knows those that are UTF-8.
+    void linksLeadToNamesThatAreNotUtf8() {
+        const QByteArray folder = QFile::encodeName(m_folder->path());
+        const QByteArray file = folder + "/f\xff.ifs";
+        const QByteArray inside = folder + "/d\xff";
+        QCOMPARE(::mkdir(inside.constData(), 0700), 0);
+        const QString toFile = m_folder->filePath(QStringLiteral("file.ifs"));
+        const QString toInside = m_folder->filePath(QStringLiteral("inside.ifs"));
+        QCOMPARE(::symlink(file.constData(), QFile::encodeName(toFile).constData()), 0);
+        QCOMPARE(::symlink((inside + "/x.ifs").constData(), QFile::encodeName(toInside).constData()), 0);
+        for (const QString& link : {toFile, toInside})
+            for (const char* bytes : {"new", "newer"}) { // dangling, then leading to a file
+                QCOMPARE(io::saveFile(link, bytes), io::Failure());
+                QVERIFY(QFileInfo(link).isSymLink());
+                QCOMPARE(contents(link), QByteArray(bytes));
+            }
+        QVERIFY(!QFileInfo::exists(m_folder->filePath(QStringLiteral("f\uFFFD.ifs"))));
+        ::unlink(file.constData()); // QTemporaryDir cannot
+        ::unlink((inside + "/x.ifs").constData());
+        ::rmdir(inside.constData());
+    }
+
     void danglingLinkGetsItsFile() {
         const QString link = m_folder->filePath(QStringLiteral("link.ifs"));
         QVERIFY(QFile::link(m_path, link));

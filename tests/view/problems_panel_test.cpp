@@ -9,6 +9,7 @@
 #include <QGuiApplication>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTextDocument>
 #include <QTreeView>
 
 using namespace Qt::StringLiterals;
@@ -43,7 +44,25 @@ private slots:
     void choosingShowsTheEntry();
     void followsTheFile();
     void copies();
+    void tipsAreNoMarkup();
 };
+
+void ProblemsPanelTest::tipsAreNoMarkup() {
+    document::FractalFile file = fileWithProblems();
+    file.problems.first().message = u"“<img src=pipe>” is not a number."_s;
+    Document document;
+    document.setFile(file);
+    const view::ProblemsModel model(&document);
+    const QModelIndex index = model.index(0, view::ProblemsModel::Message);
+    QCOMPARE(index.data().toString(), file.problems.first().message);
+    const QString tip = index.data(Qt::ToolTipRole).toString();
+    QTextDocument shown;
+    shown.setHtml(tip);
+    QVERIFY(!tip.contains(u"<img"_s));
+    QCOMPARE(shown.toPlainText(), file.problems.first().message);
+    QCOMPARE(model.index(1, view::ProblemsModel::Message).data(Qt::ToolTipRole).toString(),
+             u"This is no number."_s);
+}
 
 void ProblemsPanelTest::listsAllInOrder() {
     Document document;

@@ -53,6 +53,7 @@ QWidget* BranchBar::makeBranch() {
     m_depth->setToolTip(tr("How many maps of the address name the branch (Shift + wheel over the canvas)"));
     depthLabel->setBuddy(m_depth);
     m_address = new QLabel(row);
+    m_address->setTextFormat(Qt::RichText);
     m_address->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_address->setToolTip(
         tr("The address of the point clicked, outermost map first; the branch is what is bold"));

@@ -3,6 +3,7 @@
 
 #include "clipboard.h"
 #include "io/background.h"
+#include "plain_tip.h"
 
 #include <QMimeData>
 
@@ -112,7 +113,7 @@ QVariant CollectionModel::headingData(const Row& row, int role) const {
     case Qt::DisplayRole:
         return row.theme;
     case Qt::ToolTipRole:
-        return row.description;
+        return plainTip(row.description);
     case Qt::AccessibleTextRole:
         return tr("Theme: %1").arg(row.theme);
     case Qt::AccessibleDescriptionRole:

@@ -5,6 +5,7 @@
 #include "icon.h"
 #include "panels/entries_model.h"
 #include "panels/thumbnail_tile.h"
+#include "plain_tip.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -168,7 +169,7 @@ void EntriesDelegate::showProblem(QLineEdit& editor) const {
     if (reason.isEmpty())
         QToolTip::hideText();
     else
-        QToolTip::showText(editor.mapToGlobal(QPoint(0, editor.height())), reason, &editor);
+        QToolTip::showText(editor.mapToGlobal(QPoint(0, editor.height())), plainTip(reason), &editor);
 }
 
 } // namespace view

@@ -2,6 +2,7 @@
 #include "panels/number_field.h"
 
 #include "io/number.h"
+#include "plain_tip.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -116,7 +117,7 @@ void NumberField::showProblem(const QString& reason) {
     const bool shown = !reason.isEmpty();
     setAccessibleDescription(reason);
     if (shown && isVisible())
-        QToolTip::showText(mapToGlobal(QPoint(0, height())), reason, this);
+        QToolTip::showText(mapToGlobal(QPoint(0, height())), plainTip(reason), this);
     else if (!shown && QToolTip::isVisible() && hasFocus())
         QToolTip::hideText();
     update();

@@ -2,6 +2,7 @@
 #include "panels/problems_model.h"
 
 #include "icon.h"
+#include "plain_tip.h"
 
 #include <algorithm>
 
@@ -56,7 +57,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
         if (index.column() == Place) return icon(error ? QStringLiteral("error") : QStringLiteral("warning"));
         return {};
     case Qt::ToolTipRole:
-        return problem.message;
+        return plainTip(problem.message);
     case Qt::AccessibleTextRole:
         if (index.column() == Place)
             return QStringLiteral("%1 %2").arg(severityName(problem.severity), place(problem)).trimmed();
