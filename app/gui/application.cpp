@@ -7,6 +7,7 @@
 #include "preferences.h"
 #include "recovery.h"
 #include "session.h"
+#include "settings.h"
 #include "theme.h"
 #include "tour.h"
 #include "welcome.h"
@@ -29,6 +30,10 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     const view::Preferences preferences = view::Preferences::stored();
     view::wear(preferences.theme);
     speak(preferences.language);
+}
+
+Application::~Application() {
+    view::finishStoring();
 }
 
 void Application::speak(const QString& language) {

@@ -9,6 +9,7 @@ class Application : public QApplication {
 
 public:
     Application(int& argc, char** argv);
+    ~Application() override;
 
     // What a window without files shows first.
     enum class Start { AsLastTime, New, Collection, Random };

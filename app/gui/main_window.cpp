@@ -18,6 +18,7 @@
 #include "preferences.h"
 #include "recent_files.h"
 #include "session.h"
+#include "settings.h"
 #include "status_line.h"
 #include "whats_this.h"
 
@@ -37,7 +38,6 @@
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScreen>
-#include <QSettings>
 #include <QToolBar>
 
 namespace {
@@ -249,11 +249,10 @@ void MainWindow::openFirstPicture() {
         if (entry.fractal->name == QLatin1String("maple")) maple = entry.id;
     m_file.startFrom(std::move(file), maple);
     const QString seen = QStringLiteral("hints/firstDrag");
-    if (!QSettings().value(seen, false).toBool()) {
+    if (!view::stored(seen, false).toBool()) {
         m_canvas->setHint(tr(
             "Take the maple by a corner and pull. Or press D and define another triangle by three clicks."));
-        connect(m_canvas, &view::CanvasView::hintDismissed, this,
-                [seen] { QSettings().setValue(seen, true); });
+        connect(m_canvas, &view::CanvasView::hintDismissed, this, [seen] { view::store(seen, true); });
     }
 }
 
@@ -432,25 +431,23 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    QSettings settings;
     const bool presents = m_presentation->isChecked();
-    settings.setValue(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
+    view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
+    view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
     session::remember();
     m_recovery.giveUp();
     event->accept();
 }
 
 void MainWindow::restoreLayout() {
-    const QSettings settings;
     resizeDocks(
         {findChild<QDockWidget*>(QStringLiteral("entries")), findChild<QDockWidget*>(QStringLiteral("maps"))},
         {260, 430}, Qt::Horizontal);
-    if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray()))
+    if (!restoreGeometry(view::stored(QStringLiteral("window/geometry")).toByteArray()))
         resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
     if (const QWidget* other = QApplication::activeWindow(); other && other->pos() == pos())
         move(pos() + QPoint(cascade, cascade)); // both are to be seen
-    restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
+    restoreState(view::stored(QStringLiteral("window/state")).toByteArray());
 }
 
 // The desktop, too, may fill the screen with the window.

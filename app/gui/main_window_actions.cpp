@@ -18,6 +18,7 @@
 #include "panels/entries_panel.h"
 #include "plain_tip.h"
 #include "session.h"
+#include "settings.h"
 #include "theme.h"
 #include "tour.h"
 
@@ -27,7 +28,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
-#include <QSettings>
 #include <QToolBar>
 #include <QWhatsThis>
 
@@ -69,9 +69,9 @@ QAction* MainWindow::toggle(QMenu* menu, const QString& icon, const QString& tex
     made->setCheckable(true);
     connect(made, &QAction::toggled, this, [setting, set](bool on) {
         set(on);
-        QSettings().setValue(setting, on);
+        view::store(setting, on);
     });
-    made->setChecked(QSettings().value(setting, initially).toBool());
+    made->setChecked(view::stored(setting, initially).toBool());
     set(made->isChecked());
     return made;
 }
@@ -339,9 +339,9 @@ void MainWindow::createViewActions() {
         const QString setting = QStringLiteral("canvas/snap/") + name;
         connect(made, &QAction::toggled, this, [this, flag = flag, setting](bool on) {
             m_canvas->setSnapping(m_canvas->snapping().setFlag(flag, on));
-            QSettings().setValue(setting, on);
+            view::store(setting, on);
         });
-        made->setChecked(QSettings().value(setting, false).toBool());
+        made->setChecked(view::stored(setting, false).toBool());
     }
     m_viewMenu->addSeparator();
     m_panelMenu = m_viewMenu->addMenu(tr("&Panels"));

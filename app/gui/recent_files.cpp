@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "recent_files.h"
 
+#include "settings.h"
+
 #include <QFileInfo>
-#include <QSettings>
 
 namespace recent_files {
 
@@ -17,7 +18,7 @@ QString key() {
 } // namespace
 
 QStringList list() {
-    QStringList paths = QSettings().value(key()).toStringList();
+    QStringList paths = view::stored(key()).toStringList();
     paths.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
     return paths;
 }
@@ -27,11 +28,11 @@ void add(const QString& path) {
     QStringList paths = list();
     paths.removeAll(absolute);
     paths.prepend(absolute);
-    QSettings().setValue(key(), paths.mid(0, capacity));
+    view::store(key(), paths.mid(0, capacity));
 }
 
 void clear() {
-    QSettings().remove(key());
+    view::store(key(), {});
 }
 
 } // namespace recent_files

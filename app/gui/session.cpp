@@ -2,10 +2,10 @@
 #include "session.h"
 
 #include "main_window.h"
+#include "settings.h"
 
 #include <QApplication>
 #include <QFileInfo>
-#include <QSettings>
 
 namespace session {
 
@@ -31,14 +31,14 @@ QList<MainWindow*> windows() {
 }
 
 QStringList files() {
-    QStringList paths = QSettings().value(key).toStringList();
+    QStringList paths = view::stored(key).toStringList();
     paths.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
     return paths;
 }
 
 void remember() {
     // Also while others are open: if the program ends without a farewell, this is the best that is known.
-    QSettings().setValue(key, shown());
+    view::store(key, shown());
 }
 
 void quit() {
@@ -46,7 +46,7 @@ void quit() {
     QApplication::closeAllWindows();
     for (const MainWindow* window : windows())
         if (window->isVisible()) return;
-    QSettings().setValue(key, paths);
+    view::store(key, paths);
 }
 
 } // namespace session

@@ -3,6 +3,7 @@
 
 #include "canvas/canvas_view.h"
 #include "panels/maps_panel.h"
+#include "settings.h"
 
 #include <QDockWidget>
 #include <QEvent>
@@ -11,7 +12,6 @@
 #include <QMainWindow>
 #include <QPainter>
 #include <QPushButton>
-#include <QSettings>
 #include <QTimer>
 #include <QToolBar>
 
@@ -100,7 +100,7 @@ void Tour::start(QMainWindow* window) {
 }
 
 bool Tour::offer(QMainWindow* window) {
-    if (QSettings().value(offeredKey(), false).toBool()) return false;
+    if (view::stored(offeredKey(), false).toBool()) return false;
     (new Tour(window))->showStep(-1);
     return true;
 }
@@ -159,7 +159,7 @@ void Tour::leaveStep() {
 void Tour::showStep(int step) {
     leaveStep();
     m_step = step;
-    QSettings().setValue(offeredKey(), true);
+    view::store(offeredKey(), true);
     const bool asking = step < 0;
     if (asking) {
         m_title->setText(tr("New here?"));

@@ -9,6 +9,7 @@
 #include "preferences.h"
 #include "recovery.h"
 #include "session.h"
+#include "settings.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
 
@@ -182,6 +183,7 @@ void MainWindowTest::theFilesOfTheLastRunAreKnown() {
     first->close();
     last->close();
     QCOMPARE(known(), QStringList({dos}));
+    view::finishStoring();
     QSettings().setValue(QStringLiteral("session/files"), QStringList({QStringLiteral("/nowhere/a.ifs")}));
     QVERIFY(session::files().isEmpty());
 }
@@ -232,6 +234,7 @@ void MainWindowTest::aWindowMayGoWhileANameIsTyped() {
 
 // One is closed, one floats, one is in front of those that share its place, and one is on the other side.
 void MainWindowTest::panelsAreWhereTheyWereLeft() {
+    view::finishStoring();
     QSettings().clear();
     const auto panel = [](MainWindow* window, const char* id) {
         return window->findChild<QDockWidget*>(QLatin1String(id));
@@ -261,10 +264,12 @@ void MainWindowTest::panelsAreWhereTheyWereLeft() {
     QTRY_VERIFY(!panel(second, "appearance")->visibleRegion().isEmpty());
     QVERIFY(panel(second, "maps")->visibleRegion().isEmpty()); // behind it
     QTRY_COMPARE(panel(second, "appearance")->width(), width);
+    view::finishStoring();
     QSettings().clear();
 }
 
 void MainWindowTest::theWholeScreenAndBack() {
+    view::finishStoring();
     QSettings().clear();
     MainWindow* window = shown({});
     QVERIFY(QTest::qWaitForWindowExposed(window));
@@ -290,10 +295,12 @@ void MainWindowTest::theWholeScreenAndBack() {
     for (auto* action : next->findChildren<QAction*>())
         if (action->shortcut() == QKeySequence(Qt::Key_F11)) action->trigger();
     QTRY_VERIFY(!next->isFullScreen());
+    view::finishStoring();
     QSettings().clear();
 }
 
 void MainWindowTest::aPresentationPutsAwayWhatIsNotCanvas() {
+    view::finishStoring();
     QSettings().clear();
     MainWindow* window = shown({});
     QVERIFY(QTest::qWaitForWindowExposed(window));
@@ -327,6 +334,7 @@ void MainWindowTest::aPresentationPutsAwayWhatIsNotCanvas() {
 }
 
 void MainWindowTest::aPresentationIsNotRemembered() {
+    view::finishStoring();
     QSettings().clear();
     MainWindow* window = shown({});
     QVERIFY(QTest::qWaitForWindowExposed(window));
@@ -339,6 +347,7 @@ void MainWindowTest::aPresentationIsNotRemembered() {
     QTRY_COMPARE(next->size(), QSize(1000, 700));
     QVERIFY(!next->isFullScreen() && next->menuBar()->isVisible());
     QVERIFY(!next->findChild<QDockWidget*>(QStringLiteral("maps"))->isHidden());
+    view::finishStoring();
     QSettings().clear();
 }
 
@@ -388,6 +397,7 @@ void MainWindowTest::whatOthersCopiedIsPasted() {
 }
 
 void MainWindowTest::theHintGoesWithAnotherTool() {
+    view::finishStoring();
     QSettings().clear();
     for (const bool byTool : {true, false}) {
         auto* window = new MainWindow;

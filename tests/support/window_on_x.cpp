@@ -5,6 +5,7 @@
 #include "canvas/canvas_scene.h"
 #include "io/fractint_reader.h"
 #include "io/save_file.h"
+#include "settings.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -47,6 +48,7 @@ bool waitFor(const std::function<bool()>& condition) {
 
 void WindowOnX::openWindow() {
     if (const QString obstacle = XInput::obstacle(); !obstacle.isEmpty()) QSKIP(qPrintable(obstacle));
+    view::finishStoring();
     QSettings().clear();
     m_hand = std::make_unique<XInput>();
     m_window = new MainWindow;

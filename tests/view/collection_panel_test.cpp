@@ -4,6 +4,7 @@
 #include "panels/collection_filter.h"
 #include "panels/collection_model.h"
 #include "panels/collection_panel.h"
+#include "settings.h"
 #include "support/own_settings.h"
 
 #include <QAbstractItemModelTester>
@@ -249,6 +250,7 @@ void CollectionPanelTest::readsBesideTheWindow() {
 }
 
 void CollectionPanelTest::readingCanBeStopped() {
+    view::finishStoring();
     QSettings().clear();
     const QTemporaryDir folder;
     writeEntries(folder.filePath(u"a.ifs"_s), 2);
@@ -277,6 +279,7 @@ void CollectionPanelTest::dragsAsText() {
 }
 
 void CollectionPanelTest::favouritesAreKept() {
+    view::finishStoring();
     QSettings().remove(u"collection/favourites"_s);
     const auto grid = [](const view::CollectionPanel& panel) { return panel.findChild<QListView*>(); };
     const auto action = [](const view::CollectionPanel& panel, const QString& text) -> QAction* {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/preferences_dialog.h"
+#include "settings.h"
 #include "support/contrast.h"
 #include "support/own_settings.h"
 #include "theme.h"
@@ -30,7 +31,10 @@ class PreferencesDialogTest : public QObject {
 
 private slots:
     void initTestCase() { support::useOwnSettings(); }
-    void init() { QSettings().clear(); }
+    void init() {
+        view::finishStoring();
+        QSettings().clear();
+    }
     void cleanup() { view::wear(Preferences::Theme::Desktop); }
     void choicesAreStoredAndTold();
     void defaultsComeBack();
@@ -86,7 +90,9 @@ void PreferencesDialogTest::defaultsComeBack() {
 }
 
 void PreferencesDialogTest::spoiltSettingsAreTakenAsDefaults() {
+    view::finishStoring();
     QSettings().setValue(QStringLiteral("preferences/theme"), QStringLiteral("purple"));
+    view::finishStoring();
     QSettings().setValue(QStringLiteral("preferences/quality"), QStringLiteral("many"));
     QCOMPARE(Preferences::stored().theme, Preferences::Theme::Desktop);
     QCOMPARE(Preferences::stored().quality, std::uint64_t(1'000'000)); // the least that is a picture

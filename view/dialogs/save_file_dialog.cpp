@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/save_file_dialog.h"
 
+#include "settings.h"
+
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSettings>
 #include <QStandardPaths>
 
 namespace view {
@@ -20,15 +21,14 @@ QString documents() {
 QString chooseFileToSave(QWidget* parent, const QString& title, const QString& suggestion,
                          const QString& filter, const QString& suffix) {
     const QString lastFolder = QStringLiteral("dialogs/folder");
-    QSettings settings;
-    const QFileInfo suggested(QDir(settings.value(lastFolder, documents()).toString()), suggestion);
+    const QFileInfo suggested(QDir(stored(lastFolder, documents()).toString()), suggestion);
     QFileDialog dialog(parent, title, suggested.path(), filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(suggested.fileName());
     if (dialog.exec() != QDialog::Accepted) return {};
     QString chosen = dialog.selectedFiles().value(0);
-    settings.setValue(lastFolder, QFileInfo(chosen).absolutePath());
+    store(lastFolder, QFileInfo(chosen).absolutePath());
     return chosen;
 }
 

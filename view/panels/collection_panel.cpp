@@ -7,6 +7,7 @@
 #include "panels/collection_filter.h"
 #include "panels/collection_model.h"
 #include "panels/focus_shortcuts.h"
+#include "settings.h"
 #include "thumbnails.h"
 
 #include <QAction>
@@ -19,7 +20,6 @@
 #include <QListView>
 #include <QMenu>
 #include <QProgressBar>
-#include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -63,9 +63,9 @@ CollectionPanel::CollectionPanel(QWidget* parent)
     layout->addWidget(m_progress);
     layout->addWidget(createButtons());
 
-    m_model->setFavourites(QSettings().value(favouritesKey).toStringList());
+    m_model->setFavourites(stored(favouritesKey).toStringList());
     read({});
-    m_folders = QSettings().value(foldersKey).toStringList();
+    m_folders = stored(foldersKey).toStringList();
     for (const QString& folder : std::as_const(m_folders))
         read(folder);
     updateActions();
@@ -136,7 +136,7 @@ void CollectionPanel::createActions() {
     m_onlyFavourites->setCheckable(true);
     connect(m_favourite, &QAction::triggered, this, [this](bool on) {
         m_model->setData(m_filtered->mapToSource(m_grid->currentIndex()), on, CollectionModel::FavouriteRole);
-        QSettings().setValue(favouritesKey, m_model->favourites());
+        store(favouritesKey, m_model->favourites());
         if (m_onlyFavourites->isChecked()) m_filtered->setOnlyFavourites(true); // titles may go as well
         sayWhyEmpty();
     });
@@ -274,7 +274,7 @@ void CollectionPanel::chooseFolder() {
 }
 
 void CollectionPanel::saveFolders() const {
-    QSettings().setValue(foldersKey, m_folders);
+    store(foldersKey, m_folders);
 }
 
 void CollectionPanel::updateActions() {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "settings.h"
+#include "support/own_settings.h"
+
+#include <QFile>
+#include <QTest>
+
+class SettingsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { support::useOwnSettings(); }
+    void init() {
+        view::finishStoring();
+        QSettings().clear();
+    }
+
+    void whatIsStoredIsFound();
+    void aSlowDiskIsNotWaitedFor();
+};
+
+void SettingsTest::whatIsStoredIsFound() {
+    QCOMPARE(view::stored(QStringLiteral("a/b"), 7).toInt(), 7);
+    for (int i = 0; i < 100; ++i) {
+        view::store(QStringLiteral("a/b"), i);
+        view::store(QStringLiteral("c%1").arg(i), i);
+        QCOMPARE(view::stored(QStringLiteral("a/b"), 7).toInt(), i);
+    }
+    view::store(QStringLiteral("c3"), {});
+    QCOMPARE(view::stored(QStringLiteral("c3"), 7).toInt(), 7);
+    view::finishStoring();
+    QCOMPARE(QSettings().value(QStringLiteral("a/b")).toInt(), 99);
+    QCOMPARE(QSettings().allKeys().size(), 100);
+    QVERIFY(!QSettings().contains(QStringLiteral("c3")));
+    QSettings().setValue(QStringLiteral("a/b"), 5); // as another process does
+    QCOMPARE(view::stored(QStringLiteral("a/b")).toInt(), 5);
+}
+
+// Somebody holds the lock without which the file is not written.
+void SettingsTest::aSlowDiskIsNotWaitedFor() {
+    const QString file = QSettings().fileName();
+    view::store(QStringLiteral("first"), 1);
+    view::finishStoring();
+    QFile lock(file + QStringLiteral(".lock"));
+    QVERIFY(lock.open(QIODevice::WriteOnly));
+    lock.write("1\nsomebody\nelsewhere\n");
+    lock.flush();
+    view::store(QStringLiteral("second"), 2);
+    QCOMPARE(view::stored(QStringLiteral("second")).toInt(), 2);
+    QFile held(file);
+    QVERIFY(held.open(QIODevice::ReadOnly));
+    QVERIFY(!held.readAll().contains("second")); // not yet
+    lock.remove();
+    view::finishStoring();
+    QCOMPARE(QSettings().value(QStringLiteral("second")).toInt(), 2);
+}
+
+QTEST_GUILESS_MAIN(SettingsTest)
+#include "settings_test.moc"
