@@ -8,26 +8,40 @@
 #include <QMutex>
 #include <QSettings>
 
-#include <optional>
 #include <utility>
 
 namespace view {
 
 namespace {
 
-// What is on its way to the disk.
+// Files of settings hold everything as text.
+bool isSame(const QVariant& found, const QVariant& value) {
+    if (found.isValid() != value.isValid()) return false;
+    if (value.typeId() == QMetaType::QStringList) return found.toStringList() == value.toStringList();
+    if (value.typeId() == QMetaType::QByteArray) return found == value;
+    return found.toString() == value.toString();
+}
+
+// What is on its way to the disk. Meanwhile nothing is read from there: Qt's reader would write what the
+// writer has not yet written.
 class Storing {
 public:
     void add(const QString& key, const QVariant& value) {
+        if (isSame(find(key), value)) return;
         const QMutexLocker locker(&m_mutex);
+        m_known[key] = value;
         m_values[key] = {value, ++m_calls};
         if (std::exchange(m_isStarted, true)) return;
         m_last = QFuture<void>(io::inBackground<bool>([this](QPromise<bool>&) { write(); }));
     }
-    std::optional<QVariant> find(const QString& key) {
+    QVariant find(const QString& key) {
+        {
+            const QMutexLocker locker(&m_mutex);
+            if (!m_values.isEmpty() && m_known.contains(key)) return m_known[key];
+        }
+        const QVariant found = QSettings().value(key);
         const QMutexLocker locker(&m_mutex);
-        const auto found = m_values.constFind(key);
-        return found == m_values.cend() ? std::nullopt : std::optional(found->first);
+        return m_known[key] = found;
     }
     void finish() { m_last.waitForFinished(); }
 
@@ -54,7 +68,8 @@ private:
     }
 
     QMutex m_mutex;
-    Values m_values;
+    Values m_values; // not yet written
+    QHash<QString, QVariant> m_known;
     int m_calls = 0;
     bool m_isStarted = false; // a write that will find what is added now
     QMutex m_writing;
@@ -73,9 +88,8 @@ void store(const QString& key, const QVariant& value) {
 }
 
 QVariant stored(const QString& key, const QVariant& otherwise) {
-    const auto value = storing().find(key);
-    if (!value) return QSettings().value(key, otherwise);
-    return value->isValid() ? *value : otherwise;
+    const QVariant value = storing().find(key);
+    return value.isValid() ? value : otherwise;
 }
 
 void finishStoring() {

@@ -29,10 +29,7 @@ QString ThumbnailCache::usualFolder() {
 }
 
 ThumbnailCache::ThumbnailCache(const QString& folder, qint64 mostBytes)
-    : m_folder(folder), m_mostBytes(mostBytes) {
-    QDir().mkpath(folder);
-    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-}
+    : m_folder(folder), m_mostBytes(mostBytes) {}
 
 QString ThumbnailCache::pathOf(const document::Fractal& fractal, int side) const {
     document::Fractal shown = fractal; // what it is called changes no pixel
@@ -57,6 +54,10 @@ QImage ThumbnailCache::find(const document::Fractal& fractal, int side) const {
 void ThumbnailCache::keep(const document::Fractal& fractal, int side, const QImage& picture) {
     QBuffer png;
     if (!picture.save(&png, "PNG")) return;
+    if (m_bytes < 0) { // the first one; the thread of the windows does not wait for the disk
+        QDir().mkpath(m_folder);
+        QFile::setPermissions(m_folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    }
     // Renamed when it is whole, so that no reader sees a part; a cache need not survive a power cut.
     const QString path = pathOf(fractal, side);
     QFile file(path + QStringLiteral(".part"));
