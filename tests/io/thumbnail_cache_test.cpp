@@ -106,7 +106,8 @@ void ThumbnailCacheTest::onlyTheOwnerMayLookInside() {
     ::umask(before);
     QCOMPARE(mode(folder), 0700U);
     QCOMPARE(::chmod(QFile::encodeName(folder).constData(), 0755), 0);
-    const io::ThumbnailCache again(folder);
+    io::ThumbnailCache again(folder);
+    again.keep(shifted(1), 16, picture(16, 0xff336699));
     QCOMPARE(mode(folder), 0700U);
     QVERIFY(!again.find(shifted(0), 16).isNull());
 }
