@@ -39,6 +39,16 @@ QString shown(const QString& path) {
     return QDir::toNativeSeparators(path);
 }
 
+// A name whose bytes Qt could not read.
+bool isLost(const QString& path) {
+    return path.contains(QChar::ReplacementCharacter) && !QFileInfo::exists(path);
+}
+
+QString notUtf8(const QString& path) {
+    return Text::tr("The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.")
+        .arg(shown(path));
+}
+
 // The file that `path` leads to through symbolic links; a dangling link leads to the file it names. Step by
 // step as the system does it: "..", after a link to a folder, is not the folder that the link lies in. Names
 // stay bytes on the way: not all of them are UTF-8. What a device or a pipe is called leads nowhere.
@@ -296,7 +306,7 @@ struct NewFile::Temporary {
 NewFile::NewFile(const QString& path) {
     const fs::path end = target(path);
     m_path = nameOf(end);
-    m_failure = obstacle(end);
+    m_failure = isLost(path) ? notUtf8(path) : obstacle(end);
     if (m_failure) return;
     m_temporary = std::make_unique<Temporary>(end);
     if (!m_temporary->file.isOpen()) {
@@ -340,7 +350,7 @@ struct NewFile::Temporary {
 NewFile::NewFile(const QString& path) {
     const fs::path end = target(path);
     m_path = nameOf(end);
-    m_failure = obstacle(end);
+    m_failure = isLost(path) ? notUtf8(path) : obstacle(end);
     if (m_failure) return;
     m_temporary = std::make_unique<Temporary>(end);
     if (m_temporary->file.open(QIODevice::WriteOnly))
@@ -386,10 +396,7 @@ Failure saveFile(const QString& path, const QByteArray& bytes) {
 Loaded loadFile(const QString& path) {
     QFile file(path);
     const QFileInfo info(path);
-    if (!info.exists() && path.contains(QChar::ReplacementCharacter)) // as Qt reads other bytes
-        return {{},
-                Text::tr("The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.")
-                    .arg(shown(path))};
+    if (isLost(path)) return {{}, notUtf8(path)};
     if (!info.exists()) return {{}, Text::tr("“%1” does not exist.").arg(shown(path))};
     if (info.isDir()) return {{}, Text::tr("“%1” is a folder, not a file.").arg(shown(path))};
     const QString tooLarge =
