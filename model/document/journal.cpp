@@ -154,6 +154,15 @@ QList<Abandoned> abandonedSnapshots(const QString& folder) {
     }
     std::sort(found.begin(), found.end(),
               [](const Abandoned& a, const Abandoned& b) { return a.snapshot.when > b.snapshot.when; });
+    // Whoever took it over was killed before the first copy was gone.
+    for (qsizetype i = found.size(); i-- > 1;)
+        if (std::any_of(found.begin(), found.begin() + i, [&](const Abandoned& newer) {
+                return newer.snapshot.path == found[i].snapshot.path &&
+                       newer.snapshot.bytes == found[i].snapshot.bytes;
+            })) {
+            forget(found[i]);
+            found.removeAt(i);
+        }
     return found;
 }
 

@@ -33,6 +33,7 @@ private slots:
     void aFolderThatMayNotBeWrittenIsSaid();
     void withoutRoomTheLastSnapshotStays();
     void lockAndFolderAreMadeAgain();
+    void theSameWorkIsOfferedOnce();
     void aLockThatNamesNobodyHidesNothing();
     void hostileRecoveryFilesAreIgnored();
 };
@@ -91,6 +92,14 @@ void JournalTest::lockAndFolderAreMadeAgain() {
     QVERIFY(journal.write(snapshot("c")));
     QCOMPARE(journalsIn(place).size(), 1);
     QVERIFY(document::abandonedSnapshots(place).isEmpty());
+}
+
+void JournalTest::theSameWorkIsOfferedOnce() {
+    const QTemporaryDir folder;
+    for (const char* bytes : {"a", "b", "a"})
+        QVERIFY(Journal(folder.path()).write(snapshot(bytes)));
+    QCOMPARE(document::abandonedSnapshots(folder.path()).size(), 2);
+    QCOMPARE(journalsIn(folder.path()).size(), 2);
 }
 
 void JournalTest::aLockThatNamesNobodyHidesNothing() {
