@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
+#include <QScrollBar>
 #include <QTimer>
 
 #include <algorithm>
@@ -107,6 +108,69 @@ private slots:
         QVERIFY(name->y() == value->y() || name->geometry().bottom() < value->y());
         panel.resize(40 * panel.fontMetrics().averageCharWidth() + 260, 900);
         QTRY_COMPARE(name->y(), value->y());
+    }
+
+    // A number without its last digits is another number.
+    void noDigitIsOutOfSight_data() {
+        QTest::addColumn<int>("points");
+        QTest::addColumn<int>("width");
+        for (const int points : {10, 16, 24})
+            for (const int width : {90, 160, 260, 430})
+                QTest::addRow("%d points, %d wide", points, width) << points << width;
+    }
+    void noDigitIsOutOfSight() {
+        QFETCH(int, points);
+        QFETCH(int, width);
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        QFont font = panel.font();
+        font.setPointSize(points);
+        panel.setFont(font);
+        panel.resize(width, 900);
+        panel.show();
+        QTRY_VERIFY(bridge.isCurrent());
+        QTest::qWait(50);
+        const int reach = panel.viewport()->width() + panel.horizontalScrollBar()->maximum();
+        for (const auto& fact : panel.facts())
+            for (const auto* label : panel.findChildren<QLabel*>()) {
+                if (label->accessibleName() != fact.name) continue;
+                for (const QString& piece : label->text().split(u' '))
+                    QVERIFY2(label->fontMetrics().horizontalAdvance(piece) <= label->width(),
+                             qPrintable(piece));
+                QVERIFY(label->mapTo(panel.widget(), QPoint(label->width(), 0)).x() <= reach);
+                QVERIFY(label->height() >= label->heightForWidth(label->width()));
+            }
+    }
+
+    void aFactThatGrowsHasRoomForItsLines_data() {
+        QTest::addColumn<int>("width");
+        for (const int width : {260, 300, 350, 430})
+            QTest::addRow("%d wide", width) << width;
+    }
+    void aFactThatGrowsHasRoomForItsLines() {
+        QFETCH(int, width);
+        document::Document document;
+        document.setFile(document::fileOf(document::sierpinskiTriangle()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.resize(width, 900);
+        panel.show();
+        document::Fractal inSpace;
+        inSpace.system = document::System3();
+        for (const auto& fractal :
+             {inSpace, fractalOf({{0.5, 0, 0, 0.5, 0, 0, 0}, {0.5, 0, 0, 0.5, 1, 0, 0}}),
+              fractalOf({{0, 0, 0, 0.5, 0, 0, 1}, {0.5, 0, 0, 0, 1, 0, 1}})}) {
+            QTest::qWait(200);
+            document.edit(QStringLiteral("x"), fractal);
+        }
+        QTRY_VERIFY(bridge.isCurrent());
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Attractor")).startsWith(QStringLiteral("Yes")));
+        QTest::qWait(50);
+        for (const auto* label : panel.findChildren<QLabel*>())
+            if (label->isVisible() && label->wordWrap())
+                QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
     }
 
     void computesOnlyWhenVisibleAndFollows() {

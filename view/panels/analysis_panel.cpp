@@ -8,7 +8,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QEvent>
-#include <QFormLayout>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -16,14 +15,20 @@
 #include <QMenu>
 #include <QPainter>
 #include <QSpinBox>
+#include <QTextLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
 
 namespace view {
 
 namespace {
 
 constexpr int deepest = 12; // symbols of a cylinder; where there are too many, they stay longer
+
+constexpr int lineSpacing = 8; // between facts
 
 QIcon swatch(const QColor& colour) {
     QPixmap pixmap(32, 32);
@@ -44,6 +49,15 @@ QString unbroken(QString text) {
     return text;
 }
 
+// The width of the widest piece that no line ends in.
+int widestPiece(const QLabel& label) {
+    QTextLayout layout(label.text(), label.font());
+    layout.beginLayout();
+    layout.createLine();
+    layout.endLayout();
+    return int(std::ceil(layout.minimumWidth())) + 1;
+}
+
 } // namespace
 
 AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridge, QWidget* parent)
@@ -52,19 +66,16 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::NoFocus); // what can be done is in its fields
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* content = new QWidget(this);
     m_notice = new QLabel(content);
     m_notice->setWordWrap(true);
     m_notice->setForegroundRole(QPalette::PlaceholderText);
     m_box = new QWidget(content);
-    m_form = new QFormLayout(m_box);
-    m_form->setContentsMargins(0, 0, 0, 0);
-    m_form->setVerticalSpacing(8);
-    m_form->setHorizontalSpacing(16);
-    m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_grid = new QGridLayout(m_box);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setVerticalSpacing(0); // a value may stand right below its name
+    m_grid->setHorizontalSpacing(16);
+    m_grid->setColumnStretch(1, 1);
     m_plot = new BoxCountingPlot(content);
     m_copy = new QToolButton(content);
     m_copy->setText(tr("Copy All"));
@@ -150,6 +161,12 @@ void AnalysisPanel::colourOutlines() {
 void AnalysisPanel::changeEvent(QEvent* event) {
     QScrollArea::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) colourOutlines();
+    if (event->type() == QEvent::FontChange) arrangeLines();
+}
+
+void AnalysisPanel::resizeEvent(QResizeEvent* event) {
+    QScrollArea::resizeEvent(event);
+    arrangeLines();
 }
 
 void AnalysisPanel::showEvent(QShowEvent* event) {
@@ -196,7 +213,7 @@ void AnalysisPanel::showAnalysis() {
     m_copy->setVisible(analysis != nullptr);
     m_plot->setCounting(analysis ? analysis->boxCounting : std::nullopt, analysis && !analysis->isComplete);
     if (!analysis) return;
-    if (m_form->rowCount() == 0) makeLines(facts.size());
+    if (m_lines.isEmpty()) makeLines(facts.size());
     showLines();
 }
 
@@ -204,6 +221,7 @@ void AnalysisPanel::makeLines(qsizetype count) {
     for (qsizetype i = 0; i < count; ++i) {
         auto* name = new QLabel(m_box);
         name->setForegroundRole(QPalette::PlaceholderText);
+        name->setWordWrap(true);
         name->setAlignment(Qt::AlignLeading | Qt::AlignTop); // level with the first line of the value
         auto* value = new QLabel(m_box);
         value->setWordWrap(true);
@@ -217,15 +235,14 @@ void AnalysisPanel::makeLines(qsizetype count) {
             menu.addAction(tr("Copy All Facts"), this, &AnalysisPanel::copyAll);
             menu.exec(value->mapToGlobal(place));
         });
-        m_form->addRow(name, value);
+        m_lines << Line{name, value};
     }
 }
 
 void AnalysisPanel::showLines() {
-    for (int row = 0; row < m_form->rowCount(); ++row) {
+    for (qsizetype row = 0; row < m_lines.size(); ++row) {
         const Fact& fact = m_facts.at(row);
-        auto* name = static_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
-        auto* value = static_cast<QLabel*>(m_form->itemAt(row, QFormLayout::FieldRole)->widget());
+        const auto [name, value, isBelow] = m_lines.at(row);
         name->setText(fact.name);
         name->setToolTip(fact.definition);
         value->setText(fact.value.isEmpty() ? QStringLiteral("–") : unbroken(fact.value));
@@ -233,6 +250,38 @@ void AnalysisPanel::showLines() {
         value->setToolTip(fact.definition);
         value->setAccessibleName(fact.name);
         value->setAccessibleDescription(fact.definition);
+    }
+    arrangeLines();
+}
+
+// Beside its name stands a value that has room there, else below it. No digit is ever cut off: where a number
+// is too wide even so, there is a scroll bar.
+void AnalysisPanel::arrangeLines() {
+    const QMargins margins = widget()->layout()->contentsMargins();
+    const int room = viewport()->width() - margins.left() - margins.right();
+    int whole = 0;
+    int least = 0;
+    for (const Line& line : std::as_const(m_lines)) {
+        whole = std::max(whole, line.name->fontMetrics().horizontalAdvance(line.name->text()) + 2);
+        least = std::max(least, widestPiece(*line.name));
+    }
+    const int names = std::clamp(room * 2 / 5, least, whole);
+    const int values = room - names - m_grid->horizontalSpacing();
+    for (int row = 0; row < m_lines.size(); ++row) {
+        auto& [name, value, isBelow] = m_lines[row];
+        const int needed = widestPiece(*value);
+        name->setFixedWidth(names);
+        value->setMinimumWidth(needed);
+        if (isBelow == (needed > values)) continue;
+        isBelow = needed > values;
+        m_grid->removeWidget(name);
+        m_grid->removeWidget(value);
+        m_grid->addWidget(name, 3 * row, 0);
+        if (*isBelow)
+            m_grid->addWidget(value, 3 * row + 1, 0, 1, 2);
+        else
+            m_grid->addWidget(value, 3 * row, 1);
+        m_grid->setRowMinimumHeight(3 * row + 2, row + 1 < m_lines.size() ? lineSpacing : 0);
     }
 }
 

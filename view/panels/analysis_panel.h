@@ -7,9 +7,10 @@
 #include <QScrollArea>
 
 #include <map>
+#include <optional>
 
 class QCheckBox;
-class QFormLayout;
+class QGridLayout;
 class QLabel;
 class QSpinBox;
 class QToolButton;
@@ -36,13 +37,21 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    struct Line {
+        QLabel* name;
+        QLabel* value;
+        std::optional<bool> isBelow = {}; // the value, and not beside its name
+    };
+
     QWidget* makeOutlines();
     void makeLines(qsizetype count);
     void showAnalysis();
     void showNotice();
     void showLines();
+    void arrangeLines();
     void colourOutlines();
 
     document::Document* m_document;
@@ -50,7 +59,8 @@ private:
     QList<Fact> m_facts;
     QLabel* m_notice;
     QWidget* m_box; // of the facts
-    QFormLayout* m_form = nullptr;
+    QGridLayout* m_grid = nullptr;
+    QList<Line> m_lines;
     BoxCountingPlot* m_plot;
     QWidget* m_outlines = nullptr;
     std::map<document::Outline, QCheckBox*> m_outlineBoxes;
