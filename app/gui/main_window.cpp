@@ -483,6 +483,8 @@ void MainWindow::present(bool on) {
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && m_presentation->isChecked())
         m_presentation->setChecked(false);
+    else if (event->key() == Qt::Key_F6)
+        m_canvas->setFocus(Qt::OtherFocusReason); // which leaves it by the same key
     else
         QMainWindow::keyPressEvent(event);
 }

@@ -31,6 +31,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
@@ -61,6 +62,7 @@ private slots:
     void windowsHaveTheirOwnDocuments();
     void whatOthersCopiedIsPasted();
     void theHintGoesWithAnotherTool();
+    void aKeyLeadsFromThePanelsToTheCanvasAndBack();
     void commandsOfThePanelsAreFound();
     void buttonsAreFoundAsCommands();
     void flamesAreReadEitherWayUp();
@@ -411,6 +413,22 @@ void MainWindowTest::theHintGoesWithAnotherTool() {
         canvas->setTool(view::CanvasView::Tool::Cage);
         QVERIFY(canvas->hint().isEmpty());
         delete window;
+    }
+}
+
+void MainWindowTest::aKeyLeadsFromThePanelsToTheCanvasAndBack() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    const auto* canvas = window->findChild<view::CanvasView*>();
+    auto* maps = window->findChild<QDockWidget*>(QStringLiteral("maps"))->findChild<QTableView*>();
+    auto* entries = window->findChild<QDockWidget*>(QStringLiteral("entries"))->findChild<QListView*>();
+    for (QWidget* part : std::initializer_list<QWidget*>{maps, entries}) {
+        part->setFocus();
+        QTRY_VERIFY(part->hasFocus());
+        QTest::keyClick(part, Qt::Key_F6);
+        QVERIFY(canvas->hasFocus());
+        QTest::keyClick(window->focusWidget(), Qt::Key_F6);
+        QVERIFY(!canvas->hasFocus());
     }
 }
 

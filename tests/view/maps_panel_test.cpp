@@ -156,6 +156,17 @@ private slots:
         QCOMPARE(coefficient(0, 0, 1), 0.25);
     }
 
+    void tabLeavesTheTable() {
+        for (const auto& [key, modifiers] :
+             {std::pair(Qt::Key_Tab, Qt::NoModifier), std::pair(Qt::Key_Backtab, Qt::ShiftModifier)}) {
+            m_panel->table()->setFocus();
+            m_panel->table()->setCurrentIndex(m_panel->model()->index(1, MapsModel::A));
+            QTest::keyClick(m_panel->table(), key, modifiers);
+            QVERIFY(m_panel->focusWidget() && m_panel->focusWidget() != m_panel->table());
+            QCOMPARE(m_panel->table()->currentIndex().column(), int(MapsModel::A));
+        }
+    }
+
     void duplicateDeleteAndReorderKeepTheSelection() {
         const ifs::MapId second = m_panel->model()->idAt(1);
         m_panel->selectMaps({second});
@@ -215,6 +226,7 @@ private slots:
         columns->setCurrentIndex(0);
         QCOMPARE(coefficient(0, 1, 0), 3.0);
         QVERIFY(dialog->findChild<QTableWidget*>()->item(0, 2)->text() == QStringLiteral("3"));
+        QVERIFY(!dialog->findChild<QTableWidget*>()->tabKeyNavigation());
         dialog->reject();
         QVERIFY(m_document->fractal() == before);
 

@@ -63,6 +63,7 @@ PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& row
                                        QStringLiteral("p")});
     m_maps->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_maps->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_maps->setTabKeyNavigation(false);
     m_maps->setSelectionMode(QAbstractItemView::NoSelection);
     m_maps->setAlternatingRowColors(true);
     m_maps->setShowGrid(false);

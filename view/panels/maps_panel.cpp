@@ -207,6 +207,7 @@ QWidget* MapsPanel::makeTable() {
     m_table->setFont(small);
     m_table->horizontalHeader()->setFont(small);
     m_rowHeader->setFont(small);
+    m_table->setTabKeyNavigation(false); // Tab goes on to the fields below; in an editor, to the next cell
     m_table->setModel(m_model);
     auto* delegate = new MapsDelegate(m_model, this);
     m_table->setItemDelegate(delegate);
