@@ -39,6 +39,15 @@ private slots:
         QCOMPARE(view::shortNumber(2.5e9), QStringLiteral("2.5e+09"));
     }
 
+    // Neither sign is of a decimal anywhere.
+    void largeNumbersAreGroupedWithoutCommaOrPoint() {
+        QCOMPARE(view::groupedNumber(0), QStringLiteral("0"));
+        QCOMPARE(view::groupedNumber(4096), QStringLiteral("4096"));
+        QCOMPARE(view::groupedNumber(262'144), QStringLiteral("262\u202f144"));
+        QCOMPARE(view::groupedNumber(1e6), QStringLiteral("1\u202f000\u202f000"));
+        QCOMPARE(view::groupedNumber(-123'456), QStringLiteral("-123\u202f456"));
+    }
+
     void fullNumbersComeBack() {
         std::mt19937_64 random(3);
         std::uniform_real_distribution<double> number(-10, 10);

@@ -3,12 +3,12 @@
 
 #include "arising.h"
 #include "icon.h"
+#include "panels/number_text.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStackedWidget>
@@ -21,10 +21,6 @@ namespace view {
 namespace {
 
 using Mode = Arising::Mode;
-
-QString grouped(double number) {
-    return QLocale(QLocale::English).toString(number, 'f', 0);
-}
 
 QString superscript(int n) {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
@@ -110,7 +106,7 @@ QWidget* ArisingBar::makeChaosGame() {
     m_speed->setAccessibleName(tr("Points a second"));
     m_speed->setWhatsThis(tr("How many points the chaos game plots in a second."));
     for (const int speed : {1, 10, 100, 1'000, 10'000, 100'000})
-        m_speed->addItem(tr("%1 a second").arg(grouped(speed)), double(speed));
+        m_speed->addItem(tr("%1 a second").arg(groupedNumber(speed)), double(speed));
     m_speed->setCurrentIndex(m_speed->findData(m_arising->speed()));
     m_count = new QLabel(page);
     auto* layout = new QHBoxLayout(page);
@@ -143,13 +139,14 @@ void ArisingBar::follow() {
     }
     const double copies = m_arising->copies();
     m_copies->setText(
-        copies == 1 ? tr("W%1: the cage itself").arg(superscript(m_arising->step()))
-                    : tr("W%1: %2 copies of the cage").arg(superscript(m_arising->step()), grouped(copies)));
+        copies == 1
+            ? tr("W%1: the cage itself").arg(superscript(m_arising->step()))
+            : tr("W%1: %2 copies of the cage").arg(superscript(m_arising->step()), groupedNumber(copies)));
     const bool running = m_arising->isRunning();
     m_run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("play")));
     m_run->setAccessibleName(running ? tr("Pause") : tr("Start"));
     m_run->setToolTip(running ? tr("Stay at these points") : tr("Let points appear"));
-    QString count = tr("%1 points").arg(grouped(double(m_arising->points())));
+    QString count = tr("%1 points").arg(groupedNumber(double(m_arising->points())));
     if (m_arising->points() == 1) count = tr("1 point");
     if (const auto map = m_arising->lastMap(); map && !running)
         count += tr(", the last by map %1").arg(*map + 1);

@@ -51,6 +51,15 @@ QString fullNumber(double value) {
     return QString::fromLatin1(io::formatNumber(value));
 }
 
+QString groupedNumber(double value) {
+    constexpr QChar narrowSpace(0x202f); // no line ends there
+    QString text = QString::number(value, 'f', 0);
+    if (std::abs(value) < 9999.5) return text;
+    for (qsizetype at = text.size() - 3; at > (value < 0 ? 1 : 0); at -= 3)
+        text.insert(at, narrowSpace);
+    return text;
+}
+
 std::optional<double> typedNumber(const QString& text) {
     const bool comma = text.count(u',') == 1 && !text.contains(u'.');
     return io::parseNumber(comma ? QString(text).replace(u',', u'.') : text);

@@ -14,6 +14,10 @@ QString shortNumber(double value);
 // All digits: reads back as the same double.
 QString fullNumber(double value);
 
+// A whole number to read, with narrow spaces between groups of three digits from ten thousand on: a comma or
+// a point there means something else in the next language.
+QString groupedNumber(double value);
+
 // Where a number may lie, ends included unless `open`.
 struct NumberRange {
     std::optional<double> min;
