@@ -73,6 +73,8 @@ SvgPlan planOf(const document::Fractal& fractal, const SvgLevels& levels, const 
     plan.depth = format.depth ? std::clamp(*format.depth, 0, plan.deepest) : levels.levelFor(goodEnough);
     plan.references = std::max<std::uint64_t>(levels.references(plan.depth), 1);
     plan.errorInPixels = levels.error(plan.depth);
+    plan.isCutShort = !format.depth && plan.errorInPixels > goodEnough &&
+                      levels.references(plan.depth + 1) > SvgLevels::comfortableReferences;
     plan.unbent = fractal.cage && ifs::bends(*fractal.cage);
     return plan;
 }

@@ -34,6 +34,7 @@ struct SvgPlan {
     int deepest = 0;              // the largest depth that stays under the bound of references
     std::uint64_t references = 0; // copies that a reader of the file makes
     double errorInPixels = 0;     // certified distance to the attractor
+    bool isCutShort = false;      // a pixel needs more copies than programs draw without a long wait
     bool unbent = false;          // copies cannot bend: they show the affine fit of the cage
     Failure failure;              // why there can be no structured picture
 };

@@ -6,6 +6,7 @@
 #include "document/document.h"
 #include "io/png_system.h"
 #include "io/svg_system.h"
+#include "view/maps_support.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -39,6 +40,7 @@ private slots:
     void writesPng();
     void writesSvg();
     void saysWhatTheSvgWillBe();
+    void saysWhenAPixelNeedsMore();
     void failureIsTold();
     void closingWhileExportingIsSafe();
     void sizeKeepsItsShape();
@@ -107,7 +109,28 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
         if (box->text().contains(QStringLiteral("pixel"))) box->setChecked(false);
     named<QSpinBox>(dialog, "Levels of copies")->setValue(2);
     QTRY_VERIFY(plan->text() != automatic);
+    QVERIFY(!automatic.contains(QStringLiteral("A pixel needs more")));
     QVERIFY(plan->text().startsWith(QStringLiteral("12 references"))); // 3 + 9 for a Sierpiński triangle
+}
+
+// The long thin copies of the maple stay long, however many there are.
+void ExportDialogTest::saysWhenAPixelNeedsMore() {
+    document::Document document;
+    document.setFile(document::fileOf(maps_support::maple()));
+    attractor::Camera view;
+    view.width = 1000;
+    view.height = 800;
+    ExportDialog dialog(&document, fitted(view, {-6, -5}, {6, 6}));
+    dialog.show();
+    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    auto* plan = named<QLabel>(dialog, "What the picture will be like");
+    const QString remark = QStringLiteral("A pixel needs more");
+    QTRY_VERIFY(plan->text().contains(remark));
+    QVERIFY(plan->text().contains(QStringLiteral("fewer than 400\u202f000")));
+    QTRY_VERIFY(plan->height() >= plan->heightForWidth(plan->width()));
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+        if (box->text().contains(QStringLiteral("pixel"))) box->setChecked(false);
+    QTRY_VERIFY(!plan->text().contains(remark)); // the depth is one's own
 }
 
 void ExportDialogTest::failureIsTold() {

@@ -4,6 +4,8 @@
 #include "dialogs/export_size_editor.h"
 #include "dialogs/save_file_dialog.h"
 #include "dialogs/start_export.h"
+#include "io/svg_levels.h"
+#include "panels/number_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -134,13 +136,13 @@ void ExportDialog::createSvgOptions() {
     m_points->setRange(1, int(io::SvgFormat::mostPoints));
     m_points->setValue(int(io::SvgFormat().points));
     m_points->setSingleStep(10'000);
-    m_points->setGroupSeparatorShown(true);
     m_points->setAccessibleName(tr("Number of points"));
     m_points->setWhatsThis(tr("How many dots of the chaos game are drawn."));
     m_autoDepth = new QCheckBox(tr("As deep as a pixel &needs"), m_options);
     m_autoDepth->setChecked(true);
     m_autoDepth->setWhatsThis(
-        tr("Copies are made smaller until no pixel of this size could tell the difference."));
+        tr("Copies are made smaller until no pixel of this size could tell the difference, or programs would "
+           "take long to draw them."));
     m_depth = new QSpinBox(m_options);
     m_depth->setRange(0, 200);
     m_depth->setAccessibleName(tr("Levels of copies"));
@@ -148,7 +150,6 @@ void ExportDialog::createSvgOptions() {
                              "time to draw it does."));
     m_plan = new QLabel(m_options);
     m_plan->setWordWrap(true);
-    m_plan->setMinimumHeight(3 * m_plan->fontMetrics().lineSpacing());
     m_plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_plan->setAccessibleName(tr("What the picture will be like"));
     m_form->addRow(tr("S&hapes:"), m_style);
@@ -254,7 +255,7 @@ void ExportDialog::updateSvgPlan() {
     const auto svg = std::get<io::SvgExport>(exportNow());
     const io::SvgPlan plan = io::svgPlan(svg.fractal, svg.camera, svg.format);
     if (plan.failure) {
-        m_plan->setText(*plan.failure);
+        showPlan(*plan.failure);
         return;
     }
     m_depth->setMaximum(plan.deepest);
@@ -263,17 +264,35 @@ void ExportDialog::updateSvgPlan() {
         m_depth->setValue(plan.depth);
     }
     if (style() == io::ShapeStyle::Points) {
-        m_plan->setText(tr("One dot for every point of the chaos game that is in view."));
+        showPlan(tr("One dot for every point of the chaos game that is in view."));
         return;
     }
-    m_plan->setText(
-        tr("%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels "
+    showPlan(
+        tr("%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels "
            "from the attractor, and nothing of it is farther from what is drawn.")
-            .arg(QLocale(QLocale::English).toString(qulonglong(plan.references)),
-                 QLocale::c().toString(plan.errorInPixels, 'f', 2)) +
+            .arg(groupedNumber(double(plan.references)), QString::number(plan.errorInPixels, 'f', 2),
+                 groupedNumber(double(io::SvgLevels::mostReferences))) +
+        (plan.isCutShort ? tr(" A pixel needs more: this is as deep as programs draw without a long wait.")
+                         : QString()) +
         (plan.unbent ? tr(" The cage bends the picture, which copies cannot follow: the affine fit of the "
                           "cage is written. A PNG shows the bend.")
                      : QString()));
+}
+
+void ExportDialog::showPlan(const QString& text) {
+    m_plan->setText(text);
+    makeRoomForPlan();
+}
+
+// The window grows with it.
+void ExportDialog::makeRoomForPlan() {
+    const int usual = 3 * m_plan->fontMetrics().lineSpacing(); // so that it seldom does
+    m_plan->setMinimumHeight(std::max(usual, m_plan->heightForWidth(m_plan->width())));
+}
+
+void ExportDialog::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    makeRoomForPlan();
 }
 
 void ExportDialog::setFolder(const QString& folder) {

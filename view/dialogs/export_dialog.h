@@ -41,6 +41,9 @@ signals:
     void exported(const QString& path);
     void failed(const QString& sentence);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void createFormat();
     void createPngOptions();
@@ -54,6 +57,8 @@ private:
     io::Export exportNow() const;
     void update();
     void updateSvgPlan();
+    void showPlan(const QString& text);
+    void makeRoomForPlan();
     void chooseFile();
     void finish(const io::ExportOutcome& outcome, const QString& path);
     void setBusy(bool busy);
