@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "panels/appearance_colour_button.h"
 #include "panels/appearance_panel.h"
 #include "panels/appearance_slider.h"
 #include "panels/gradient_editor.h"
@@ -7,11 +8,14 @@
 #include "panels/number_field.h"
 #include "view/maps_support.h"
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QToolButton>
 
 #include <memory>
@@ -70,6 +74,35 @@ private slots:
         m_document->undoStack()->undo();
         QCOMPARE(appearance().gamma, Appearance{}.gamma);
         QCOMPARE(slider->value(), start);
+    }
+
+    // One that maps have by their place is not written down for that.
+    void theSameColourChosenAgainChangesNothing() {
+        const document::Fractal before = m_document->fractal();
+        const auto choose = [](QWidget* button, const QList<QColor>& tried) {
+            QTimer::singleShot(0, button, [&tried] {
+                auto* dialog = qobject_cast<QColorDialog*>(QApplication::activeModalWidget());
+                QVERIFY(dialog);
+                const QColor shown = dialog->currentColor();
+                for (const QColor& colour : tried)
+                    dialog->setCurrentColor(colour);
+                if (!tried.isEmpty()) dialog->setCurrentColor(shown);
+                dialog->accept();
+            });
+            QTest::mouseClick(button, Qt::LeftButton);
+        };
+        document::Fractal byMap = before;
+        byMap.appearance.colourBy = attractor::ColourBy::Map;
+        m_document->edit(QStringLiteral("x"), byMap);
+        const auto buttons = m_panel->findChildren<view::ColourButton*>();
+        QVERIFY(buttons.size() >= 4);
+        for (auto* button : buttons) {
+            if (!button->isVisible() || !button->isEnabled()) continue;
+            choose(button, {});
+            choose(button, {Qt::red, Qt::green});
+            QCOMPARE(m_document->undoStack()->count(), 1);
+            QVERIFY(m_document->fractal() == byMap);
+        }
     }
 
     void stopsAreEditedByMouse() {

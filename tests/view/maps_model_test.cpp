@@ -112,6 +112,11 @@ private slots:
         QCOMPARE(model.index(3, MapsModel::Colour).data(Qt::DecorationRole).value<QColor>(),
                  QColor(10, 20, 30));
         QCOMPARE(m_document->undoStack()->count(), 4);
+        for (const int row : {2, 3}) { // one that the map has by its place, and the one of before
+            const QModelIndex cell = model.index(row, MapsModel::Colour);
+            QVERIFY(model.setData(cell, cell.data(Qt::DecorationRole), Qt::DecorationRole));
+        }
+        QCOMPARE(m_document->undoStack()->count(), 4);
     }
 
     void marksMapsThatDoNotContract() {

@@ -39,12 +39,14 @@ void ColourButton::setColour(const attractor::Rgba& colour) {
 }
 
 void ColourButton::choose() {
-    QColorDialog dialog(toColour(m_colour), this);
+    const attractor::Rgba before = m_colour;
+    QColorDialog dialog(toColour(before), this);
     dialog.setWindowTitle(text());
     dialog.setOption(QColorDialog::ShowAlphaChannel, m_alpha == Alpha::Adjustable);
     connect(&dialog, &QColorDialog::currentColorChanged, this,
             [this](const QColor& c) { emit tried(toRgba(c)); });
-    if (dialog.exec() == QDialog::Accepted) {
+    const bool isAccepted = dialog.exec() == QDialog::Accepted;
+    if (isAccepted && toRgba(dialog.selectedColor()) != before) {
         emit tried(toRgba(dialog.selectedColor()));
         emit accepted();
     } else {

@@ -367,8 +367,11 @@ bool MapsModel::setData(const QModelIndex& index, const QVariant& value, int rol
         const auto colour = value.value<QColor>();
         if (!colour.isValid()) return false;
         const auto channel = [](int c) { return static_cast<std::uint8_t>(c); };
-        fractal.appearance.mapColours[idAt(index.row())] = {channel(colour.red()), channel(colour.green()),
-                                                            channel(colour.blue()), channel(colour.alpha())};
+        const attractor::Rgba chosen{channel(colour.red()), channel(colour.green()), channel(colour.blue()),
+                                     channel(colour.alpha())};
+        const ifs::MapId id = idAt(index.row());
+        if (chosen == attractor::mapColour(fractal.appearance, id, std::size_t(index.row()))) return true;
+        fractal.appearance.mapColours[id] = chosen;
         m_document->edit(tr("Change colour of map %1").arg(index.row() + 1), std::move(fractal));
         return true;
     }
