@@ -109,6 +109,12 @@ private slots:
         QVERIFY(view::numberProblem(QStringLiteral("1/3")).contains(QStringLiteral("fraction")));
         QVERIFY(view::numberProblem(QString()).contains(QStringLiteral("missing")));
         QVERIFY(!view::numberProblem(QStringLiteral("inf")).isEmpty());
+        for (const char* large : {"1e400", "-1e400", "+1,5e999", " 1e400 "})
+            QVERIFY(view::numberProblem(QLatin1String(large)).contains(QStringLiteral("too large")));
+        for (const char* none : {"1e400x", "+-1e400", "e400", "–1e400"})
+            QVERIFY(
+                view::numberProblem(QString::fromUtf8(none)).endsWith(QStringLiteral("is not a number.")));
+        QVERIFY(view::numberProblem(QStringLiteral("1e-400")).isEmpty());
         const view::NumberRange positive{0.0, std::nullopt, view::NumberRange::Ends::Open};
         QVERIFY(
             view::numberProblem(QStringLiteral("0"), positive).contains(QStringLiteral("greater than 0")));

@@ -24,6 +24,21 @@ QString withoutTrailingZeros(QString text) {
     return text == QLatin1String("-0") ? QStringLiteral("0") : text;
 }
 
+QByteArray withPoint(const QString& text) {
+    const bool comma = text.count(u',') == 1 && !text.contains(u'.');
+    return (comma ? QString(text).replace(u',', u'.') : text).trimmed().toLatin1();
+}
+
+// Of a text that is not taken as a number.
+bool isTooLarge(const QString& text) {
+    const QByteArray digits = withPoint(text);
+    double value = 0;
+    const bool isSigned = digits.startsWith('+') && !digits.startsWith("+-");
+    const char* end = digits.constData() + digits.size();
+    const auto result = io::fromChars(digits.constData() + (isSigned ? 1 : 0), end, value);
+    return result.ec == std::errc::result_out_of_range && result.ptr == end;
+}
+
 QString rangeProblem(double value, const NumberRange& range) {
     const bool open = range.ends == NumberRange::Ends::Open;
     if (range.min && (open ? value <= *range.min : value < *range.min))
@@ -61,8 +76,7 @@ QString groupedNumber(double value) {
 }
 
 std::optional<double> typedNumber(const QString& text) {
-    const bool comma = text.count(u',') == 1 && !text.contains(u'.');
-    return io::parseNumber(comma ? QString(text).replace(u',', u'.') : text);
+    return io::parseNumber(QString::fromLatin1(withPoint(text)));
 }
 
 QString numberProblem(const QString& text, const NumberRange& range) {
@@ -72,6 +86,8 @@ QString numberProblem(const QString& text, const NumberRange& range) {
     if (shown.contains(u'/'))
         return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is a fraction: write it as a decimal number."))
             .arg(shown);
+    if (isTooLarge(shown))
+        return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is too large a number.")).arg(shown);
     return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is not a number.")).arg(shown);
 }
 
