@@ -590,14 +590,16 @@ void EntryParser::warnAboutWeights() {
     if (rowLength % 2 == 0) return;
     const auto check = [&](const auto& maps) {
         double sum = 0;
+        bool isNone = true; // above 0: then there are no proportions
         for (std::size_t i = 0; i < maps.size(); ++i) {
             const Token& token = layout.numbers[i * rowLength + rowLength - 1];
             sum += token.value;
+            isNone = isNone && !(token.value > 0);
             if (!maps[i].enabled || !maps[i].weight) continue;
             if (const auto remark = weightRemark(i + 1, token.value)) warn(token.span.begin, *remark);
         }
         const bool allOn = std::all_of(maps.begin(), maps.end(), [](const auto& map) { return map.enabled; });
-        if (!maps.empty() && allOn && !(std::abs(sum - 1) <= 0.02))
+        if (!isNone && allOn && !(std::abs(sum - 1) <= 0.02))
             warn(layout.numbers[rowLength - 1].span.begin,
                  Text::tr("The weights sum to %1, not 1. They are used in proportion; Fractint gives what is "
                           "missing to the "

@@ -155,6 +155,7 @@ void FractintReaderTest::rules_data() {
     row("two braces on a line", "a { b {\n1\n}\nc " + body, "c 2D 2", "1:1 W");
     row("same name", "Fern " + body + "fern " + body, "Fern 2D 2; fern 2D 2", "5:1 W");
     row("zero weight", "a {\n.5 0 0 .5 0 0 0\n.5 0 0 .5 0 0 1\n}\n", "a 2D 2", "2:15 W");
+    row("no weight above zero", "a {\n.5 0 0 .5 0 0 0\n.5 0 0 .5 0 0 -1\n}\n", "a 2D 2", "2:15 W; 3:15 W");
     row("negative weight", "a {\n.5 0 0 .5 0 0 -.1\n.5 0 0 .5 0 0 1.1\n}\n", "a 2D 2", "2:15 W");
     row("weights beyond 1", "a {\n.5 0 0 .5 0 0 .75\n.5 0 0 .5 0 0 .75\n}\n", "a 2D 2", "2:15 W");
     row("bare", twoRows, "unnamed 2D 2");

@@ -589,6 +589,15 @@ private slots:
         QVERIFY(m_canvas->note().contains(QStringLiteral("1.5")));
         m_document->undoStack()->undo();
         QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().isEmpty(), 20000);
+        fractal = m_document->fractal();
+        for (auto& map : document::system2(fractal)->maps)
+            map.weight = 0;
+        m_document->edit(QStringLiteral("Weigh nothing"), fractal);
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("weight above 0")), 20000);
+        for (auto& map : document::system2(fractal)->maps)
+            map.enabled = false;
+        m_document->edit(QStringLiteral("Switch off"), fractal);
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("switch one on")), 20000);
     }
 
     void actionsKeepThePicture() {

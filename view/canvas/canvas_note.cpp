@@ -119,6 +119,11 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     case attractor::RenderNote::None:
         return isOnePoint(*system) ? onePoint(fractal) : cageWarning(fractal);
     case attractor::RenderNote::NoMaps:
+        if (ifs::countActive(*system) == 0 &&
+            std::ranges::any_of(system->maps, [](const auto& map) { return map.enabled; }))
+            return Notes::tr(
+                "No map that is on has a weight above 0, so there is nothing to draw. Give one a "
+                "weight.");
         return Notes::tr("No map takes part, so there is nothing to draw. Add a map or switch one on.");
     case attractor::RenderNote::NoAttractor:
     case attractor::RenderNote::Undecided:
