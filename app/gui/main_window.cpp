@@ -43,6 +43,7 @@
 namespace {
 
 constexpr int cascade = 32;         // pixels from one window to the next
+constexpr double usualLetter = 6;   // wide, in pixels: the font that first sizes are for
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
 
 QString fileFilter() {
@@ -440,9 +441,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::restoreLayout() {
+    const double larger = fontMetrics().averageCharWidth() / usualLetter;
     resizeDocks(
         {findChild<QDockWidget*>(QStringLiteral("entries")), findChild<QDockWidget*>(QStringLiteral("maps"))},
-        {260, 430}, Qt::Horizontal);
+        {int(260 * larger), int(430 * larger)}, Qt::Horizontal);
     if (!restoreGeometry(view::stored(QStringLiteral("window/geometry")).toByteArray()))
         resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
     if (const QWidget* other = QApplication::activeWindow(); other && other->pos() == pos())

@@ -105,6 +105,23 @@ private slots:
         }
     }
 
+    void noFieldIsCutHoweverNarrow() {
+        for (const int points : {9, 15, 20}) {
+            QFont font = m_panel->font();
+            font.setPointSize(points);
+            m_panel->setFont(font);
+            QTest::qWait(20);
+            const int narrowest = m_panel->minimumSizeHint().width();
+            for (int width = narrowest; width < 2 * narrowest; width += 7) {
+                m_panel->resize(width, 600);
+                QTest::qWait(1);
+                const auto* box = m_panel->transparent();
+                QVERIFY2(box->width() >= box->minimumSizeHint().width(), qPrintable(QString::number(width)));
+                QVERIFY(box->geometry().right() <= m_panel->contentsRect().right());
+            }
+        }
+    }
+
     void stopsAreEditedByMouse() {
         openEditor();
         view::GradientStrip* strip = m_panel->gradientEditor()->strip();

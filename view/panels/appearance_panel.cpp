@@ -24,6 +24,7 @@ namespace {
 using attractor::Appearance;
 using attractor::ColourBy;
 
+constexpr int labelSpacing = 16;
 constexpr int swatchesPerRow = 7;
 constexpr int mostSwatches = 70; // further maps take their colours in the table
 
@@ -38,12 +39,17 @@ AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows); // a narrow window belongs to the picture
     form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    form->setHorizontalSpacing(16);
+    form->setHorizontalSpacing(0);
     form->setVerticalSpacing(10);
     layout->addLayout(form);
     makeColourRows(form);
     makeToneRows(form);
     makeMapColours(form);
+    // The space beside a label is a part of it: the form leaves its own out of account when it decides which
+    // rows to wrap, and a field would lose its end.
+    for (int row = 0; row < form->rowCount(); ++row)
+        if (const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole))
+            item->widget()->setContentsMargins(0, 0, labelSpacing, 0);
     m_reset = new QToolButton(this);
     m_reset->setText(tr("Reset to Default"));
     m_reset->setToolTip(tr("Every setting of this panel as in a new fractal"));
