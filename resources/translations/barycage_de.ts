@@ -1220,6 +1220,10 @@
         <source>“%1” is not a number.</source>
         <translation>„%1“ ist keine Zahl.</translation>
     </message>
+    <message>
+        <source>“%1” is too large a number.</source>
+        <translation>„%1“ ist eine zu große Zahl.</translation>
+    </message>
 </context>
 <context>
     <name>OpenFile</name>
@@ -3420,6 +3424,10 @@
         <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
         <translation>Eine Abbildung allein: nichts bleibt als ihr Fixpunkt (%1, %2).</translation>
     </message>
+    <message>
+        <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
+        <translation>Keine eingeschaltete Abbildung hat ein Gewicht über 0; es gibt nichts zu zeichnen. Geben Sie einer ein Gewicht.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
@@ -4619,10 +4627,6 @@
         <translation>Ein Fleck für jeden Punkt des Chaos-Spiels, der zu sehen ist.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
-        <translation>%1 Verweise (weniger als 400.000 sind erlaubt). Nichts Gezeichnetes ist weiter als %2 Pixel vom Attraktor entfernt, und nichts von ihm ist weiter von dem Gezeichneten.</translation>
-    </message>
-    <message>
         <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
         <translation> Der Käfig biegt das Bild, was Kopien nicht können: Geschrieben wird die affine Anpassung des Käfigs. Ein PNG zeigt die Biegung.</translation>
     </message>
@@ -4691,10 +4695,6 @@
         <translation>Wie viele Flecken des Chaos-Spiels gezeichnet werden.</translation>
     </message>
     <message>
-        <source>Copies are made smaller until no pixel of this size could tell the difference.</source>
-        <translation>Kopien werden so klein gemacht, bis kein Pixel dieser Größe den Unterschied zeigen könnte.</translation>
-    </message>
-    <message>
         <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
         <translation>Wie viele Ebenen von Kopien das Bild hat. Die Datei wächst damit kaum, die Zeit zum Zeichnen schon.</translation>
     </message>
@@ -4705,6 +4705,18 @@
     <message>
         <source>Copying the picture…</source>
         <translation>Das Bild wird kopiert …</translation>
+    </message>
+    <message>
+        <source>Copies are made smaller until no pixel of this size could tell the difference, or programs would take long to draw them.</source>
+        <translation>Kopien werden so klein gemacht, bis kein Pixel dieser Größe den Unterschied zeigen könnte oder Programme lange an ihnen zeichnen würden.</translation>
+    </message>
+    <message>
+        <source>%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
+        <translation>%1 Verweise (weniger als %3 sind erlaubt). Nichts Gezeichnetes ist weiter als %2 Pixel vom Attraktor entfernt, und nichts von ihm ist weiter von dem Gezeichneten.</translation>
+    </message>
+    <message>
+        <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
+        <translation> Ein Pixel braucht mehr: Tiefer zeichnen Programme nicht, ohne dass man lange wartet.</translation>
     </message>
 </context>
 <context>

@@ -1220,6 +1220,10 @@
         <source>“%1” is not a number.</source>
         <translation>«%1» no es un número.</translation>
     </message>
+    <message>
+        <source>“%1” is too large a number.</source>
+        <translation>«%1» es un número demasiado grande.</translation>
+    </message>
 </context>
 <context>
     <name>OpenFile</name>
@@ -3420,6 +3424,10 @@
         <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
         <translation>Una sola aplicación: no queda más que su punto fijo (%1, %2).</translation>
     </message>
+    <message>
+        <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
+        <translation>Ninguna aplicación activa tiene un peso mayor que 0, así que no hay nada que dibujar. Dé un peso a alguna.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
@@ -4619,10 +4627,6 @@
         <translation>Una marca por cada punto del juego del caos que está a la vista.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
-        <translation>%1 referencias (se permiten menos de 400&#xa0;000). Nada de lo dibujado dista del atractor más de %2 píxeles, y nada del atractor dista más de lo dibujado.</translation>
-    </message>
-    <message>
         <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
         <translation> La jaula curva la imagen, y las copias no pueden seguirla: se escribe el ajuste afín de la jaula. Un PNG sí muestra la curvatura.</translation>
     </message>
@@ -4691,10 +4695,6 @@
         <translation>Cuántas marcas del juego del caos se dibujan.</translation>
     </message>
     <message>
-        <source>Copies are made smaller until no pixel of this size could tell the difference.</source>
-        <translation>Se hacen copias cada vez más pequeñas hasta que ningún píxel de este tamaño pueda notar la diferencia.</translation>
-    </message>
-    <message>
         <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
         <translation>Cuántos niveles de copias tiene la imagen. El archivo apenas crece con ello; el tiempo de dibujo, sí.</translation>
     </message>
@@ -4705,6 +4705,18 @@
     <message>
         <source>Copying the picture…</source>
         <translation>Copiando la imagen…</translation>
+    </message>
+    <message>
+        <source>Copies are made smaller until no pixel of this size could tell the difference, or programs would take long to draw them.</source>
+        <translation>Se hacen copias cada vez más pequeñas hasta que ningún píxel de este tamaño pueda notar la diferencia, o hasta que los programas tarden mucho en dibujarlas.</translation>
+    </message>
+    <message>
+        <source>%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
+        <translation>%1 referencias (se permiten menos de %3). Nada de lo dibujado dista del atractor más de %2 píxeles, y nada del atractor dista más de lo dibujado.</translation>
+    </message>
+    <message>
+        <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
+        <translation> Un píxel necesita más: esta es la mayor profundidad que los programas dibujan sin una larga espera.</translation>
     </message>
 </context>
 <context>

@@ -1220,6 +1220,10 @@
         <source>“%1” is not a number.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas un nombre.</translation>
     </message>
+    <message>
+        <source>“%1” is too large a number.</source>
+        <translation>« %1 » est un nombre trop grand.</translation>
+    </message>
 </context>
 <context>
     <name>OpenFile</name>
@@ -3420,6 +3424,10 @@
         <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
         <translation>Une seule application : il ne reste que son point fixe (%1, %2).</translation>
     </message>
+    <message>
+        <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
+        <translation>Aucune application activée n’a un poids supérieur à 0 : il n’y a rien à dessiner. Donnez un poids à l’une d’elles.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
@@ -4619,10 +4627,6 @@
         <translation>Un point dessiné pour chaque point visible du jeu du chaos.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
-        <translation>%1 références (moins de 400&#x202f;000 sont permises). Rien de ce qui est dessiné n’est à plus de %2 pixels de l’attracteur, et rien de celui-ci n’est plus loin de ce qui est dessiné.</translation>
-    </message>
-    <message>
         <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
         <translation> La cage courbe l’image, ce que des copies ne peuvent pas suivre&#x202f;: c’est l’ajustement affine de la cage qui est écrit. Un PNG montre l’image courbée.</translation>
     </message>
@@ -4691,10 +4695,6 @@
         <translation>Combien de points du jeu du chaos sont dessinés.</translation>
     </message>
     <message>
-        <source>Copies are made smaller until no pixel of this size could tell the difference.</source>
-        <translation>Les copies sont réduites jusqu’à ce qu’aucun pixel de cette taille ne puisse montrer la différence.</translation>
-    </message>
-    <message>
         <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
         <translation>Combien de niveaux de copies a l’image. Le fichier n’en grossit guère, mais la durée du dessin, elle, augmente.</translation>
     </message>
@@ -4705,6 +4705,18 @@
     <message>
         <source>Copying the picture…</source>
         <translation>Copie de l’image…</translation>
+    </message>
+    <message>
+        <source>Copies are made smaller until no pixel of this size could tell the difference, or programs would take long to draw them.</source>
+        <translation>Les copies sont réduites jusqu’à ce qu’aucun pixel de cette taille ne puisse montrer la différence, ou que les logiciels mettent longtemps à les dessiner.</translation>
+    </message>
+    <message>
+        <source>%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
+        <translation>%1 références (moins de %3 sont permises). Rien de ce qui est dessiné n’est à plus de %2 pixels de l’attracteur, et rien de celui-ci n’est plus loin de ce qui est dessiné.</translation>
+    </message>
+    <message>
+        <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
+        <translation> Un pixel en demande plus : c’est la plus grande profondeur que les logiciels dessinent sans longue attente.</translation>
     </message>
 </context>
 <context>

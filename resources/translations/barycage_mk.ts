@@ -1225,6 +1225,10 @@
         <source>“%1” is not a number.</source>
         <translation>„%1“ не е број.</translation>
     </message>
+    <message>
+        <source>“%1” is too large a number.</source>
+        <translation>„%1“ е преголем број.</translation>
+    </message>
 </context>
 <context>
     <name>OpenFile</name>
@@ -3427,6 +3431,10 @@
         <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
         <translation>Само едно пресликување: останува единствено неговата неподвижна точка (%1, %2).</translation>
     </message>
+    <message>
+        <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
+        <translation>Ниедно вклучено пресликување нема тежина поголема од 0, па нема што да се црта. Дајте му тежина на некое.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>
@@ -4632,10 +4640,6 @@
         <translation>По една точка за секоја видлива точка од играта на хаос.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than 400,000 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
-        <translation>%1 упатувања (дозволени се помалку од 400.000). Ништо од нацртаното не е на растојание поголемо од %2 пиксели од атракторот и ниеден негов дел не е подалеку од нацртаното.</translation>
-    </message>
-    <message>
         <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
         <translation> Кафезот ја свиткува сликата, а копиите не можат да го следат тоа: се запишува афиното приближување на кафезот. PNG го покажува свиткувањето.</translation>
     </message>
@@ -4704,10 +4708,6 @@
         <translation>Колку точки од играта на хаос се цртаат.</translation>
     </message>
     <message>
-        <source>Copies are made smaller until no pixel of this size could tell the difference.</source>
-        <translation>Копиите се смалуваат сѐ додека ниеден пиксел со оваа големина не може да ја забележи разликата.</translation>
-    </message>
-    <message>
         <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
         <translation>Колку нивоа на копии има сликата. Датотеката речиси не расте со нив, но времето за цртање расте.</translation>
     </message>
@@ -4718,6 +4718,18 @@
     <message>
         <source>Copying the picture…</source>
         <translation>Сликата се копира…</translation>
+    </message>
+    <message>
+        <source>Copies are made smaller until no pixel of this size could tell the difference, or programs would take long to draw them.</source>
+        <translation>Копиите се смалуваат сѐ додека ниеден пиксел со оваа големина не може да ја забележи разликата или додека на програмите не им треба долго да ги нацртаат.</translation>
+    </message>
+    <message>
+        <source>%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
+        <translation>%1 упатувања (дозволени се помалку од %3). Ништо од нацртаното не е на растојание поголемо од %2 пиксели од атракторот и ниеден негов дел не е подалеку од нацртаното.</translation>
+    </message>
+    <message>
+        <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
+        <translation> За еден пиксел треба повеќе: ова е најголемата длабочина што програмите ја цртаат без долго чекање.</translation>
     </message>
 </context>
 <context>
