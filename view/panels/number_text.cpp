@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/number_text.h"
 
+#include "io/coefficient.h"
 #include "io/number.h"
 
 #include <QCoreApplication>
@@ -36,7 +37,8 @@ bool isTooLarge(const QString& text) {
     const bool isSigned = digits.startsWith('+') && !digits.startsWith("+-");
     const char* end = digits.constData() + digits.size();
     const auto result = io::fromChars(digits.constData() + (isSigned ? 1 : 0), end, value);
-    return result.ec == std::errc::result_out_of_range && result.ptr == end;
+    return result.ptr == end && (result.ec == std::errc::result_out_of_range ||
+                                 (result.ec == std::errc() && !io::isCoefficient(value)));
 }
 
 QString rangeProblem(double value, const NumberRange& range) {
@@ -76,7 +78,8 @@ QString groupedNumber(double value) {
 }
 
 std::optional<double> typedNumber(const QString& text) {
-    return io::parseNumber(QString::fromLatin1(withPoint(text)));
+    const auto number = io::parseNumber(QString::fromLatin1(withPoint(text)));
+    return number && io::isCoefficient(*number) ? number : std::nullopt; // what no file may hold
 }
 
 QString numberProblem(const QString& text, const NumberRange& range) {
