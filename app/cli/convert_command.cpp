@@ -242,11 +242,17 @@ public:
     }
 
 private:
-    // By its name, or where that says nothing by what is in it. Out of a parameter file only the systems are
-    // wanted, not the parameters around them.
+    // By its name, or where that says nothing by what is in it: what no other reader knows goes to that of
+    // collections, and need be none. Out of a parameter file only the systems are wanted, not the parameters
+    // around them.
     static bool isCollectionFile(const Input& input) {
         const QString suffix = QFileInfo(input.name).suffix().toLower();
-        return suffix == u"ifs" || (suffix != u"par" && input.collection.format == u"fractint");
+        if (suffix == u"ifs" || suffix == u"par") return suffix == u"ifs";
+        const document::FractalFile& file = input.collection.file;
+        return input.collection.format == u"fractint" && !file.entries.isEmpty() &&
+               std::ranges::none_of(file.problems, [](const document::Problem& problem) {
+                   return problem.severity == document::Problem::Severity::Error;
+               });
     }
 
     static ExitStatus nothingLeft(const QString& fileName) {

@@ -13,6 +13,7 @@ private slots:
     void nothingLeftIsNotWritten();
     void anEntryNamedTwiceIsTakenOnce();
     void copyKeepsEveryByte();
+    void whatIsNoCollectionIsNotCopied();
     void bakedCodeDrawsTheSame();
     void convertsThereAndBack_data();
     void convertsThereAndBack();
@@ -66,6 +67,27 @@ void CliConvertTest::copyKeepsEveryByte() {
     QVERIFY(!read("strict.ifs").contains("bad"));
     QCOMPARE(run("convert systems.ifs strict.ifs --strict").status, 0);
     QVERIFY(read("strict.ifs").contains("maple {\n"));
+}
+
+// Under a name that does not say what it is, content decides.
+void CliConvertTest::whatIsNoCollectionIsNotCopied() {
+    write("collection.txt", read("broken.ifs"));
+    QCOMPARE(run("convert collection.txt copied.ifs").status, 0);
+    QCOMPARE(read("copied.ifs"), read("broken.ifs"));
+    QCOMPARE(run("convert - from-pipe.ifs", read("broken.ifs")).status, 0);
+    QCOMPARE(read("from-pipe.ifs"), read("broken.ifs"));
+    for (const QByteArray& bytes :
+         {QByteArray("%PDF-1.4\n1 0 obj << >>\n%%EOF\n"), QByteArray("# Read me\n\nThis is a text.\n"),
+          QByteArray("\x7f\x45LF\x02\x01\x01\0\0\0\0\0\0\x01\xff\xfe\x80\n", 18), QByteArray("hello world\n"),
+          QByteArray("2\n.5 0 0 .5 0 0 50\n.5 0 0 .5 1 0 100\n0 0 1 1\n"), QByteArray()}) {
+        write("alien", bytes);
+        for (const char* arguments : {"convert alien alien.ifs", "convert - alien.ifs"}) {
+            const Result result = run(arguments, bytes);
+            QCOMPARE(result.status, 1);
+            QVERIFY2(result.err.contains("No entry is left"), result.err.constData());
+            QVERIFY(!QFile::exists(path("alien.ifs")));
+        }
+    }
 }
 
 // T∘w∘T⁻¹ for the stored cage, a translation by (1, 2): the mean moves along.
