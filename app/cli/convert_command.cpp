@@ -110,6 +110,7 @@ Plan planOf(const Arguments& arguments) {
     plan.output = QString::fromStdString(arguments.files.back());
     const QFileInfo output(plan.output);
     const bool isPrinted = isStandardOutput(plan.output);
+    if (plan.output.isEmpty()) throw UsageError{tr("The name of the output is empty.")};
     plan.intoFolder = !isPrinted && (output.isDir() || output.fileName().isEmpty());
     if (plan.intoFolder && arguments.format.empty())
         throw UsageError{tr("Say with --to what the files in the folder shall be.")};

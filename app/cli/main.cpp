@@ -6,6 +6,7 @@
 
 #include <QGuiApplication>
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <memory>
@@ -44,8 +45,20 @@ ExitStatus parse(CLI::App& program, int argc, char** argv) {
     }
 }
 
+// The parser takes "" for an option that is not there. Only a title may be no text.
+void refuseEmptyValues(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        const auto& values = option->results();
+        const bool isEmpty = option->nonpositional() && std::ranges::find(values, "") != values.end();
+        if (isEmpty && option->get_single_name() != "title")
+            throw cli::UsageError{QCoreApplication::translate("cli", "What is given for --%1 is empty.")
+                                      .arg(QString::fromStdString(option->get_single_name()))};
+    }
+}
+
 ExitStatus runCommand(const CLI::App& program, const cli::Run& run) {
     try {
+        refuseEmptyValues(*program.get_subcommands().front());
         return run();
     } catch (const cli::InputError& error) {
         cli::reportError(error.fileName, error.sentence);

@@ -23,6 +23,8 @@ private slots:
     void helpAndVersion();
     void wrongUsage_data();
     void wrongUsage();
+    void emptyArgumentsAreNoneLeftOut_data();
+    void emptyArgumentsAreNoneLeftOut();
     void unknownCommandIsNamed();
     void messagesHoldNoControlCharacters();
     void missingFiles();
@@ -125,6 +127,35 @@ void CliTest::wrongUsage() {
     QVERIFY2(result.err.startsWith("barycage-cli"), result.err.constData());
     QVERIFY(result.err.contains(": error: "));
     for (const char* name : {"x.png", "x.svg", "x.gif", "x.docx"})
+        QVERIFY(!QFile::exists(path(name)));
+}
+
+void CliTest::emptyArgumentsAreNoneLeftOut_data() {
+    QTest::addColumn<QString>("arguments"); // a row has '' for the empty one
+    const auto row = [](const char* text) { QTest::newRow(text) << QString::fromLatin1(text); };
+    row("render systems.ifs -o x.png --bits ''");
+    row("render systems.ifs -o x.png --threads ''");
+    row("render systems.ifs -o x.png --entry ''");
+    row("render systems.ifs --to png -o ''");
+    row("info systems.ifs --entry maple --entry ''");
+    row("convert systems.ifs x.ifs --to ''");
+    row("convert systems.ifs '' --to flame");
+    row("gallery systems.ifs -o x.png --columns ''");
+}
+
+// An empty variable of a script is no wish for what would be without it.
+void CliTest::emptyArgumentsAreNoneLeftOut() {
+    QFETCH(QString, arguments);
+    QStringList words = arguments.split(u' ');
+    words.replaceInStrings(QStringLiteral("''"), QString());
+    QProcess process;
+    process.setWorkingDirectory(path(""));
+    process.start(QStringLiteral(BARYCAGE_CLI), words);
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitCode(), 2);
+    const QByteArray said = process.readAllStandardError();
+    QVERIFY2(said.startsWith("barycage-cli "), said.constData());
+    for (const char* name : {"x.png", "x.ifs"})
         QVERIFY(!QFile::exists(path(name)));
 }
 
