@@ -288,6 +288,19 @@ private slots:
         const io::Failure failure = io::saveFile(QStringLiteral("/dev/null"), "x");
         QVERIFY(failure && failure->contains(QStringLiteral("not an ordinary file")));
     }
+
+    // As /dev/stdout leads to one.
+    void pipesBehindLinksAreNotReplaced() {
+        int ends[2];
+        QCOMPARE(::pipe(ends), 0);
+        const QString link = QStringLiteral("/proc/self/fd/%1").arg(ends[1]);
+        if (!QFileInfo(link).isSymLink()) QSKIP("no /proc here");
+        const io::Failure failure = io::saveFile(link, "x");
+        ::close(ends[0]);
+        ::close(ends[1]);
+        QVERIFY(failure && failure->contains(QStringLiteral("not an ordinary file")));
+        QVERIFY2(failure->contains(link), qPrintable(*failure));
+    }
 #endif
 
 private:
