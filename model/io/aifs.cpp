@@ -39,7 +39,7 @@ QByteArray identifier(const QString& name, QSet<QByteArray>& taken) {
     QByteArray id;
     for (const QChar c : name)
         id += c.unicode() < 0x80 && c.isLetterOrNumber() ? c.toLatin1() : '_';
-    if (id.isEmpty() || (id[0] >= '0' && id[0] <= '9')) id.prepend("s_");
+    if (id.isEmpty() || id[0] == '_' || (id[0] >= '0' && id[0] <= '9')) id.prepend("s_");
     QByteArray unique = id;
     for (int number = 2; taken.contains(unique); ++number)
         unique = id + '_' + QByteArray::number(number);
@@ -47,9 +47,12 @@ QByteArray identifier(const QString& name, QSet<QByteArray>& taken) {
     return unique;
 }
 
-QByteArray oneLine(QString text) {
-    for (QChar& c : text)
+// One line without '#', which begins a comment.
+QByteArray shownName(QString text) {
+    for (QChar& c : text) {
         if (c.category() == QChar::Other_Control) c = u' ';
+        if (c == u'#') c = u'_';
+    }
     return text.toUtf8();
 }
 
@@ -74,7 +77,7 @@ QByteArray block(const document::Fractal& fractal, const ifs::IteratedFunctionSy
                  QSet<QByteArray>& taken) {
     const std::vector<double> weights = writtenWeights(system);
     QByteArray text = '@' + identifier(fractal.name, taken) + ":\n$dim=" + QByteArray::number(Dim) +
-                      "\n$n=" + oneLine(fractal.name) + '\n';
+                      "\n$n=" + shownName(fractal.name) + '\n';
     QByteArrayList names;
     QByteArrayList shares;
     for (std::size_t i = 0; i < system.maps.size(); ++i) {

@@ -133,7 +133,7 @@ void IfstileTest::namesAndSwitchedOffMaps() {
 // Names that differ in signs only, or are numbered already.
 void IfstileTest::everyBlockHasAName() {
     QList<std::shared_ptr<const document::Fractal>> fractals;
-    for (const char* name : {"a!b", "a?b", "a_b", "a_b_2", "A_b", "1", "s_1", "é"}) {
+    for (const char* name : {"a!b", "a?b", "a_b", "a_b_2", "A_b", "1", "s_1", "é", "-x", "+x", "_y", "a#b"}) {
         document::Fractal fractal;
         fractal.name = QString::fromUtf8(name);
         fractal.system = ::flower();
@@ -141,7 +141,7 @@ void IfstileTest::everyBlockHasAName() {
     }
     const QByteArray text = io::writeAifs(fractals);
     QStringList ids;
-    const QRegularExpression block(QStringLiteral("^@([A-Za-z_][A-Za-z0-9_]*):$"),
+    const QRegularExpression block(QStringLiteral("^@([A-Za-z][A-Za-z0-9_]*):$"),
                                    QRegularExpression::MultilineOption);
     for (auto it = block.globalMatch(QString::fromUtf8(text)); it.hasNext();)
         ids << it.next().captured(1);
@@ -149,6 +149,7 @@ void IfstileTest::everyBlockHasAName() {
     QCOMPARE(ids.first(), QStringLiteral("a_b"));
     QCOMPARE(ids.removeDuplicates(), 0);
     QVERIFY(text.contains("$n=a?b\n"));
+    QVERIFY(text.contains("$n=a_b\n") && !text.contains("a#b")); // a comment would begin there
 }
 
 // Vector first, then the matrix row by row.
