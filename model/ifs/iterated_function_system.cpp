@@ -102,6 +102,9 @@ template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>&
     const bool everyWeightGiven = weights.size() == active.maps.size();
     active.probabilities =
         everyWeightGiven ? shares(std::move(weights)) : determinantWeights<Dim>(active.maps);
+    // Beside a weight of 3e38, the share of 1e-300 is 0 in doubles; the map takes part all the same.
+    for (double& probability : active.probabilities)
+        probability = std::max(probability, std::numeric_limits<double>::min());
     return active;
 }
 

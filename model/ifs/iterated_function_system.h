@@ -42,7 +42,7 @@ MapId append(IteratedFunctionSystem<Dim>& system, const AffineMap<Dim>& map,
 // The maps in their order, without weights and ids.
 template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>& system);
 
-// One probability per map, 0 for a map that is off, sum 1 unless every map is off.
+// One probability per map, 0 for a map that is off and for no other, sum 1 unless every map is off.
 // A disabled map and a weight ≤ 0 (or not finite) mean off. If any enabled map has no weight at all,
 // the determinant rule serves for all maps that are not off.
 template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system);

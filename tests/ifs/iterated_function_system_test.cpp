@@ -85,6 +85,16 @@ private slots:
         QCOMPARE(active.probabilities, std::vector<double>{1});
     }
 
+    // Whether a map takes part does not hang on how large the weights of others are.
+    void noShareIsNothing() {
+        auto code = canonical::system<2>(fern(), {1e-300, 3e38, 1e-310, 3e38});
+        const auto active = activeMaps(code);
+        QCOMPARE(active.index.size(), std::size_t(4));
+        QVERIFY(std::ranges::min(active.probabilities) > 0);
+        QCOMPARE(probabilities(code), active.probabilities);
+        QCOMPARE(sum(active.probabilities), 1.0);
+    }
+
     void oneMissingWeightCallsForTheDeterminantRule() {
         auto code = canonical::system<2>(fern(), {1, 1, 1, 1});
         code.maps[2].weight.reset();
