@@ -30,6 +30,14 @@ document::FractalFile fileOf(const EmbeddedSystem& embedded) {
     return file;
 }
 
+// The first map without weight, where others have one.
+std::optional<std::size_t> someWeightMissing(const auto& rows) {
+    const auto isMissing = [](const auto& row) { return !row.weight; };
+    const auto first = std::ranges::find_if(rows, isMissing);
+    if (first == rows.end() || std::ranges::all_of(rows, isMissing)) return std::nullopt;
+    return std::size_t(first - rows.begin());
+}
+
 // A table that is not one to Fractint (rows of 7 numbers without commas are).
 std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QString& path,
                                             const std::optional<TableColumns>& columns) {
@@ -59,11 +67,20 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
     file.problems = std::move(table.problems);
     for (document::Entry& entry : file.entries) {
         const auto remark = [&](const auto& rows) {
+            const auto warn = [&](std::size_t i, const QString& sentence) {
+                entry.problems << document::Problem{document::Problem::Severity::Warning, entry.fractal->name,
+                                                    table.lines[i], 1, sentence};
+            };
+            if (const auto place = someWeightMissing(rows))
+                warn(*place,
+                     QCoreApplication::translate(
+                         "Text", "Map %1 has no weight, so the weights of all maps are taken from the "
+                                 "determinants and those that are given are not used.")
+                         .arg(*place + 1));
             for (std::size_t i = 0; i < rows.size() && entry.problems.size() < mostRemarks; ++i)
                 if (const auto sentence =
                         rows[i].weight ? weightRemark(i + 1, *rows[i].weight) : std::nullopt)
-                    entry.problems << document::Problem{document::Problem::Severity::Warning,
-                                                        entry.fractal->name, table.lines[i], 1, *sentence};
+                    warn(i, *sentence);
         };
         remark(table.rows);
         remark(table.spaceRows);

@@ -314,10 +314,9 @@ std::vector<Patch> Edit::numberPatches(std::size_t row, const Row& after) const 
         change(m_layout.numbers[slot.first + i], after.coefficients[i]);
     const Token& last = m_layout.numbers[slot.last];
     if (m_layout.rowLength % 2 == 1) {
-        if (after.weight) change(last, *after.weight);
+        change(last, after.written);
     } else if (m_writesWeights) {
-        patches.push_back(
-            {last.span.end, last.span.end, ' ' + numberAsHere(after.weight.value_or(after.probability))});
+        patches.push_back({last.span.end, last.span.end, ' ' + numberAsHere(after.written)});
     }
     return patches;
 }
@@ -368,7 +367,7 @@ QByteArray Edit::rowText(const Row& row) const {
     QByteArray text;
     for (const double number : row.coefficients)
         text += (text.isEmpty() ? "" : " ") + numberAsHere(number);
-    if (m_writesWeights) text += ' ' + numberAsHere(row.weight.value_or(row.probability));
+    if (m_writesWeights) text += ' ' + numberAsHere(row.written);
     return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include "io/number.h"
 #include "io/own_comments.h"
+#include "io/written_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +15,12 @@ namespace {
 
 template <int Dim> std::vector<Row> rows(const ifs::IteratedFunctionSystem<Dim>& system) {
     const std::vector<double> probabilities = ifs::probabilities(system);
+    const std::vector<double> written = writtenWeights(system);
     std::vector<Row> result;
     for (std::size_t k = 0; k < system.maps.size(); ++k) {
         const auto& map = system.maps[k];
-        Row row{map.id, {}, map.enabled ? map.weight : 0, probabilities[k]};
+        Row row{map.id, {}, map.enabled ? map.weight : 0, written[k], probabilities[k]};
+        if (row.weight && !(*row.weight > 0)) row.written = *row.weight;
         for (int i = 0; i < Dim; ++i)
             for (int j = 0; j < Dim; ++j)
                 row.coefficients.push_back(map.map.linear(i, j));

@@ -15,9 +15,11 @@ namespace io::fractint {
 struct Row {
     ifs::MapId id = ifs::MapId::None;
     std::vector<double> coefficients; // 6, or 12: the matrix row by row, then the vector
-    // What the row's weight is to be: 0 for a map that is off; nullopt for a map without weight.
-    std::optional<double> weight;
-    double probability = 0; // stands in for a weight that is not given
+    std::optional<double> weight;     // 0 for a map that is off; nullopt for a map without weight
+    // What stands in the row: the probabilities where a map that takes part has no weight, so that every
+    // program draws the same.
+    double written = 0;
+    double probability = 0;
 };
 
 std::vector<Row> rowsOf(const document::Fractal& fractal); // none for an entry without a system

@@ -102,7 +102,7 @@ QByteArrayList rowLines(const document::Fractal& fractal) {
         std::vector<QByteArray> texts;
         for (const double number : row.coefficients)
             texts.push_back(fractint::numberText(number));
-        texts.push_back(fractint::numberText(row.weight.value_or(row.probability)));
+        texts.push_back(fractint::numberText(row.written));
         cells.push_back(std::move(texts));
     }
     return fractint::alignedRows(cells);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 namespace io {
@@ -42,12 +43,18 @@ std::optional<double> number(const QByteArray& text) {
     return parseNumber(QString::fromLatin1(text));
 }
 
+// With one such map the determinant rule serves for all, and the rows hold probabilities.
+template <int Dim> bool lacksWeight(const ifs::WeightedMap<Dim>& map) {
+    return map.enabled && !map.weight;
+}
+
 template <int Dim>
 QByteArrayList mapLines(const ifs::IteratedFunctionSystem<Dim>& system,
                         const attractor::Appearance& appearance) {
     QByteArrayList lines;
     const bool noWeights = std::none_of(system.maps.begin(), system.maps.end(),
                                         [](const auto& map) { return map.weight.has_value(); });
+    const bool isRuled = std::any_of(system.maps.begin(), system.maps.end(), lacksWeight<Dim>);
     if (noWeights && !system.maps.empty()) lines << line("unweighted", "all");
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const auto& map = system.maps[i];
@@ -56,6 +63,8 @@ QByteArrayList mapLines(const ifs::IteratedFunctionSystem<Dim>& system,
             lines << line("off", map.weight ? place + ' ' + formatNumber(*map.weight) : place);
         else if (!map.weight && !noWeights)
             lines << line("unweighted", place);
+        else if (isRuled && map.weight && *map.weight > 0 && std::isfinite(*map.weight))
+            lines << line("weight", place + ' ' + formatNumber(*map.weight));
         if (const auto colour = appearance.mapColours.find(map.id); colour != appearance.mapColours.end())
             lines << line("map-colour", place + ' ' + colourText(colour->second));
     }
@@ -244,6 +253,12 @@ bool OwnComments::readMapSetting(const QByteArray& key, const QByteArrayList& va
         m_off.push_back(setting);
         return true;
     }
+    if (key == "weight") {
+        setting.weight = values.size() == 2 ? number(values[1]) : std::nullopt;
+        if (!(setting.weight.value_or(0) > 0)) return false;
+        m_weights.push_back(setting);
+        return true;
+    }
     const auto colour = values.size() == 2 ? parseColour(values[1]) : std::nullopt;
     if (key != "map-colour" || !colour) return false;
     setting.colour = *colour;
@@ -370,6 +385,12 @@ QStringList OwnComments::applyTo(document::Fractal& fractal) const {
             map->enabled = false;
             map->weight = setting.weight;
         }
+        // A row that another program has switched off stays off; without a map that lacks one, rows hold
+        // the weights themselves.
+        if (std::none_of(maps.begin(), maps.end(), [](const auto& map) { return lacksWeight(map); })) return;
+        for (const MapSetting& setting : m_weights)
+            if (auto* map = mapAt(setting.place); map && map->enabled && map->weight.value_or(0) > 0)
+                map->weight = setting.weight;
     };
     if (auto* plane = std::get_if<document::System2>(&fractal.system))
         applyToMaps(plane->maps);

@@ -57,6 +57,7 @@ private:
     std::vector<MapSetting> m_colours;
     std::vector<MapSetting> m_off;
     std::vector<MapSetting> m_unweighted;
+    std::vector<MapSetting> m_weights;
 };
 
 } // namespace io

@@ -17,6 +17,7 @@ private slots:
     void chosenColumnsAreTaken();
     void weightsWithoutAPartAreSaid_data();
     void weightsWithoutAPartAreSaid();
+    void someWeightsMissingAreSaid();
     void roundTrips_data();
     void roundTrips();
 };
@@ -154,6 +155,21 @@ void CollectionReaderTest::weightsWithoutAPartAreSaid() {
              qPrintable(problems[0].message));
     QCOMPARE(problems[1].line, 3);
     QVERIFY(problems[1].message.startsWith(QStringLiteral("The weight of map 2 is 0")));
+}
+
+// Those that are given do not go silently, and nothing is said where there are all or none.
+void CollectionReaderTest::someWeightsMissingAreSaid() {
+    const auto problemsOf = [](const QByteArray& bytes) {
+        return io::readCollection(bytes).file.entries.value(0).problems;
+    };
+    const auto problems = problemsOf(".5,0,0,.5,0,0,.25\n.5,0,0,.1,1,0\n.3,0,0,.3,0,1,7\n");
+    QCOMPARE(problems.size(), 1);
+    QCOMPARE(problems[0].severity, document::Problem::Severity::Warning);
+    QCOMPARE(problems[0].line, 2);
+    QVERIFY2(problems[0].message.startsWith(QStringLiteral("Map 2 has no weight")),
+             qPrintable(problems[0].message));
+    QVERIFY(problemsOf(".5,0,0,.5,0,0,.25\n.5,0,0,.1,1,0,1\n").isEmpty());
+    QVERIFY(problemsOf(".5,0,0,.5,0,0\n.5,0,0,.1,1,0\n").isEmpty());
 }
 
 void CollectionReaderTest::roundTrips_data() {

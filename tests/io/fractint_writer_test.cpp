@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint_reader.h"
+#include "io/fractint_rows.h"
 #include "io/fractint_writer.h"
 #include "io/own_comments.h"
 #include "support/fractint_bytes.h"
@@ -69,6 +70,7 @@ private slots:
     void ownLinesGoWhenEverythingIsStandard();
     void strictForm();
     void strictFormLimits();
+    void oneMissingWeightIsTheSameForAllPrograms();
     void strictFormKeepsComments();
     void strictFormSaysWhatGoes();
     void dataFilesKeepTheirBytes();
@@ -413,6 +415,40 @@ void FractintWriterTest::strictFormLimits() {
     }
     QVERIFY(std::abs(sum - 1) < 1e-12);
     QCOMPARE(document::dimension(*reread.entries[1].fractal), 3);
+}
+
+// Where a weight is missing, the determinant rule serves for all maps: its probabilities are in the rows,
+// which is all that others read, and the weights that are given come back.
+void FractintWriterTest::oneMissingWeightIsTheSameForAllPrograms() {
+    Fractal fractal = document::sierpinskiTriangle();
+    maps(fractal)[0].map.linear *= 0.5;
+    maps(fractal)[0].weight = 0.25;
+    maps(fractal)[1].weight.reset();
+    maps(fractal)[2].weight = 7;
+    const std::vector<double> probabilities = ifs::probabilities(*document::system2(fractal));
+    const auto numbers = [](const QByteArray& text) {
+        std::vector<double> weights;
+        for (const QByteArray& line : text.split('\n'))
+            if (line.startsWith(' ') && !line.contains(';'))
+                weights.push_back(line.simplified().split(' ').last().toDouble());
+        return weights;
+    };
+    const QByteArray written = io::writeEntry(fractal);
+    QCOMPARE(numbers(written), probabilities);
+    QVERIFY(
+        written.contains("; barycage: weight 1 0.25\n; barycage: unweighted 2\n; barycage: weight 3 7\n"));
+    QCOMPARE(*io::readFractint(written).entries.value(0).fractal, fractal);
+    // A map that another program has switched off stays off.
+    const QByteArray off =
+        QByteArray(written).replace(io::fractint::numberText(probabilities[0]) + '\n', "0\n");
+    QVERIFY(off != written);
+    QCOMPARE(document::system2(*io::readFractint(off).entries.value(0).fractal)->maps[0].weight,
+             std::optional(0.0));
+    // Edits do the same, there and back.
+    const QByteArray plain = "a {\n .25 0 0 .25 0 0 0.25\n .5 0 0 .5 1 0 0.5\n .5 0 0 .5 0 1 7 ; kept\n}\n";
+    const QByteArray ruled = afterEdit(plain, [](Fractal& f) { maps(f)[1].weight.reset(); });
+    QCOMPARE(numbers(QByteArray(ruled).replace(" ; kept", "")), probabilities);
+    QCOMPARE(afterEdit(ruled, [](Fractal& f) { maps(f)[1].weight = 0.5; }), plain);
 }
 
 void FractintWriterTest::dataFilesKeepTheirBytes() {
