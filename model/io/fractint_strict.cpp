@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace io {
 
@@ -19,6 +20,7 @@ using document::Problem;
 using fractint::Row;
 
 constexpr qsizetype longestLine = 199;
+constexpr qsizetype longestTitle = 100; // behind the opening brace
 constexpr std::size_t mostMaps = 63;
 constexpr std::size_t mostMapsBefore18 = 31;
 constexpr qsizetype mostEntries = 2000;
@@ -70,18 +72,35 @@ private:
         for (const QString& comment : fractal.comments)
             addComment(comment);
         if (entry.source) addCommentsOfRows(entry.source->text);
+        const QByteArrayList title =
+            pieces(ascii(fractint::storedComment(fractal.headerComment), '?'), longestTitle);
+        for (qsizetype i = 1; i < title.size(); ++i)
+            addComment(QString::fromLatin1(title[i]));
         m_text.bytes += name + (document::dimension(fractal) == 3 ? " (3D) {" : " {");
-        if (const QByteArray comment = ascii(fractint::storedComment(fractal.headerComment), '?');
-            !comment.isEmpty())
-            m_text.bytes += " ; " + comment.left(100);
+        if (!title.isEmpty()) m_text.bytes += " ; " + title.first();
         m_text.bytes += '\n' + rowText(rows).join('\n') + "\n}\n";
         checkLimits(fractal, rows.size());
         reportOwnLines(fractal);
     }
 
     void addComment(const QString& text) {
-        const QByteArray comment = ascii(fractint::storedComment(text), '?').left(longestLine - 2);
-        m_text.bytes += comment.isEmpty() ? QByteArray(";\n") : "; " + comment + '\n';
+        const QByteArrayList lines = pieces(ascii(fractint::storedComment(text), '?'), longestLine - 2);
+        if (lines.isEmpty()) m_text.bytes += ";\n";
+        for (const QByteArray& line : lines)
+            m_text.bytes += "; " + line + '\n';
+    }
+
+    // The words of a comment on as many lines as they need; a word that is longer than a line is cut.
+    static QByteArrayList pieces(const QByteArray& text, qsizetype room) {
+        QByteArrayList lines;
+        for (QByteArrayView rest = QByteArrayView(text).trimmed(); !rest.isEmpty(); rest = rest.trimmed()) {
+            const qsizetype blank = rest.size() > room ? rest.first(room + 1).lastIndexOf(' ') : -1;
+            const qsizetype end = blank > 0 ? blank : std::min(room, rest.size());
+            // A line that now begins as one of ours is none.
+            lines << fractint::storedComment(QString::fromLatin1(rest.first(end))).toLatin1();
+            rest = rest.sliced(end);
+        }
+        return lines;
     }
 
     // Comments between entries stay, and other lines become comments. Blocks of parameters and formulas go.
@@ -141,6 +160,9 @@ private:
         std::vector<Row> rows = fractint::rowsOf(fractal);
         const std::size_t all = rows.size();
         std::erase_if(rows, [](const Row& row) { return !(row.probability > 0); });
+        // Others read single precision, and some stop at a weight of 0.
+        for (Row& row : rows)
+            row.probability = std::max<double>(row.probability, std::numeric_limits<float>::min());
         if (rows.size() < all && !rows.empty())
             warn(fractal.name, Text::tr("%1 maps that take no part are left out.").arg(all - rows.size()));
         return rows;
@@ -157,13 +179,15 @@ private:
         return legal.toLatin1();
     }
 
-    // Weights sum to 1, the last one taking what rounding leaves.
+    // Weights sum to 1, the last one taking what is left where that is more than the rounding of the sum.
     static QByteArrayList rowText(const std::vector<Row>& rows) {
         double rest = 1;
         std::vector<std::vector<QByteArray>> cells;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const bool isLast = i + 1 == rows.size();
-            const double weight = isLast && rest > 0 ? rest : rows[i].probability;
+            const double given = rows[i].probability;
+            const bool fits = std::abs(rest - given) <= 0x1p-53 * double(rows.size());
+            const double weight = isLast && rest > 0 && !fits ? rest : given;
             rest -= weight;
             cells.push_back(texts(rows[i], weight));
         }

@@ -70,6 +70,9 @@ private slots:
     void ownLinesGoWhenEverythingIsStandard();
     void strictForm();
     void strictFormLimits();
+    void strictFormKeepsWeightsThatFit();
+    void strictFormWrapsLongComments();
+    void strictFormKeepsEveryMapThatTakesPart();
     void oneMissingWeightIsTheSameForAllPrograms();
     void strictFormKeepsComments();
     void strictFormSaysWhatGoes();
@@ -415,6 +418,55 @@ void FractintWriterTest::strictFormLimits() {
     }
     QVERIFY(std::abs(sum - 1) < 1e-12);
     QCOMPARE(document::dimension(*reread.entries[1].fractal), 3);
+}
+
+void FractintWriterTest::strictFormKeepsWeightsThatFit() {
+    const auto weights = [](const QByteArrayList& given) {
+        QByteArray text = "a {\n";
+        for (const QByteArray& weight : given)
+            text += ".5 0 0 .5 0 0 " + weight + '\n';
+        QByteArrayList written;
+        for (const QByteArray& line : io::writeStrict(io::readFractint(text + "}\n")).bytes.split('\n'))
+            if (line.startsWith(' ')) written << line.sliced(line.lastIndexOf(' ') + 1);
+        return written;
+    };
+    QCOMPARE(weights({".3", ".3", ".3", ".1"}), (QByteArrayList{"0.3", "0.3", "0.3", "0.1"}));
+    QCOMPARE(weights({".33", ".33", ".34"}), (QByteArrayList{"0.33", "0.33", "0.34"}));
+    QCOMPARE(weights({"1", "3"}), (QByteArrayList{"0.25", "0.75"}));
+}
+
+// Fractint cuts lines at 200 bytes; no word of a comment is lost there.
+void FractintWriterTest::strictFormWrapsLongComments() {
+    QByteArray words;
+    for (int i = 0; i < 100; ++i)
+        words += " word" + QByteArray::number(i);
+    const QByteArray single(450, 'x');
+    // The line breaks after 197 bytes, before what is no line of ours.
+    const QByteArray own = QByteArray(197, 'y') + " barycage: gamma 3";
+    const io::StrictText strict =
+        io::writeStrict(io::readFractint("a { ;" + words + "\n;" + words + "\n; " + single + "\n; " + own +
+                                         "\n.5 0 0 .5 0 0 .5\n.5 0 0 .5 1 0 .5\n}\n"));
+    QVERIFY(strict.problems.isEmpty());
+    for (const QByteArray& line : strict.bytes.split('\n'))
+        QVERIFY(line.size() < 200);
+    for (int i = 0; i < 100; ++i)
+        QCOMPARE((' ' + strict.bytes.simplified() + ' ').count(" word" + QByteArray::number(i) + ' '), 2);
+    QCOMPARE(strict.bytes.count('x'), single.size());
+    QVERIFY2(strict.bytes.contains("\n; barycage  gamma 3\n"), strict.bytes.constData());
+    QVERIFY(strict.bytes.contains("\na { ; word0 word1 "));
+    QCOMPARE(io::writeStrict(io::readFractint(strict.bytes)).bytes, strict.bytes);
+}
+
+// Some old readers stop at a weight that is 0 in single precision.
+void FractintWriterTest::strictFormKeepsEveryMapThatTakesPart() {
+    const io::StrictText strict = io::writeStrict(
+        io::readFractint("a {\n.5 0 0 .5 0 0 1e-300\n.5 0 0 .5 1 0 3e38\n.5 0 0 .5 2 0 1e38\n}\n"));
+    QVERIFY(strict.problems.isEmpty());
+    const FractalFile reread = io::readFractint(strict.bytes);
+    const auto* system = document::system2(*reread.entries.value(0).fractal);
+    QVERIFY(system && system->maps.size() == 3);
+    for (const auto& map : system->maps)
+        QVERIFY(float(*map.weight) > 0);
 }
 
 // Where a weight is missing, the determinant rule serves for all maps: its probabilities are in the rows,
