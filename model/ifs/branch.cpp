@@ -2,6 +2,7 @@
 #include "ifs/branch.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ifs {
 
@@ -93,8 +94,10 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
     result.maps.reserve(words.size());
     // Not by append(), which looks for a free number among all before.
     const auto add = [&](const AffineMap<Dim>& map, double probability) {
-        result.maps.push_back(
-            {.id = MapId{std::uint32_t(result.maps.size() + 1)}, .map = map, .weight = probability});
+        // A product of many small ones is 0 in doubles, which would switch the map off.
+        result.maps.push_back({.id = MapId{std::uint32_t(result.maps.size() + 1)},
+                               .map = map,
+                               .weight = std::max(probability, std::numeric_limits<double>::min())});
     };
     add(change * beginnings.back(), chances.back());
     for (const Word& word : std::span(words).subspan(1)) {

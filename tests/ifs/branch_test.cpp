@@ -93,6 +93,13 @@ private slots:
         QCOMPARE(*changed.maps[4].weight, p[2]);
     }
 
+    // The chance of a long word may be nothing in doubles.
+    void unlikelyBranchesTakePart() {
+        const auto system = canonical::system<2>(maple(), {1e-9, 1, 1, 1});
+        const auto same = withBranchChanged<2>(system, Word(60, 0), {});
+        QCOMPARE(activeMaps(same).maps.size(), same.maps.size());
+    }
+
     // Unmoved branches leave the attractor: max of the pieces' support values is the whole's.
     void piecesMakeUpTheWhole() {
         const auto whole = *SupportFunction<2>::of(maple());
