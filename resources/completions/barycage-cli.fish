@@ -7,6 +7,7 @@ complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a gallery -d "Draw all entries on one sheet"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info render convert" -l entry -x -d "Name of an entry"
 complete -c barycage-cli -l help -d "Help"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -l version -d "Version"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l json -d "One JSON object"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l hull-tolerance -x -d "Length"

@@ -17,6 +17,7 @@ private slots:
     void completionsAndManualKnowEveryOption();
     void nothingElseIsOffered();
     void everySubcommandIsOffered();
+    void helpAndVersionAreOffered();
     void manualsSayWhatEveryoneAsks();
 #ifdef BARYCAGE_EDITOR
     void theEditorSaysItsVersionWithoutADisplay();
@@ -140,6 +141,27 @@ void CliOptionsTest::everySubcommandIsOffered() {
                  qPrintable(name));
         QVERIFY2(read("linux/barycage-cli.1.in").contains(QStringLiteral(".B barycage-cli ") + name),
                  qPrintable(name));
+    }
+}
+
+// Before a command both, behind one its help.
+void CliOptionsTest::helpAndVersionAreOffered() {
+    const QString bash = read("completions/barycage-cli.bash");
+    const QString zsh = read("completions/_barycage-cli");
+    const QString fish = read("completions/barycage-cli.fish");
+    const QString first = part(zsh, QStringLiteral("CURRENT == 2"), QStringLiteral("return"));
+    for (const char* option : {"help", "version"}) {
+        const QString name = QString::fromLatin1(option);
+        QVERIFY(bash.contains(QRegularExpression(QStringLiteral("compgen -W \"info .*--") + name)));
+        QVERIFY(first.contains(QStringLiteral("--") + name + u'['));
+        QVERIFY(found(fish, QStringLiteral("-l ([a-z-]+)")).contains(name));
+    }
+    for (const QString& command : commands()) {
+        QVERIFY(part(bash, u' ' + command + QStringLiteral(") options="), QStringLiteral(";;"))
+                    .contains(QStringLiteral("--help")));
+        QVERIFY2(part(zsh, u' ' + command + QStringLiteral(")\n"), QStringLiteral(";;"))
+                     .contains(QStringLiteral("--help[")),
+                 qPrintable(command));
     }
 }
 
