@@ -197,6 +197,28 @@ Content contentOf(const Input& input, const Arguments& arguments, const Plan& pl
     return content;
 }
 
+// An entry of a parameter file as it is in a collection: without the prefix of its name, and of what stands
+// before it with the comments right above.
+std::shared_ptr<const document::EntrySource> withoutParameters(const document::EntrySource& entry,
+                                                               bool isFirst) {
+    auto source = std::make_shared<document::EntrySource>(entry);
+    if (constexpr QByteArrayView prefix = "ifs:";
+        source->text.first(std::min(prefix.size(), source->text.size()))
+            .compare(prefix, Qt::CaseInsensitive) == 0)
+        source->text = source->text.sliced(prefix.size());
+    while (source->text.startsWith(' ') || source->text.startsWith('\t'))
+        source->text.remove(0, 1);
+    QByteArrayList lines = entry.before.split(entry.lineEnd.back());
+    lines.removeLast(); // what stands before the name on its line
+    source->before = isFirst ? QByteArray() : entry.lineEnd;
+    qsizetype first = lines.size();
+    while (first > 0 && lines[first - 1].trimmed().startsWith(';'))
+        --first;
+    for (const QByteArray& line : lines.sliced(first))
+        source->before += line + entry.lineEnd.back();
+    return source;
+}
+
 using Fractals = QList<std::shared_ptr<const document::Fractal>>;
 
 Fractals systemsOf(const document::FractalFile& file) {
@@ -300,7 +322,7 @@ private:
             file.head.clear();
             file.tail.clear();
             for (auto& entry : file.entries)
-                entry.source.reset();
+                entry.source = withoutParameters(*entry.source, &entry == &file.entries.first());
         }
         if (!m_arguments.strict) return {file.entries.size(), writeOutput(output, io::writeFractint(file))};
         const io::StrictText text = io::writeStrict(file);

@@ -190,6 +190,13 @@ void CliConvertTest::writesPoints() {
 void CliConvertTest::parameterFilesBecomeCollections() {
     write("old.par", "view { ; a picture\n type=ifs ifs=leaf\n}\nifs:leaf { ; by hand\n"
                      " .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n");
+    const QByteArray rows = "{\n .5 0 0 .5 0 0 .5 ; stem\n .5 0 0 .5 1 0 .5 ; tip\n}\n";
+    write("two.par",
+          "; a head\n\n; above\nIFS: one" + rows + "; apart\n\n; over\nifs:two " + rows + "; tail\n");
+    QCOMPARE(run("convert two.par two.ifs").status, 0);
+    QCOMPARE(read("two.ifs"), "; above\none" + rows + "\n; over\ntwo " + rows);
+    QCOMPARE(run("convert two.par strict.ifs --strict").status, 0);
+    QCOMPARE(read("strict.ifs").count("; stem\n; tip\n"), 2);
     QCOMPARE(run("convert old.par leaf.ifs").status, 0);
     const QByteArray bytes = read("leaf.ifs");
     QVERIFY2(bytes.startsWith("leaf { ; by hand\n"), bytes.constData());
