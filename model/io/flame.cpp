@@ -149,7 +149,7 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
     if (!ok || std::any_of(chaos.begin(), chaos.end(), [](double v) { return v != 1; }))
         xform.refusal = Text::tr("its “chaos” allows some successors only, which a list of maps cannot say");
     else if (const auto opacity = parseNumber(attributes.value(QLatin1String("opacity")));
-             opacity && *opacity == 0)
+             (opacity && *opacity == 0) || attributes.value(QLatin1String("plotmode")) == u"off") // as flam3
         xform.refusal = Text::tr("it takes part without being drawn (opacity 0)");
     if (attributes.hasAttribute(QLatin1String("weight"))) {
         const auto weight = parseNumber(attributes.value(QLatin1String("weight")));

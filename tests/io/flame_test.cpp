@@ -97,6 +97,9 @@ void FlameTest::refusesWhatIsNotAffine_data() {
     QTest::newRow("opacity") << QByteArray(
                                     R"(<xform weight="1" linear="1" opacity="0" coefs="1 0 0 1 0 0"/>)")
                              << "opacity";
+    QTest::newRow("plotmode") << QByteArray(
+                                     R"(<xform weight="1" linear="1" plotmode="off" coefs="1 0 0 1 0 0"/>)")
+                              << "opacity";
     QTest::newRow("space")
         << QByteArray(R"(<xform weight="1" linear="1" yzCoefs="1 0 0 1 0 0" coefs="1 0 0 1 0 0"/>)")
         << "yzCoefs";
