@@ -322,7 +322,8 @@ private:
             file.head.clear();
             file.tail.clear();
             for (auto& entry : file.entries)
-                entry.source = withoutParameters(*entry.source, &entry == &file.entries.first());
+                if (entry.source) // none in a flame of that name
+                    entry.source = withoutParameters(*entry.source, &entry == &file.entries.first());
         }
         if (!m_arguments.strict) return {file.entries.size(), writeOutput(output, io::writeFractint(file))};
         const io::StrictText text = io::writeStrict(file);

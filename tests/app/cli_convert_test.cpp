@@ -197,6 +197,9 @@ void CliConvertTest::parameterFilesBecomeCollections() {
     QCOMPARE(read("two.ifs"), "; above\none" + rows + "\n; over\ntwo " + rows);
     QCOMPARE(run("convert two.par strict.ifs --strict").status, 0);
     QCOMPARE(read("strict.ifs").count("; stem\n; tip\n"), 2);
+    QCOMPARE(run("convert systems.ifs --entry fern flame.par --to flame").status, 0);
+    QCOMPARE(run("convert flame.par flame.ifs").status, 0);
+    QVERIFY(read("flame.ifs").startsWith("Fern {"));
     QCOMPARE(run("convert old.par leaf.ifs").status, 0);
     const QByteArray bytes = read("leaf.ifs");
     QVERIFY2(bytes.startsWith("leaf { ; by hand\n"), bytes.constData());
