@@ -2228,6 +2228,10 @@
         <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
         <translation>Der Name „%1“ ist nicht in UTF-8. Bitte benennen Sie die Datei um, oder führen Sie durch einen Link zu ihr.</translation>
     </message>
+    <message>
+        <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
+        <translation>Die Abbildung %1 hat kein Gewicht; daher kommen die Gewichte aller Abbildungen von den Determinanten, und die angegebenen werden nicht verwendet.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -2228,6 +2228,10 @@
         <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
         <translation>El nombre «%1» no está en UTF-8. Cambie el nombre del archivo o llegue a él por un enlace.</translation>
     </message>
+    <message>
+        <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
+        <translation>La aplicación %1 no tiene peso; por eso los pesos de todas las aplicaciones se toman de los determinantes, y los indicados no se usan.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -1222,7 +1222,7 @@
     </message>
     <message>
         <source>“%1” is too large a number.</source>
-        <translation>« %1 » est un nombre trop grand.</translation>
+        <translation>«&#x202f;%1&#x202f;» est un nombre trop grand.</translation>
     </message>
 </context>
 <context>
@@ -2227,6 +2227,10 @@
     <message>
         <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
         <translation>Le nom «&#x202f;%1&#x202f;» n’est pas en UTF-8. Renommez le fichier, ou menez-y par un lien.</translation>
+    </message>
+    <message>
+        <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
+        <translation>L’application %1 n’a pas de poids ; les poids de toutes les applications sont donc tirés des déterminants, et ceux qui sont donnés ne sont pas utilisés.</translation>
     </message>
 </context>
 <context>
@@ -3426,7 +3430,7 @@
     </message>
     <message>
         <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
-        <translation>Aucune application activée n’a un poids supérieur à 0 : il n’y a rien à dessiner. Donnez un poids à l’une d’elles.</translation>
+        <translation>Aucune application activée n’a un poids supérieur à 0&#x202f;: il n’y a rien à dessiner. Donnez un poids à l’une d’elles.</translation>
     </message>
 </context>
 <context>
@@ -4716,7 +4720,7 @@
     </message>
     <message>
         <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
-        <translation> Un pixel en demande plus : c’est la plus grande profondeur que les logiciels dessinent sans longue attente.</translation>
+        <translation> Un pixel en demande plus&#x202f;: c’est la plus grande profondeur que les logiciels dessinent sans longue attente.</translation>
     </message>
 </context>
 <context>

@@ -2234,6 +2234,10 @@
         <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
         <translation>Името „%1“ не е во UTF-8. Преименувајте ја датотеката или водете до неа преку врска.</translation>
     </message>
+    <message>
+        <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
+        <translation>Пресликувањето %1 нема тежина, па тежините на сите пресликувања се земаат од детерминантите, а дадените не се користат.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
