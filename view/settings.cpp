@@ -43,7 +43,11 @@ public:
         const QMutexLocker locker(&m_mutex);
         return m_known[key] = found;
     }
-    void finish() { m_last.waitForFinished(); }
+    void finish() {
+        m_last.waitForFinished();
+        const QMutexLocker locker(&m_mutex);
+        m_known.clear();
+    }
 
 private:
     using Values = QHash<QString, std::pair<QVariant, int>>; // with the number of the call

@@ -34,6 +34,10 @@ void SettingsTest::whatIsStoredIsFound() {
     QVERIFY(!QSettings().contains(QStringLiteral("c3")));
     QSettings().setValue(QStringLiteral("a/b"), 5); // as another process does
     QCOMPARE(view::stored(QStringLiteral("a/b")).toInt(), 5);
+    view::finishStoring();
+    QSettings().clear();
+    view::store(QStringLiteral("other"), 1);
+    QCOMPARE(view::stored(QStringLiteral("a/b"), 7).toInt(), 7);
 }
 
 // Somebody holds the lock without which the file is not written.
