@@ -382,38 +382,62 @@ int SvgLevels::deepest() const {
     return int(tooMany - m_references.begin()) - 1;
 }
 
+// Of the bars under `drawn` from the attractor under `map`: along the line that the map keeps by what the
+// shadow leaves open, across it by half a bar and half the attractor's thickness.
+double SvgLevels::shadowError(const Shadow& shadow, const ifs::AffineMap<2>& drawn,
+                              const ifs::AffineMap<2>& map) const {
+    const ifs::Vector<2> side = shadow.bars.front()[3] - shadow.bars.front()[0];
+    const ifs::Vector<2> across = side.normalized();
+    const ifs::Vector<2> along(across.y(), -across.x());
+    return ((drawn.linear - map.linear) * along).norm() * m_diameter +
+           2 * (drawn.linear * along).norm() * shadow.detail + (drawn.linear * side).norm() / 2 +
+           (map.linear * across).norm() * m_diameter;
+}
+
 SvgLevels::Deviation SvgLevels::deviation(int depth) const {
     struct Part {
         ifs::Matrix<2> linear;
         int level;
+        std::optional<std::size_t> shadow;
         double shift; // of its points, by thickening, in pixels
     };
     Deviation result;
     const double diameter = diameterOf(pushedOut(m_hull, margin(depth)));
     const double area = areaOf(outline(depth));
-    std::vector<std::vector<std::pair<ifs::AffineMap<2>, double>>> maps; // with their shifts, by level
-    for (int level = 0; level <= depth; ++level) {
-        auto& row = maps.emplace_back();
-        for (std::size_t i = 0; i < m_maps.size(); ++i) {
-            const ifs::AffineMap<2> drawn = map(i, level, depth);
-            row.emplace_back(drawn, shiftBetween(drawn, m_maps[i]));
-        }
-    }
-    const auto inside = [&](const Part& part, std::size_t i) {
-        const auto& [map, shift] = maps[std::size_t(part.level)][i];
-        return Part{part.linear * map.linear, below(part.level, i),
-                    part.shift + ifs::spectralNorm<2>(part.linear) * shift};
+    const auto step = [&](std::size_t i, int level) {
+        const Copy drawn = copy(i, level, depth);
+        const double shift = drawn.shadow ? shadowError(*m_shadows[i], drawn.map, m_maps[i])
+                                          : shiftBetween(drawn.map, m_maps[i]);
+        return Part{drawn.map.linear, drawn.level, drawn.shadow, shift};
     };
+    const auto inside = [](const Part& outer, const Part& inner) {
+        return Part{outer.linear * inner.linear, inner.level, inner.shadow,
+                    outer.shift + ifs::spectralNorm<2>(outer.linear) * inner.shift};
+    };
+    std::vector<std::vector<Part>> steps(1); // by level
+    for (int level = 1; level <= depth; ++level) {
+        steps.emplace_back();
+        for (std::size_t i = 0; i < m_maps.size(); ++i)
+            steps.back().push_back(step(i, level));
+    }
     std::vector<Part> open;
     for (const auto& [word, change] : pieces()) {
-        Part part{m_display.linear * change.linear, depth, m_displayShift};
+        Part part{m_display.linear * change.linear, depth, {}, m_displayShift};
         for (const int symbol : word)
-            part = inside(part, std::size_t(symbol));
+            part = inside(part, step(std::size_t(symbol), part.level));
         open.push_back(part);
     }
-    while (!open.empty()) {
+    for (std::uint64_t parts = 0; !open.empty(); ++parts) {
+        if (parts > 2 * mostReferences) {
+            result.copy = result.all = HUGE_VAL;
+            return result;
+        }
         const Part part = open.back();
         open.pop_back();
+        if (part.shadow) { // shows all that there is, however deep the picture
+            result.all = std::max(result.all, part.shift);
+            continue;
+        }
         if (part.level == 0) {
             const double size = ifs::spectralNorm<2>(part.linear) * diameter;
             result.copy = std::max(result.copy, size);
@@ -423,8 +447,8 @@ SvgLevels::Deviation SvgLevels::deviation(int depth) const {
             result.all = std::max(result.all, size + longer + part.shift);
             continue;
         }
-        for (std::size_t i = 0; i < m_maps.size(); ++i)
-            open.push_back(inside(part, i));
+        for (const Part& inner : steps[std::size_t(part.level)])
+            open.push_back(inside(part, inner));
     }
     return result;
 }

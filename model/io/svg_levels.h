@@ -73,10 +73,12 @@ private:
     Shadow shadowOf(const ifs::AffineMap<2>& map) const;
     void countReferences();
     double shiftBetween(const ifs::AffineMap<2>& a, const ifs::AffineMap<2>& b) const; // of the attractor
+    double shadowError(const Shadow& shadow, const ifs::AffineMap<2>& drawn,
+                       const ifs::AffineMap<2>& map) const;
     struct Deviation {
         double copy = 0; // largest copy of level 0, in pixels
-        double all = 0;  // with what thickening adds
-        double area = 0; // of all copies, in pixels
+        double all = 0;  // with shadows and what thickening adds; infinite for too many copies to count
+        double area = 0; // of all copies of level 0, in pixels
         double length = 0;
     };
     Deviation deviation(int depth) const;

@@ -7,6 +7,7 @@
 #include "io/svg_system.h"
 #include "io/svg_writer.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QProcess>
 #include <QStandardPaths>
@@ -179,6 +180,7 @@ private slots:
     void noMatrixIsSingular();
     void singularMapsStayVisibleAtEveryDepth();
     void shadowsKeepTheirGaps();
+    void singularMapsCostNothingBelowThem();
     void thickeningKeepsTheCentre();
     void placementIsOneTransform();
     void mapsGiveColoursToTheTopLevel();
@@ -330,6 +332,28 @@ void SvgWriterTest::shadowsKeepTheirGaps() {
         QVERIFY(inside);
     }
     QVERIFY(std::ranges::all_of(used, std::identity()));
+}
+
+// Their bars are all that is drawn at every depth: two copies, whose error stays.
+void SvgWriterTest::singularMapsCostNothingBelowThem() {
+    const document::Fractal fractal = fractalOf(
+        {ifs::affineMap(-.169, .104, 0, 0, 1.35, -.963), ifs::affineMap(-.401, .217, 0, 0, 1.44, -1.07)});
+    const attractor::Camera camera = cameraFor(fractal);
+    const auto levels = SvgLevels::of(*document::system2(fractal), worldToPixel(camera));
+    QElapsedTimer clock;
+    clock.start();
+    const SvgPicture picture = svgPicture(fractal, camera, {150, CageVisibility::Hidden});
+    QCOMPARE(picture.plan.depth, 150);
+    QCOMPARE(picture.plan.references, 2u);
+    const double error = picture.plan.errorInPixels;
+    QVERIFY2(error > 0.5 && error < 3, qPrintable(QString::number(error)));
+    QVERIFY(std::abs(levels->error(1) - error) < 0.1);
+    QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));
+    // A depth that nothing can be drawn at has no bound, and is told so at once.
+    const document::Fractal triangle = fractalOf(canonical::sierpinskiRight());
+    const auto many = SvgLevels::of(*document::system2(triangle), worldToPixel(cameraFor(triangle)));
+    QVERIFY(std::isinf(many->error(SvgLevels::mostLevels)));
+    QVERIFY(std::isfinite(many->error(many->deepest())));
 }
 
 void SvgWriterTest::referencesAreCountedAndBounded() {
