@@ -10,19 +10,25 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
+#include <numbers>
 
 namespace io {
 
 namespace {
 
+constexpr double pi = std::numbers::pi;
 constexpr double thinnest = 1.2;     // of a copy by a singular map, in pixels: what is thinner is hardly seen
 constexpr double mostThinness = 0.5; // that a map is raised to, however small its copies are
-constexpr double hullTolerance = 2e-3; // of the radius
-constexpr double singular = 0.1;       // a larger least singular value is never raised
-constexpr double shadowDetail = 0.5;   // of what a singular map shows, in pixels
-constexpr double widening = 0.4;       // of the smallest copies on every side, in pixels
-constexpr double mostWidening = 0.6;   // as a share of their size
-constexpr double faint = 0.15;         // mean thickness of copies, in pixels
+constexpr double hullTolerance = 2e-3;   // of the radius
+constexpr double singular = 0.1;         // a larger least singular value is never raised
+constexpr double shadowDetail = 0.5;     // of what a singular map shows, in pixels
+constexpr double widening = 0.4;         // of the smallest copies on every side, in pixels
+constexpr double mostWidening = 0.6;     // as a share of their size
+constexpr double faint = 0.15;           // mean thickness of copies, in pixels
+constexpr double largestFaint = 3;       // size of copies that are kept larger so as not to fade, in pixels
+constexpr std::size_t mostWords = 4000;  // of a picture that is written out word by word
+constexpr std::size_t mostBars = 20'000; // of their shadows
 
 double diameterOf(const std::vector<ifs::Vector<2>>& points) {
     double longest = 0;
@@ -220,6 +226,7 @@ std::optional<SvgLevels> SvgLevels::of(const document::System2& system, const if
     levels.m_shrinkage = descent.shrinkage;
     levels.findFibre();
     levels.countReferences();
+    levels.findFaintLevel();
     return levels;
 }
 
@@ -236,11 +243,27 @@ void SvgLevels::thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs
     }
 }
 
-// As bars across the direction that the map keeps: thickened, they become bars of the same thickness.
+// Whether copies fade away unless they are larger than a few pixels: the picture is then written out.
+void SvgLevels::findFaintLevel() {
+    if (m_diameter < m_pixel) return;
+    const int level = levelFor(1, HUGE_VAL);
+    if (deviation(level).copy <= largestFaint || references(level + 1) > comfortableReferences) return;
+    writeOut();
+    if (!m_words.empty()) m_faintLevel = level + 1;
+}
+
+bool SvgLevels::isFaint(const Deviation& deviation) {
+    return deviation.area < faint * deviation.length;
+}
+
 SvgLevels::Shadow SvgLevels::shadowOf(const ifs::AffineMap<2>& map) const {
-    const ifs::Vector<2> along = longestDirection(map.linear);
-    const ifs::Vector<2> across = ifs::Vector<2>(-along.y(), along.x()) * (std::max(m_diameter, m_pixel) / 2);
     const double length = std::max(ifs::spectralNorm<2>(map.linear), m_thinness); // as it is drawn
+    return shadowAlong(longestDirection(map.linear), length);
+}
+
+// As bars across the direction that a map keeps: thickened, they become bars of the same thickness.
+SvgLevels::Shadow SvgLevels::shadowAlong(const ifs::Vector<2>& along, double length) const {
+    const ifs::Vector<2> across = ifs::Vector<2>(-along.y(), along.x()) * (std::max(m_diameter, m_pixel) / 2);
     double detail = std::max(shadowDetail * m_pixel / length, 2 * m_hullError);
     auto intervals = shadow(m_maps, m_hull, along, detail);
     while (!intervals)
@@ -253,6 +276,60 @@ SvgLevels::Shadow SvgLevels::shadowOf(const ifs::AffineMap<2>& map) const {
         result.bars.push_back({from - across, to - across, to + across, from + across});
     }
     return result;
+}
+
+// Every copy by its own matrix, as large as it can be while it is thinner than can be seen: it shows the
+// attractor flat along the direction that its word keeps, rounded to what half a pixel tells apart, so that
+// words share shadows. Nothing when that would be a large file.
+void SvgLevels::writeOut() {
+    const std::size_t ofMaps = m_shadows.size();
+    std::map<std::pair<int, int>, std::size_t> known; // by size and direction
+    std::size_t bars = 0;
+    const auto shadowFor = [&](const ifs::Matrix<2>& linear, double length) {
+        const int size = int(std::ceil(std::log2(std::max(length / m_thinness, 1.0))));
+        const double longest = m_thinness * std::exp2(size);
+        const double turns = std::ceil(pi * longest * m_diameter / m_pixel);
+        const ifs::Vector<2> along = longestDirection(linear);
+        const double turn = std::round(std::atan2(along.y(), along.x()) / pi * turns);
+        const auto [place, isNew] =
+            known.emplace(std::pair(size, int(std::fmod(turn + turns, turns))), m_shadows.size());
+        if (isNew) {
+            const double angle = turn * pi / turns;
+            m_shadows.push_back(shadowAlong({std::cos(angle), std::sin(angle)}, longest));
+            bars += m_shadows.back()->bars.size();
+        }
+        return place->second;
+    };
+    std::vector<Word> open;
+    const auto add = [&](const ifs::AffineMap<2>& map, std::optional<std::size_t> first) {
+        const double length = ifs::spectralNorm<2>(map.linear);
+        const bool isDot = length < m_thinness / 2;
+        Word word{
+            {thickened(map, m_centre, isDot ? std::max(length, m_thinness / 4) : m_thinness), 0, {}, first},
+            map};
+        const bool isThick = !isDot && word.copy.map == map;
+        if (!isDot && !isThick) word.copy.shadow = shadowFor(map.linear, length);
+        (isThick ? open : m_words).push_back(word);
+    };
+    for (const auto& [branch, change] : ifs::pieces<2>(m_moved, m_maps.size())) {
+        ifs::AffineMap<2> map = change;
+        for (const int symbol : branch)
+            map = map * m_maps[std::size_t(symbol)];
+        add(map, branch.empty() ? std::nullopt : std::optional(std::size_t(branch.front())));
+    }
+    while (!open.empty()) {
+        if (open.size() + m_words.size() > mostWords || bars > mostBars) {
+            m_words.clear();
+            m_shadows.resize(ofMaps);
+            return;
+        }
+        const Word outer = open.back();
+        open.pop_back();
+        for (std::size_t i = 0; i < m_maps.size(); ++i)
+            add(outer.map * m_maps[i], outer.copy.first.value_or(i));
+    }
+    std::stable_sort(m_words.begin(), m_words.end(),
+                     [](const Word& a, const Word& b) { return a.copy.first < b.copy.first; });
 }
 
 double SvgLevels::shiftBetween(const ifs::AffineMap<2>& a, const ifs::AffineMap<2>& b) const {
@@ -292,6 +369,11 @@ std::vector<ifs::MovedBranch<2>> SvgLevels::pieces() const {
 
 std::vector<SvgLevels::Copy> SvgLevels::picture(int depth) const {
     std::vector<Copy> result;
+    if (depth >= m_faintLevel) {
+        for (const Word& word : m_words)
+            result.push_back(word.copy);
+        return result;
+    }
     for (const auto& [word, change] : pieces()) {
         Copy piece{change, depth, {}, {}};
         for (const int symbol : word) {
@@ -345,11 +427,13 @@ void SvgLevels::findFibre() {
 
 ifs::Vector<2> SvgLevels::fibre(int depth) const {
     constexpr double longest = 1e6; // of the picture
+    if (depth >= m_faintLevel) return ifs::Vector<2>::Zero();
     return m_fibre * std::min(widening * m_pixel * std::exp(m_fibreShrinkage * depth), longest * m_diameter);
 }
 
 double SvgLevels::margin(int depth) const {
     if (m_diameter < m_pixel) return m_hullError + thinnest / 2 * m_pixel; // a dot
+    if (depth >= m_faintLevel) return m_hullError + mostWidening * m_diameter;
     const double smallest = widening * m_pixel * std::exp(m_shrinkage * depth);
     return m_hullError + std::min(smallest, std::max(mostWidening * m_diameter, widening * m_pixel));
 }
@@ -370,6 +454,7 @@ int SvgLevels::below(int level, std::size_t map) const {
 
 std::uint64_t SvgLevels::references(int level) const {
     const int depth = std::clamp(level, 0, mostLevels);
+    if (depth >= m_faintLevel) return m_words.size();
     if (m_moved.empty()) return m_references[std::size_t(depth)];
     std::uint64_t sum = 0;
     for (const Copy& copy : picture(depth))
@@ -378,6 +463,7 @@ std::uint64_t SvgLevels::references(int level) const {
 }
 
 int SvgLevels::deepest() const {
+    if (m_faintLevel <= mostLevels) return mostLevels;
     const auto tooMany = std::find(m_references.begin(), m_references.end(), mostReferences);
     return int(tooMany - m_references.begin()) - 1;
 }
@@ -404,28 +490,34 @@ SvgLevels::Deviation SvgLevels::deviation(int depth) const {
     Deviation result;
     const double diameter = diameterOf(pushedOut(m_hull, margin(depth)));
     const double area = areaOf(outline(depth));
-    const auto step = [&](std::size_t i, int level) {
-        const Copy drawn = copy(i, level, depth);
-        const double shift = drawn.shadow ? shadowError(*m_shadows[i], drawn.map, m_maps[i])
-                                          : shiftBetween(drawn.map, m_maps[i]);
-        return Part{drawn.map.linear, drawn.level, drawn.shadow, shift};
+    const auto step = [&](const Copy& copy, const ifs::AffineMap<2>& map) {
+        const double shift =
+            copy.shadow ? shadowError(*m_shadows[*copy.shadow], copy.map, map) : shiftBetween(copy.map, map);
+        return Part{copy.map.linear, copy.level, copy.shadow, shift};
     };
     const auto inside = [](const Part& outer, const Part& inner) {
         return Part{outer.linear * inner.linear, inner.level, inner.shadow,
                     outer.shift + ifs::spectralNorm<2>(outer.linear) * inner.shift};
     };
-    std::vector<std::vector<Part>> steps(1); // by level
-    for (int level = 1; level <= depth; ++level) {
-        steps.emplace_back();
-        for (std::size_t i = 0; i < m_maps.size(); ++i)
-            steps.back().push_back(step(i, level));
-    }
     std::vector<Part> open;
-    for (const auto& [word, change] : pieces()) {
-        Part part{m_display.linear * change.linear, depth, {}, m_displayShift};
-        for (const int symbol : word)
-            part = inside(part, step(std::size_t(symbol), part.level));
-        open.push_back(part);
+    std::vector<std::vector<Part>> steps(1); // by level
+    if (depth >= m_faintLevel) {
+        for (const Word& word : m_words)
+            open.push_back(inside({m_display.linear, 0, {}, m_displayShift}, step(word.copy, word.map)));
+    } else {
+        for (int level = 1; level <= depth; ++level) {
+            steps.emplace_back();
+            for (std::size_t i = 0; i < m_maps.size(); ++i)
+                steps.back().push_back(step(copy(i, level, depth), m_maps[i]));
+        }
+        for (const auto& [word, change] : pieces()) {
+            Part part{m_display.linear * change.linear, depth, {}, m_displayShift};
+            for (const int symbol : word) {
+                const auto i = std::size_t(symbol);
+                part = inside(part, step(copy(i, part.level, depth), m_maps[i]));
+            }
+            open.push_back(part);
+        }
     }
     for (std::uint64_t parts = 0; !open.empty(); ++parts) {
         if (parts > 2 * mostReferences) {
@@ -458,14 +550,20 @@ double SvgLevels::error(int depth) const {
 }
 
 int SvgLevels::levelFor(double wanted) const {
+    return levelFor(wanted, largestFaint);
+}
+
+int SvgLevels::levelFor(double wanted, double largest) const {
     int level = 0;
     if (m_diameter < m_pixel) return level;
-    while (references(level + 1) <= comfortableReferences && deviation(level).copy > wanted)
+    while (level < mostLevels && references(level + 1) <= comfortableReferences &&
+           deviation(level).copy > wanted) {
         ++level;
+        if (level >= m_faintLevel) return level; // and none below it shows more
+    }
     // Copies that have become thin as well fade away: larger ones say less exactly where something is, but
     // that it is.
-    const auto isFaint = [](const Deviation& deviation) { return deviation.area < faint * deviation.length; };
-    while (level > 0 && isFaint(deviation(level)))
+    while (level > 0 && isFaint(deviation(level)) && deviation(level - 1).copy <= largest)
         --level;
     return level;
 }

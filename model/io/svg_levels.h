@@ -16,7 +16,8 @@ ifs::AffineMap<2> thickened(const ifs::AffineMap<2>& map, const ifs::Vector<2>& 
 
 // How a picture of an attractor is put together from copies of itself. Level 0 is an outline around the
 // attractor; level k is, for every map, a copy of the level that lies below k by as many steps as the map
-// shrinks, so that the copies of level 0 that end up in the picture have about the same size.
+// shrinks, so that the copies of level 0 that end up in the picture have about the same size. Where these
+// would be too thin to be seen, the picture is made of shadows of the attractor instead.
 class SvgLevels {
 public:
     static constexpr std::uint64_t mostReferences = 400'000;
@@ -65,12 +66,16 @@ public:
     int levelFor(double error) const;
 
 private:
-    int below(int level, std::size_t map) const; // the level of which `map` makes a copy for `level`
+    int levelFor(double error, double largest) const; // no copy is kept larger so as not to fade
+    int below(int level, std::size_t map) const;      // the level of which `map` makes a copy for `level`
     ifs::AffineMap<2> map(std::size_t i, int level, int depth) const; // by which it makes that copy
     std::vector<ifs::MovedBranch<2>> pieces() const; // over the active maps; none is singular
     void findFibre();
     void thickenAll(const std::vector<ifs::AffineMap<2>>& maps, const ifs::AffineMap<2>& display);
     Shadow shadowOf(const ifs::AffineMap<2>& map) const;
+    Shadow shadowAlong(const ifs::Vector<2>& along, double length) const;
+    void findFaintLevel();
+    void writeOut();
     void countReferences();
     double shiftBetween(const ifs::AffineMap<2>& a, const ifs::AffineMap<2>& b) const; // of the attractor
     double shadowError(const Shadow& shadow, const ifs::AffineMap<2>& drawn,
@@ -82,6 +87,7 @@ private:
         double length = 0;
     };
     Deviation deviation(int depth) const;
+    static bool isFaint(const Deviation& deviation);
     double margin(int depth) const;        // between the hull and the outline
     ifs::Vector<2> fibre(int depth) const; // by which the outline is longer at both ends
 
@@ -91,7 +97,15 @@ private:
     double m_pixel = 1;    // in the code's units
     ifs::Vector<2> m_centre = ifs::Vector<2>::Zero();
     std::vector<ifs::AffineMap<2>> m_maps;        // as they are
-    std::vector<std::optional<Shadow>> m_shadows; // of the singular maps
+    std::vector<std::optional<Shadow>> m_shadows; // of the singular maps, by map; then of words
+    // From this depth on copies would fade away, and the picture is made of these words instead, as dots and
+    // as shadows thick enough to be seen.
+    int m_faintLevel = mostLevels + 1;
+    struct Word {
+        Copy copy;
+        ifs::AffineMap<2> map; // the product that the copy stands for
+    };
+    std::vector<Word> m_words;
     double m_thinness = 0; // that a singular map is raised to, as a copy of the whole picture
     // The direction that all maps keep and shrink the most, as those of a curve over an axis do: copies
     // become thin along it alone, and one may be made longer there without reaching aside.

@@ -176,24 +176,33 @@ private:
     static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
     static QString shadowId(std::size_t i) { return QStringLiteral("shadow-%1").arg(i + 1); }
 
-    // The levels that the picture needs.
-    static std::set<int> usedLevels(const SvgLevels& levels, int depth) {
-        std::set<int> used;
+    // What the picture needs.
+    struct Used {
+        std::set<int> levels;
+        std::set<std::size_t> shadows;
+    };
+    static Used usedIn(const SvgLevels& levels, int depth) {
+        Used used;
         const auto use = [&](const std::vector<SvgLevels::Copy>& copies) {
-            for (const SvgLevels::Copy& copy : copies)
-                if (!copy.shadow) used.insert(copy.level);
+            for (const SvgLevels::Copy& copy : copies) {
+                if (copy.shadow)
+                    used.shadows.insert(*copy.shadow);
+                else
+                    used.levels.insert(copy.level);
+            }
         };
         use(levels.picture(depth));
-        for (auto level = used.rbegin(); level != used.rend() && *level > 0; ++level)
+        for (auto level = used.levels.rbegin(); level != used.levels.rend() && *level > 0; ++level)
             use(levels.copies(*level, depth));
         return used;
     }
 
     void writeDefinitions(const SvgLevels& levels, int depth) {
         startElement("defs");
-        for (std::size_t i = 0; depth > 0 && i < levels.index().size(); ++i)
-            if (const auto& shadow = levels.shadowOf(i)) writeShadow(i, *shadow);
-        for (const int level : usedLevels(levels, depth)) {
+        const Used used = usedIn(levels, depth);
+        for (const std::size_t i : used.shadows)
+            writeShadow(i, *levels.shadowOf(i));
+        for (const int level : used.levels) {
             if (level == 0) {
                 m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
                 attribute("id", levelId(0));

@@ -365,7 +365,7 @@ void SvgWriterTest::referencesAreCountedAndBounded() {
     const auto counted =
         expand(parsed(picture.bytes), QStringLiteral("attractor"), {}, [](const ifs::AffineMap<2>&) {});
     QCOMPARE(counted, picture.plan.references);
-    const auto levels = SvgLevels::of(*document::system2(fractal), {});
+    const auto levels = SvgLevels::of(*document::system2(fractal), worldToPixel(cameraFor(fractal)));
     QCOMPARE(levels->references(levels->deepest() + 1), SvgLevels::mostReferences);
 }
 
@@ -588,7 +588,7 @@ void SvgWriterTest::looksLikeTheRendering() {
 // Points, copies that are thin in both directions, and curves over an axis, whose copies are thin in one.
 void SvgWriterTest::thinPicturesLookLikeTheRendering_data() {
     QTest::addColumn<int>("index");
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 10; ++i)
         QTest::addRow("%d", i) << i;
 }
 
@@ -604,8 +604,22 @@ void SvgWriterTest::thinPicturesLookLikeTheRendering() {
         // The parabola y = x(1 − x), and Takagi's function.
         {ifs::affineMap(.5, 0, .25, .25, 0, 0), ifs::affineMap(.5, 0, -.25, .25, .5, .25)},
         {ifs::affineMap(.5, 0, .5, .5, 0, 0), ifs::affineMap(.5, 0, -.5, .5, .5, .5)},
+        // Copies that become thin in directions of their own long before they are small.
+        {ifs::affineMap(-.169, .104, 0, 0, 1.35, -.963), ifs::affineMap(-.401, .217, 0, 0, 1.44, -1.07)},
+        {ifs::affineMap(-.29162, .202607, -.407927, .241756, 1.195094, .507223),
+         ifs::affineMap(.287476, -.190696, 0, 0, .402597, 1.694427)},
+        {ifs::affineMap(.5, -.0489, -.275, -.493, -1.24, 1.23),
+         ifs::affineMap(.116, -.0787, .0184, .455, .537, -.838),
+         ifs::affineMap(-.604, -.0867, -.3, -.0294, 1.33, .491)},
     };
-    compareWithTheRendering(fractalOf(systems[index]));
+    document::Fractal fractal = fractalOf(systems[index]);
+    // So that every part has points that are seen.
+    document::System2 system;
+    for (const auto& map : systems[index])
+        ifs::append(system, map, 1.0);
+    if (index >= 7) fractal.system = system;
+    if (index >= 7) fractal.appearance.brightness = 1000;
+    compareWithTheRendering(fractal);
 }
 
 // Also a branch that ends with a singular map, and one that goes on after it.
