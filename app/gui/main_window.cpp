@@ -450,6 +450,7 @@ void MainWindow::restoreLayout() {
     if (const QWidget* other = QApplication::activeWindow(); other && other->pos() == pos())
         move(pos() + QPoint(cascade, cascade)); // both are to be seen
     restoreState(view::stored(QStringLiteral("window/state")).toByteArray());
+    if (!toolBarBreak(m_branchBar)) insertToolBarBreak(m_branchBar); // as earlier versions left it
 }
 
 // The desktop, too, may fill the screen with the window.

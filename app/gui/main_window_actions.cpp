@@ -387,6 +387,7 @@ void MainWindow::createBranchBar() {
     m_branchBar->setMovable(false);
     m_branchBar->addWidget(new view::BranchBar(&m_document, m_canvas));
     m_branchBar->toggleViewAction()->setVisible(false); // it comes and goes with the tools
+    addToolBarBreak(Qt::BottomToolBarArea); // side by side the two bars would widen a small window
     addToolBar(Qt::BottomToolBarArea, m_branchBar);
     connect(m_canvas, &view::CanvasView::toolChanged, m_branchBar, [this](view::CanvasView::Tool tool) {
         m_branchBar->setVisible(tool == view::CanvasView::Tool::Maps ||

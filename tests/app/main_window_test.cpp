@@ -69,6 +69,8 @@ private slots:
     void cageCommandsAreOfferedWhereTheyDoSomething();
     void namesOfPanelsAreSeenWhole_data();
     void namesOfPanelsAreSeenWhole();
+    void barsFitASmallWindow_data() { namesOfPanelsAreSeenWhole_data(); }
+    void barsFitASmallWindow();
 
 private:
     static QList<MainWindow*> windows() { return session::windows(); }
@@ -622,6 +624,39 @@ void MainWindowTest::namesOfPanelsAreSeenWhole() {
     QCOMPARE(names, 5);
     const int half = window->findChild<view::CanvasView*>()->width() * 100 / 46;
     QVERIFY2(half >= window->width(), "the panels are too wide in this language");
+}
+
+// Both under the canvas, and with branches to put back; also where the layout of an earlier version, which
+// had them side by side, comes back.
+void MainWindowTest::barsFitASmallWindow() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    QSettings().clear();
+    for (int run = 0; run < 2; ++run) {
+        MainWindow* window = shown({});
+        window->openFirstPicture();
+        QVERIFY(QTest::qWaitForWindowExposed(window));
+        window->resize(800, 600);
+        document::Fractal fractal = window->document().fractal();
+        const ifs::MapId first = document::system2(fractal)->maps.front().id;
+        fractal.moved.push_back({{first, first}, ifs::affineMap(1, 0, 0, 1, 0.1, 0)});
+        window->document().edit(QStringLiteral("move"), fractal);
+        window->findChild<view::CanvasView*>()->setTool(view::CanvasView::Tool::Branch);
+        auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
+        auto* branches = window->findChild<QToolBar*>(QStringLiteral("branches"));
+        arising->show();
+        QTRY_VERIFY(branches->isVisible() && branches->y() != arising->y());
+        QCOMPARE(window->width(), 800);
+        for (const QToolBar* bar : {arising, branches})
+            QVERIFY(bar->minimumSizeHint().width() < 700); // letters are larger elsewhere
+        window->removeToolBarBreak(branches);
+        window->document().undoStack()->setClean();
+        window->close();
+        QTRY_VERIFY(windows().isEmpty());
+    }
+    QSettings().clear();
 }
 
 QTEST_MAIN(MainWindowTest)

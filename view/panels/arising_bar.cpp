@@ -22,6 +22,8 @@ namespace {
 
 using Mode = Arising::Mode;
 
+constexpr int fewLetters = 18; // of a count, in a narrow window
+
 QString superscript(int n) {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
     QString text;
@@ -87,6 +89,7 @@ QWidget* ArisingBar::makeSteps() {
     m_steps->setTickInterval(1);
     m_steps->setMaximumWidth(360);
     m_copies = new QLabel(page);
+    m_copies->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     auto* layout = new QHBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(12);
@@ -109,6 +112,7 @@ QWidget* ArisingBar::makeChaosGame() {
         m_speed->addItem(tr("%1 a second").arg(groupedNumber(speed)), double(speed));
     m_speed->setCurrentIndex(m_speed->findData(m_arising->speed()));
     m_count = new QLabel(page);
+    m_count->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     auto* layout = new QHBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);

@@ -22,7 +22,8 @@ namespace view {
 
 namespace {
 
-constexpr int farthest = 90; // degrees either way
+constexpr int farthest = 90;   // degrees either way
+constexpr int fewLetters = 18; // of what is chosen, in a narrow window
 
 } // namespace
 
@@ -74,6 +75,8 @@ QWidget* BranchBar::makeBranch() {
                            "other scales."),
                         Qt::ToolTipRole);
     m_edit->setAccessibleName(tr("What changing the branch changes"));
+    for (QWidget* yields : {static_cast<QWidget*>(m_edit), static_cast<QWidget*>(m_address)})
+        yields->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     m_putBack = new QPushButton(row);
     editLabel->setBuddy(m_edit);
     auto* layout = new QHBoxLayout(row);
