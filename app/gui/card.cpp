@@ -2,6 +2,7 @@
 #include "card.h"
 
 #include <QAccessible>
+#include <QBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMainWindow>
@@ -11,7 +12,6 @@
 
 Card::Card(QMainWindow* host) : QFrame(host), m_host(host) {
     setAttribute(Qt::WA_DeleteOnClose);
-    setFixedWidth(cardWidth);
     m_settling.setSingleShot(true);
     m_settling.setInterval(0);
     connect(&m_settling, &QTimer::timeout, this, &Card::place);
@@ -25,6 +25,11 @@ QLabel* Card::createTitle() {
     bold.setPointSizeF(bold.pointSizeF() * 1.15);
     title->setFont(bold);
     return title;
+}
+
+QBoxLayout* Card::createButtons() {
+    m_buttons = new QBoxLayout(QBoxLayout::LeftToRight);
+    return m_buttons;
 }
 
 void Card::follow(QWidget* widget) {
@@ -53,7 +58,14 @@ QPoint Card::corner() {
 }
 
 void Card::place() {
-    resize(cardWidth, std::max(heightForWidth(cardWidth), sizeHint().height()));
+    const int width = std::min(cardWidth, room().width() - 2 * margin);
+    if (m_buttons) {
+        m_buttons->setDirection(QBoxLayout::LeftToRight);
+        if (m_buttons->minimumSize().width() > width - 2 * margin)
+            m_buttons->setDirection(QBoxLayout::TopToBottom);
+    }
+    setFixedWidth(width);
+    resize(width, std::max(heightForWidth(width), minimumSizeHint().height()));
     const QPoint at = corner();
     move(std::max(0, at.x()), std::max(0, at.y()));
     raise();

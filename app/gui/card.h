@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <QTimer>
 
+class QBoxLayout;
 class QLabel;
 class QMainWindow;
 
@@ -26,6 +27,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
     QLabel* createTitle();
+    QBoxLayout* createButtons();  // beside each other where there is room, else below
     void follow(QWidget* widget); // is placed again when the widget moves
     void unfollow(QWidget* widget);
     void appear(const QString& announcement); // once panels and bars have found their places
@@ -37,6 +39,6 @@ private:
     void place();
 
     QMainWindow* m_host;
-
+    QBoxLayout* m_buttons = nullptr;
     QTimer m_settling;
 };

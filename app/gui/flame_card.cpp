@@ -30,7 +30,7 @@ FlameCard::FlameCard(MainWindow* host, const QList<document::EntryId>& flames) :
     written->setWhatsThis(tr("Takes the numbers of the flames as they are in the text. The picture is then "
                              "upside down."));
     auto* close = new QPushButton(tr("Close"), this);
-    auto* buttons = new QHBoxLayout;
+    QBoxLayout* buttons = createButtons();
     buttons->addWidget(written);
     buttons->addStretch();
     buttons->addWidget(close);

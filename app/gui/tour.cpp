@@ -122,7 +122,7 @@ Tour::Tour(QMainWindow* host)
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
     head->addWidget(m_place);
-    auto* buttons = new QHBoxLayout;
+    QBoxLayout* buttons = createButtons();
     buttons->addWidget(m_close);
     buttons->addStretch();
     buttons->addWidget(m_back);
@@ -214,7 +214,7 @@ QPoint Tour::corner() {
     m_mark->raise();
     const QRect room = this->room();
     QPoint corner = room.topLeft() + QPoint(margin, margin);
-    if (pointed.left() >= room.right()) corner.setX(room.right() - margin - cardWidth);
+    if (pointed.left() >= room.right()) corner.setX(room.right() - margin - width());
     if (pointed.top() >= room.bottom() || m_target == host()->centralWidget())
         corner.setY(room.bottom() - noteRoom - height());
     return corner;

@@ -58,7 +58,7 @@ Welcome::Welcome(MainWindow* host) : Card(host) {
     auto* close = new QPushButton(tr("Close"), this);
     auto* collection = new QPushButton(tr("&Collection"), this);
     auto* open = new QPushButton(tr("&Open…"), this);
-    auto* buttons = new QHBoxLayout;
+    QBoxLayout* buttons = createButtons();
     buttons->setSpacing(margin / 2);
     buttons->addWidget(close);
     buttons->addStretch();
