@@ -7,6 +7,7 @@
 #include "plain_tip.h"
 #include "recent_files.h"
 
+#include <QAction>
 #include <QCommandLinkButton>
 #include <QDir>
 #include <QEvent>
@@ -14,6 +15,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabBar>
 
 namespace {
 
@@ -74,7 +76,14 @@ Welcome::Welcome(MainWindow* host) : Card(host) {
         this->close();
     });
     connect(&host->document(), &document::Document::changed, this, &QWidget::close);
-    if (auto* canvas = host->findChild<view::CanvasView*>()) follow(canvas->viewport());
+    for (const QAction* action : host->findChildren<QAction*>())
+        connect(action, &QAction::triggered, this, &QWidget::close);
+    for (const QTabBar* panels : host->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        connect(panels, &QTabBar::tabBarClicked, this, &QWidget::close);
+    if (auto* canvas = host->findChild<view::CanvasView*>()) {
+        connect(canvas, &view::CanvasView::toolChanged, this, &QWidget::close);
+        follow(canvas->viewport());
+    }
 }
 
 bool Welcome::eventFilter(QObject* watched, QEvent* event) {

@@ -6,7 +6,7 @@
 class MainWindow;
 
 // What one may want to go on with, in a window that opened nothing: the last files, another file, the
-// collection. Goes away with the first thing done to the picture.
+// collection. Goes away with the first thing done: a command, a tool, another panel, a press on the picture.
 class Welcome : public Card {
     Q_OBJECT
 

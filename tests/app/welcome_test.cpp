@@ -13,10 +13,13 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 
 #include <algorithm>
+#include <functional>
 
 // A window that opened nothing offers what was open before, and steps aside at the first thing done.
 class WelcomeTest : public WindowFixture {
@@ -79,6 +82,60 @@ private slots:
         QVERIFY(card());
         QTest::mouseClick(m_window->findChild<view::CanvasView*>()->viewport(), Qt::LeftButton, {}, {5, 5});
         QTRY_VERIFY(!card());
+    }
+
+    void whateverIsDoneClosesIt_data() {
+        QTest::addColumn<std::function<void(MainWindow&)>>("done");
+        using Done = std::function<void(MainWindow&)>;
+        const auto trigger = [](const QString& text) {
+            return Done([text](MainWindow& window) {
+                for (auto* action : window.findChildren<QAction*>())
+                    if (action->text() == text) action->trigger();
+            });
+        };
+        QTest::newRow("tour") << trigger(QStringLiteral("&Tour"));
+        QTest::newRow("command") << trigger(QStringLiteral("&Grid"));
+        QTest::newRow("bar") << trigger(QStringLiteral("&How It Arises"));
+        QTest::newRow("tool") << Done([](MainWindow& window) {
+            window.findChild<view::CanvasView*>()->setTool(view::CanvasView::Tool::Maps);
+        });
+        QTest::newRow("panel") << Done([](MainWindow& window) {
+            auto* panels = window.findChild<QTabBar*>({}, Qt::FindDirectChildrenOnly);
+            QVERIFY(panels);
+            QTest::mouseClick(panels, Qt::LeftButton, {}, panels->tabRect(1).center());
+        });
+    }
+
+    void whateverIsDoneClosesIt() {
+        QFETCH(std::function<void(MainWindow&)>, done);
+        Welcome::offer(m_window.get());
+        QTest::qWait(50);
+        QVERIFY(card());
+        done(*m_window);
+        QTRY_VERIFY(!card());
+    }
+
+    void itStaysOnASmallCanvas_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "es", "fr", "mk"})
+            QTest::newRow(language) << QString::fromLatin1(language);
+    }
+
+    void itStaysOnASmallCanvas() {
+        QFETCH(QString, language);
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+        QVERIFY(QCoreApplication::installTranslator(&translator));
+        m_window->resize(800, 600);
+        Welcome::offer(m_window.get());
+        const QWidget* canvas = m_window->centralWidget();
+        const auto room = [&] { return QRect(canvas->mapTo(m_window.get(), QPoint()), canvas->size()); };
+        QTRY_VERIFY(card()->width() < Card::cardWidth && room().contains(card()->geometry()));
+        QTest::qWait(20);
+        for (const auto* button : card()->findChildren<QPushButton*>())
+            QVERIFY2(card()->rect().contains(button->geometry()) &&
+                         button->width() >= button->minimumSizeHint().width(),
+                     qPrintable(button->text()));
     }
 
     void anEditClosesIt() {
