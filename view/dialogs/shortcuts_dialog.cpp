@@ -134,7 +134,8 @@ ShortcutsDialog::ShortcutsDialog(const QList<NamedAction>& actions, QWidget* par
                        style()->pixelMetric(QStyle::PM_ScrollBarExtent) +
                        style()->pixelMetric(QStyle::PM_LayoutLeftMargin) +
                        style()->pixelMetric(QStyle::PM_LayoutRightMargin);
-    resize(std::min(wanted, screen()->availableSize().width()), 640);
+    const QSize available = screen()->availableSize();
+    resize(std::min(wanted, available.width()), std::min(640, available.height() * 9 / 10)); // and its frame
     connect(search, &QLineEdit::textChanged, tree, [tree](const QString& text) { filter(tree, text); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
