@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/cage_actions.h"
+#include "canvas/vertex_dialog.h"
 #include "view/canvas_fixture.h"
 
 #include <QAccessible>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPointingDevice>
 #include <QPushButton>
@@ -610,6 +613,24 @@ private slots:
         QVERIFY(m_document->fractal().cage->current == m_document->fractal().cage->rest);
         QVERIFY(view::resetCage(*m_document).has_value()); // nothing to do, and it says so
         QCOMPARE(steps(), 3);
+    }
+
+    void whatIsWrongWithAVertexIsSeenWhole() {
+        view::VertexDialog dialog(m_document.get(), 0, nullptr);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QLabel* problem = nullptr;
+        for (auto* label : dialog.findChildren<QLabel*>())
+            if (label->wordWrap()) problem = label;
+        QVERIFY(problem);
+        auto* y = dialog.findChildren<QLineEdit*>().last();
+        y->setFocus();
+        y->selectAll();
+        QTest::keyClicks(y, QStringLiteral("abc"));
+        QVERIFY(problem->text().contains(QStringLiteral("abc")));
+        QTest::qWait(20);
+        QVERIFY(problem->height() >= problem->heightForWidth(problem->width()));
+        dialog.reject();
     }
 };
 

@@ -5,6 +5,7 @@
 #include "document/fractal.h"
 #include "io/number.h"
 #include "panels/number_text.h"
+#include "room_for_text.h"
 #include "whats_this.h"
 
 #include <QDialogButtonBox>
@@ -14,6 +15,12 @@
 #include <QPushButton>
 
 namespace view {
+
+namespace {
+
+constexpr int letters = 40; // beside each other: room for the title and for what is wrong
+
+} // namespace
 
 VertexDialog::VertexDialog(document::Document* document, int index, QWidget* parent)
     : QDialog(parent),
@@ -36,6 +43,7 @@ VertexDialog::VertexDialog(document::Document* document, int index, QWidget* par
         tr("A coordinate of the vertex, with a decimal point or comma. The picture follows as you type."));
     m_problem->setAccessibleName(tr("What is wrong with the numbers"));
     m_problem->setWordWrap(true);
+    setMinimumWidth(letters * fontMetrics().averageCharWidth());
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     m_accept = buttons->button(QDialogButtonBox::Ok);
@@ -60,6 +68,7 @@ void VertexDialog::follow() {
     m_problem->setText(x && y ? QString()
                               : tr("“%1” is not a number. Write it with a decimal point, for example -0.25.")
                                     .arg(x ? m_y->text() : m_x->text()));
+    growForText(*this);
     if (!x || !y || !m_gesture.isOpen()) return;
     document::Fractal fractal = m_gesture.before();
     ifs::ControlCage<2> cage = document::effectiveCage(fractal);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/preferences_dialog.h"
 
+#include "room_for_text.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -104,6 +106,7 @@ void PreferencesDialog::take() {
     chosen.quality = m_quality->currentData().toULongLong();
     chosen.reopen = m_reopen->isChecked();
     m_restart->setVisible(chosen.language != m_spoken);
+    growForText(*this);
     chosen.store();
     emit changed(chosen);
 }
