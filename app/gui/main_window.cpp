@@ -113,8 +113,7 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
     made->toggleViewAction()->setStatusTip(tr("Show or hide the panel “%1”").arg(title));
     // Behind another panel it would go on taking keys that nobody sees arrive.
     connect(made, &QDockWidget::visibilityChanged, this, [this, made](bool visible) {
-        const QWidget* focused = QApplication::focusWidget();
-        if (!visible && focused && made->isAncestorOf(focused)) m_canvas->setFocus();
+        if (!visible) takeFocusFrom(made);
     });
     return made;
 }
@@ -425,6 +424,11 @@ void MainWindow::fail(const QString& title, const QString& sentence) {
     });
     m_failures << box;
     if (m_failures.size() == 1) box->open();
+}
+
+void MainWindow::takeFocusFrom(const QWidget* hidden) {
+    const QWidget* focused = QApplication::focusWidget();
+    if (focused && hidden->isAncestorOf(focused)) m_canvas->setFocus();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

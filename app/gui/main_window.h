@@ -91,6 +91,7 @@ private:
     void say(const QString& sentence); // in the status bar, for a few seconds
     void fail(const QString& title, const QString& sentence);
     void restoreLayout();
+    void takeFocusFrom(const QWidget* hidden); // so that it does not go to any other field
     void makeRoomForPicture();
     void present(bool on); // the canvas alone on the screen, with the bar of its tool
 

@@ -375,6 +375,9 @@ QAction* MainWindow::createArisingBar() {
            "game"));
     m_viewMenu->addAction(shown);
     addAction(shown);
+    connect(bar, &QToolBar::visibilityChanged, this, [this, bar](bool visible) {
+        if (!visible) takeFocusFrom(bar);
+    });
     connect(shown, &QAction::toggled, m_arising, [this](bool on) {
         if (!on) m_arising->setMode(view::Arising::Mode::Density);
     });

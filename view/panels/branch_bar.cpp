@@ -5,6 +5,7 @@
 #include "canvas/canvas_scene.h"
 #include "document/addresses.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -126,8 +127,8 @@ QWidget* BranchBar::makeSwing() {
 }
 
 void BranchBar::follow() {
-    m_branchRow->setVisible(m_canvas->tool() == CanvasView::Tool::Branch);
-    m_swingRow->setVisible(m_canvas->tool() == CanvasView::Tool::Maps);
+    setShown(m_branchRow, m_canvas->tool() == CanvasView::Tool::Branch);
+    setShown(m_swingRow, m_canvas->tool() == CanvasView::Tool::Maps);
     const QSignalBlocker quiet(m_depth);
     m_depth->setValue(m_canvas->branchDepth());
     const ifs::Word& address = m_canvas->branchAddress();
@@ -142,10 +143,16 @@ void BranchBar::follow() {
     m_putBack->setText(isMoved ? tr("Put &Back") : tr("Put All &Back"));
     m_putBack->setToolTip(isMoved ? tr("Shows the branch where its maps put it")
                                   : tr("Shows every branch where its maps put it"));
-    m_putBack->setVisible(!fractal.moved.empty());
+    setShown(m_putBack, !fractal.moved.empty());
     const std::size_t selected = m_canvas->selectedMaps().size();
     m_swing->setEnabled(selected > 0);
     m_angle->setText(tr("%1°").arg(m_swing->value()));
+}
+
+void BranchBar::setShown(QWidget* part, bool visible) {
+    const QWidget* focused = QApplication::focusWidget();
+    if (!visible && focused && (part == focused || part->isAncestorOf(focused))) m_canvas->setFocus();
+    part->setVisible(visible);
 }
 
 ifs::Word BranchBar::branch() const {

@@ -34,8 +34,9 @@ private:
     QWidget* makeBranch();
     QWidget* makeSwing();
     void follow();
-    ifs::Word branch() const; // that is selected
-    void putBack();           // it, where it is moved; else all branches
+    void setShown(QWidget* part, bool visible); // the canvas takes the focus of what is hidden
+    ifs::Word branch() const;                   // that is selected
+    void putBack();                             // it, where it is moved; else all branches
     void swingTo(int degrees);
     void endSwing();
     void centre();
