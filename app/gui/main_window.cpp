@@ -88,6 +88,8 @@ MainWindow::MainWindow(QWidget* parent)
     explainPanels();
     createHelpActions();
     createToolBar();
+    for (QMenu* menu : {m_fileMenu, m_editMenu, m_cageMenu, m_viewMenu, m_helpMenu})
+        menu->setToolTipsVisible(true); // what is disabled says why
     connectDocument();
     view::explainByTips(this);
     restoreLayout();
@@ -111,6 +113,7 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
     addDockWidget(area, made);
     m_panelMenu->addAction(made->toggleViewAction());
     made->toggleViewAction()->setStatusTip(tr("Show or hide the panel “%1”").arg(title));
+    made->toggleViewAction()->setToolTip(made->toggleViewAction()->statusTip());
     // Behind another panel it would go on taking keys that nobody sees arrive.
     connect(made, &QDockWidget::visibilityChanged, this, [this, made](bool visible) {
         if (!visible) takeFocusFrom(made);

@@ -77,7 +77,7 @@ private:
     QAction* toggle(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
                     const QString& tip, const QString& setting, bool initially,
                     const std::function<void(bool)>& set);
-    // Where it would do nothing, it is disabled and its tool tip says why.
+    // Where it would do nothing, it is disabled, and its tips and its key say why.
     void possibleUnless(QAction* action, QString (*obstacle)(const document::Fractal&));
     QDockWidget* dock(QWidget* panel, const QString& title, const QString& id, Qt::DockWidgetArea area);
 

@@ -28,6 +28,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
+#include <QShortcut>
 #include <QToolBar>
 #include <QWhatsThis>
 
@@ -53,10 +54,16 @@ QAction* MainWindow::command(QMenu* menu, const QString& icon, const QString& te
 }
 
 void MainWindow::possibleUnless(QAction* action, QString (*obstacle)(const document::Fractal&)) {
-    const auto follow = [this, action, obstacle, tip = action->toolTip()] {
+    action->setWhatsThis(action->statusTip());
+    auto* asked = new QShortcut(action->shortcut(), this); // what is disabled has no key
+    connect(asked, &QShortcut::activated, this, [this, obstacle] { say(obstacle(m_document.fractal())); });
+    const auto follow = [this, action, asked, obstacle, tip = action->toolTip(),
+                         status = action->statusTip()] {
         const QString why = obstacle(m_document.fractal());
         action->setEnabled(why.isEmpty());
         action->setToolTip(why.isEmpty() ? tip : why);
+        action->setStatusTip(why.isEmpty() ? status : why);
+        asked->setEnabled(!why.isEmpty());
     };
     connect(&m_document, &document::Document::changed, action, follow);
     follow();
