@@ -189,7 +189,7 @@ void MainWindow::createEditActions() {
                               [this] { pickFrom(view::MutateDialog::Source::Current); });
     possibleUnless(transform, &view::planeObstacle);
     possibleUnless(mutate, &view::planeObstacle);
-    command(m_editMenu, {}, tr("Add &Random Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
+    command(m_editMenu, {}, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
             tr("Pick one of many fractals made by chance, and add it to the file"), [this] { addRandom(); });
     m_editMenu->addSeparator();
     toggle(m_editMenu, {}, tr("Allow Systems &without an Attractor"), {},
@@ -329,7 +329,7 @@ void MainWindow::createViewActions() {
     down->setCheckable(true);
     connect(down, &QAction::toggled, this,
             [this](bool on) { m_canvas->setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up); });
-    QAction* hide = action(m_viewMenu, QStringLiteral("hide"), tr("&Only the Picture"), QKeySequence(tr("H")),
+    QAction* hide = action(m_viewMenu, QStringLiteral("hide"), tr("Only the Pi&cture"), QKeySequence(tr("H")),
                            tr("Hide everything on the canvas but the picture"));
     hide->setCheckable(true);
     connect(hide, &QAction::toggled, this, [this](bool on) { m_canvas->setOverlaysVisible(!on); });

@@ -58,7 +58,7 @@ Welcome::Welcome(MainWindow* host) : Card(host) {
         layout->addWidget(file);
     }
     auto* close = new QPushButton(tr("Close"), this);
-    auto* collection = new QPushButton(tr("&Collection"), this);
+    auto* collection = new QPushButton(tr("Co&llection"), this);
     auto* open = new QPushButton(tr("&Open…"), this);
     QBoxLayout* buttons = createButtons();
     buttons->setSpacing(margin / 2);

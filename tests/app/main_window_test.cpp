@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "cage_edits.h"
 #include "canvas/canvas_view.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/paste_table_dialog.h"
 #include "dialogs/preferences_dialog.h"
 #include "flame_card.h"
 #include "main_window.h"
+#include "panels/branch_bar.h"
 #include "panels/entries_panel.h"
 #include "preferences.h"
 #include "recovery.h"
@@ -12,6 +14,7 @@
 #include "settings.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
+#include "welcome.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -22,6 +25,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QHash>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenuBar>
@@ -71,6 +75,9 @@ private slots:
     void namesOfPanelsAreSeenWhole();
     void barsFitASmallWindow_data() { namesOfPanelsAreSeenWhole_data(); }
     void barsFitASmallWindow();
+    void aBarThatGoesLeavesTheFocusToTheCanvas();
+    void menusHaveEveryLetterOnce();
+    void whatIsDisabledSaysWhy();
 
 private:
     static QList<MainWindow*> windows() { return session::windows(); }
@@ -657,6 +664,86 @@ void MainWindowTest::barsFitASmallWindow() {
         QTRY_VERIFY(windows().isEmpty());
     }
     QSettings().clear();
+}
+
+void MainWindowTest::aBarThatGoesLeavesTheFocusToTheCanvas() {
+    QSettings().clear();
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    auto* canvas = window->findChild<view::CanvasView*>();
+    auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
+    arising->toggleViewAction()->trigger();
+    for (auto* button : arising->findChildren<QAbstractButton*>())
+        if (button->isCheckable() && button->isVisible()) button->setFocus();
+    QVERIFY(arising->isAncestorOf(QApplication::focusWidget()));
+    arising->toggleViewAction()->trigger();
+    QVERIFY(canvas->hasFocus());
+
+    using Tool = view::CanvasView::Tool;
+    const auto* bar = window->findChild<view::BranchBar*>();
+    for (const Tool next : {Tool::Maps, Tool::Cage}) {
+        canvas->setTool(Tool::Branch);
+        bar->edit()->setFocus();
+        QVERIFY(bar->edit()->hasFocus());
+        canvas->setTool(next);
+        QVERIFY(canvas->hasFocus());
+    }
+}
+
+// Those of the bar are not taken by what stands beside the canvas, either.
+void MainWindowTest::menusHaveEveryLetterOnce() {
+    MainWindow* window = shown({});
+    const auto letter = [](const QString& text) { return QKeySequence::mnemonic(text).toString(); };
+    QList<const QWidget*> menus{window->menuBar()};
+    QSet<QString> ofTheBar;
+    for (const QAction* action : window->menuBar()->actions()) {
+        menus << action->menu();
+        ofTheBar << letter(action->text());
+    }
+    for (const QWidget* menu : menus) {
+        QSet<QString> taken;
+        for (const QAction* action : menu->actions()) {
+            const QString key = letter(action->text());
+            QVERIFY2(key.isEmpty() || !taken.contains(key), qPrintable(action->text()));
+            taken << key;
+        }
+    }
+    Welcome::offer(window);
+    for (const QWidget* part : {static_cast<const QWidget*>(window->findChild<Welcome*>()),
+                                static_cast<const QWidget*>(window->findChild<view::BranchBar*>())}) {
+        for (const auto* button : part->findChildren<QAbstractButton*>())
+            QVERIFY2(!ofTheBar.contains(letter(button->text())), qPrintable(button->text()));
+        for (const auto* label : part->findChildren<QLabel*>())
+            QVERIFY2(!ofTheBar.contains(letter(label->text())), qPrintable(label->text()));
+    }
+}
+
+void MainWindowTest::whatIsDisabledSaysWhy() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    QAction* bake = nullptr;
+    for (auto* action : window->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QStringLiteral("Ctrl+B"))) bake = action;
+    QVERIFY(bake && !bake->isEnabled());
+    const QString why = view::bakeObstacle(window->document().fractal());
+    QVERIFY(!why.isEmpty());
+    QCOMPARE(bake->statusTip(), why);
+    QCOMPARE(bake->toolTip(), why);
+    for (const QAction* menu : window->menuBar()->actions())
+        QVERIFY(menu->menu()->toolTipsVisible());
+    QTest::keyClick(window->findChild<view::CanvasView*>(), Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(window->statusBar()->currentMessage(), why);
+    // Once it can be done the key does it.
+    document::Fractal fractal = window->document().fractal();
+    fractal.cage = document::effectiveCage(fractal);
+    fractal.cage->current[0] += ifs::Vector<2>(1, 1);
+    window->document().edit(QStringLiteral("place"), fractal);
+    QVERIFY(bake->isEnabled() && bake->statusTip() != why);
+    QTest::keyClick(window->findChild<view::CanvasView*>(), Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(window->document().undoStack()->count(), 2);
+    window->document().undoStack()->setClean();
 }
 
 QTEST_MAIN(MainWindowTest)

@@ -59,7 +59,7 @@ QWidget* BranchBar::makeBranch() {
     m_address->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_address->setToolTip(
         tr("The address of the point clicked, outermost map first; the branch is what is bold"));
-    auto* editLabel = new QLabel(tr("&Change"), row);
+    auto* editLabel = new QLabel(tr("Chan&ge"), row);
     m_edit = new QComboBox(row);
     m_edit->addItem(tr("this branch, as a map of its own"));
     m_edit->setItemData(
