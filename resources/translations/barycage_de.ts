@@ -750,10 +750,6 @@
         <translation>Eine von vielen Abwandlungen dieses Fraktals wählen</translation>
     </message>
     <message>
-        <source>Add &amp;Random Fractal…</source>
-        <translation>Zu&amp;fälliges Fraktal hinzufügen…</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+M</source>
         <translation>Ctrl+Shift+M</translation>
     </message>
@@ -948,10 +944,6 @@
     <message>
         <source>Let y grow downwards, as in window coordinates</source>
         <translation>y nach unten wachsen lassen, wie in Fensterkoordinaten</translation>
-    </message>
-    <message>
-        <source>&amp;Only the Picture</source>
-        <translation>&amp;Nur das Bild</translation>
     </message>
     <message>
         <source>H</source>
@@ -1188,6 +1180,14 @@
     <message>
         <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
         <translation>Der Zeichenfläche den ganzen Bildschirm überlassen, etwa für einen Projektor; Esc bringt das Übrige zurück</translation>
+    </message>
+    <message>
+        <source>Add Ra&amp;ndom Fractal…</source>
+        <translation>Zu&amp;fälliges Fraktal hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Only the Pi&amp;cture</source>
+        <translation>&amp;Nur das Bild</translation>
     </message>
 </context>
 <context>
@@ -2343,10 +2343,6 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>&amp;Collection</source>
-        <translation>&amp;Sammlung</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
     </message>
@@ -2357,6 +2353,10 @@
     <message>
         <source>Begin with</source>
         <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <source>Co&amp;llection</source>
+        <translation>&amp;Sammlung</translation>
     </message>
 </context>
 <context>
@@ -2863,10 +2863,6 @@
         <translation>Die Adresse des angeklickten Punktes, äußerste Abbildung zuerst; der Ast ist, was fett ist</translation>
     </message>
     <message>
-        <source>&amp;Change</source>
-        <translation>Ä&amp;ndern</translation>
-    </message>
-    <message>
         <source>this branch, as a map of its own</source>
         <translation>diesen Ast, als eigene Abbildung</translation>
     </message>
@@ -2945,6 +2941,10 @@
     <message>
         <source>Put all branches back</source>
         <translation>Alle Äste zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge</source>
+        <translation>Ä&amp;ndern</translation>
     </message>
 </context>
 <context>

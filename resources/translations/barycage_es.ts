@@ -385,7 +385,7 @@
     </message>
     <message>
         <source>Leave &amp;y as it is written</source>
-        <translation>Dejar &amp;y como está escrita</translation>
+        <translation>&amp;Dejar y como está escrita</translation>
     </message>
     <message>
         <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
@@ -750,10 +750,6 @@
         <translation>Elegir una entre muchas variaciones de este fractal</translation>
     </message>
     <message>
-        <source>Add &amp;Random Fractal…</source>
-        <translation>Añadir un fractal al &amp;azar…</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+M</source>
         <translation>Ctrl+Shift+M</translation>
     </message>
@@ -948,10 +944,6 @@
     <message>
         <source>Let y grow downwards, as in window coordinates</source>
         <translation>Hacer que y crezca hacia abajo, como en las coordenadas de una ventana</translation>
-    </message>
-    <message>
-        <source>&amp;Only the Picture</source>
-        <translation>&amp;Solo la imagen</translation>
     </message>
     <message>
         <source>H</source>
@@ -1188,6 +1180,14 @@
     <message>
         <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
         <translation>Dejar toda la pantalla al lienzo, por ejemplo para un proyector; Esc devuelve lo demás</translation>
+    </message>
+    <message>
+        <source>Add Ra&amp;ndom Fractal…</source>
+        <translation>Añadir un fractal al &amp;azar…</translation>
+    </message>
+    <message>
+        <source>Only the Pi&amp;cture</source>
+        <translation>&amp;Solo la imagen</translation>
     </message>
 </context>
 <context>
@@ -2285,7 +2285,7 @@
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation>&amp;Atrás</translation>
+        <translation>At&amp;rás</translation>
     </message>
     <message>
         <source>Tour</source>
@@ -2305,7 +2305,7 @@
     </message>
     <message>
         <source>&amp;Start the Tour</source>
-        <translation>&amp;Empezar el recorrido</translation>
+        <translation>Empezar el re&amp;corrido</translation>
     </message>
     <message>
         <source>&amp;Done</source>
@@ -2343,12 +2343,8 @@
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>&amp;Collection</source>
-        <translation>&amp;Colección</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
-        <translation>&amp;Abrir…</translation>
+        <translation>A&amp;brir…</translation>
     </message>
     <message>
         <source>A file, or the collection.</source>
@@ -2357,6 +2353,10 @@
     <message>
         <source>Begin with</source>
         <translation>Empezar con</translation>
+    </message>
+    <message>
+        <source>Co&amp;llection</source>
+        <translation>&amp;Colección</translation>
     </message>
 </context>
 <context>
@@ -2863,10 +2863,6 @@
         <translation>La dirección del punto pulsado, la aplicación más externa primero; la rama es lo que está en negrita</translation>
     </message>
     <message>
-        <source>&amp;Change</source>
-        <translation>&amp;Cambiar</translation>
-    </message>
-    <message>
         <source>this branch, as a map of its own</source>
         <translation>esta rama, como aplicación propia</translation>
     </message>
@@ -2945,6 +2941,10 @@
     <message>
         <source>Put all branches back</source>
         <translation>Devolver todas las ramas a su lugar</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge</source>
+        <translation>&amp;Cambiar</translation>
     </message>
 </context>
 <context>

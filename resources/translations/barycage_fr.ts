@@ -750,10 +750,6 @@
         <translation>Choisir parmi de nombreuses variations de cette fractale</translation>
     </message>
     <message>
-        <source>Add &amp;Random Fractal…</source>
-        <translation>Ajouter une &amp;fractale aléatoire…</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+M</source>
         <translation>Ctrl+Shift+M</translation>
     </message>
@@ -948,10 +944,6 @@
     <message>
         <source>Let y grow downwards, as in window coordinates</source>
         <translation>Faire croître y vers le bas, comme dans les coordonnées d’une fenêtre</translation>
-    </message>
-    <message>
-        <source>&amp;Only the Picture</source>
-        <translation>&amp;Image seule</translation>
     </message>
     <message>
         <source>H</source>
@@ -1188,6 +1180,14 @@
     <message>
         <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
         <translation>Laisser tout l’écran à la zone de dessin, par exemple pour un projecteur&#x202f;; Échap ramène le reste</translation>
+    </message>
+    <message>
+        <source>Add Ra&amp;ndom Fractal…</source>
+        <translation>Ajouter une &amp;fractale aléatoire…</translation>
+    </message>
+    <message>
+        <source>Only the Pi&amp;cture</source>
+        <translation>&amp;Image seule</translation>
     </message>
 </context>
 <context>
@@ -2230,7 +2230,7 @@
     </message>
     <message>
         <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
-        <translation>L’application %1 n’a pas de poids ; les poids de toutes les applications sont donc tirés des déterminants, et ceux qui sont donnés ne sont pas utilisés.</translation>
+        <translation>L’application %1 n’a pas de poids&#x202f;; les poids de toutes les applications sont donc tirés des déterminants, et ceux qui sont donnés ne sont pas utilisés.</translation>
     </message>
 </context>
 <context>
@@ -2305,7 +2305,7 @@
     </message>
     <message>
         <source>&amp;Start the Tour</source>
-        <translation>&amp;Commencer la visite</translation>
+        <translation>Commencer la &amp;visite</translation>
     </message>
     <message>
         <source>&amp;Done</source>
@@ -2343,10 +2343,6 @@
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>&amp;Collection</source>
-        <translation>&amp;Collection</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>&amp;Ouvrir…</translation>
     </message>
@@ -2357,6 +2353,10 @@
     <message>
         <source>Begin with</source>
         <translation>Commencer par</translation>
+    </message>
+    <message>
+        <source>Co&amp;llection</source>
+        <translation>Co&amp;llection</translation>
     </message>
 </context>
 <context>
@@ -2863,10 +2863,6 @@
         <translation>L’adresse du point cliqué, l’application la plus extérieure d’abord ; la branche est ce qui est en gras</translation>
     </message>
     <message>
-        <source>&amp;Change</source>
-        <translation>&amp;Modifier</translation>
-    </message>
-    <message>
         <source>this branch, as a map of its own</source>
         <translation>cette branche, comme application à part</translation>
     </message>
@@ -2945,6 +2941,10 @@
     <message>
         <source>Put all branches back</source>
         <translation>Remettre toutes les branches en place</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge</source>
+        <translation>&amp;Modifier</translation>
     </message>
 </context>
 <context>

@@ -755,10 +755,6 @@
         <translation>Избери една од многуте варијанти на овој фрактал</translation>
     </message>
     <message>
-        <source>Add &amp;Random Fractal…</source>
-        <translation>Додај &amp;случаен фрактал…</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+M</source>
         <translation>Ctrl+Shift+M</translation>
     </message>
@@ -953,10 +949,6 @@
     <message>
         <source>Let y grow downwards, as in window coordinates</source>
         <translation>Нека y расте надолу, како кај координатите на прозорец</translation>
-    </message>
-    <message>
-        <source>&amp;Only the Picture</source>
-        <translation>&amp;Само сликата</translation>
     </message>
     <message>
         <source>H</source>
@@ -1193,6 +1185,14 @@
     <message>
         <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
         <translation>Целиот екран се остава на платното, на пример за проектор; Esc го враќа останатото</translation>
+    </message>
+    <message>
+        <source>Add Ra&amp;ndom Fractal…</source>
+        <translation>Додај &amp;случаен фрактал…</translation>
+    </message>
+    <message>
+        <source>Only the Pi&amp;cture</source>
+        <translation>&amp;Само сликата</translation>
     </message>
 </context>
 <context>
@@ -2349,12 +2349,8 @@
         <translation>Затвори</translation>
     </message>
     <message>
-        <source>&amp;Collection</source>
-        <translation>&amp;Збирка</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
-        <translation>&amp;Отвори…</translation>
+        <translation>О&amp;твори…</translation>
     </message>
     <message>
         <source>A file, or the collection.</source>
@@ -2363,6 +2359,10 @@
     <message>
         <source>Begin with</source>
         <translation>Почни со</translation>
+    </message>
+    <message>
+        <source>Co&amp;llection</source>
+        <translation>&amp;Збирка</translation>
     </message>
 </context>
 <context>
@@ -2854,7 +2854,7 @@
     </message>
     <message>
         <source>&amp;Depth</source>
-        <translation>&amp;Длабочина</translation>
+        <translation>Д&amp;лабочина</translation>
     </message>
     <message>
         <source>Depth of the branch</source>
@@ -2867,10 +2867,6 @@
     <message>
         <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
         <translation>Адресата на кликнатата точка, прво најнадворешното пресликување; гранката е она што е задебелено</translation>
-    </message>
-    <message>
-        <source>&amp;Change</source>
-        <translation>&amp;Промени</translation>
     </message>
     <message>
         <source>this branch, as a map of its own</source>
@@ -2951,6 +2947,10 @@
     <message>
         <source>Put all branches back</source>
         <translation>Врати ги сите гранки на место</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge</source>
+        <translation>Про&amp;мени</translation>
     </message>
 </context>
 <context>
