@@ -579,7 +579,7 @@
     </message>
     <message>
         <source>New &amp;Window</source>
-        <translation>Neues &amp;Fenster</translation>
+        <translation>Neues Fens&amp;ter</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
@@ -643,7 +643,7 @@
     </message>
     <message>
         <source>Export &amp;Data…</source>
-        <translation>&amp;Daten exportieren…</translation>
+        <translation>D&amp;aten exportieren…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+E</source>
@@ -759,7 +759,7 @@
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation>&amp;Einstellungen…</translation>
+        <translation>Einste&amp;llungen…</translation>
     </message>
     <message>
         <source>Ctrl+,</source>
@@ -775,7 +775,7 @@
     </message>
     <message>
         <source>&amp;Drag the Cage</source>
-        <translation>Den Käfig &amp;ziehen</translation>
+        <translation>Den &amp;Käfig ziehen</translation>
     </message>
     <message>
         <source>C</source>
@@ -911,7 +911,7 @@
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>&amp;Gitter</translation>
+        <translation>Gi&amp;tter</translation>
     </message>
     <message>
         <source>G</source>
@@ -1135,7 +1135,7 @@
     </message>
     <message>
         <source>Drag a Bra&amp;nch</source>
-        <translation>Einen &amp;Ast ziehen</translation>
+        <translation>Einen As&amp;t ziehen</translation>
     </message>
     <message>
         <source>B</source>

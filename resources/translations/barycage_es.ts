@@ -807,7 +807,7 @@
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation>&amp;Restablecer</translation>
+        <translation>Restab&amp;lecer</translation>
     </message>
     <message>
         <source>Put the cage back to rest: the code is drawn as it is</source>
@@ -1123,7 +1123,7 @@
     </message>
     <message>
         <source>Drag t&amp;he Maps</source>
-        <translation>Arrastrar las &amp;aplicaciones</translation>
+        <translation>Arrastrar las a&amp;plicaciones</translation>
     </message>
     <message>
         <source>M</source>

@@ -851,7 +851,7 @@
     </message>
     <message>
         <source>&amp;Place</source>
-        <translation>&amp;Placer</translation>
+        <translation>P&amp;lacer</translation>
     </message>
     <message>
         <source>Moving the cage moves the picture; the code stays</source>

@@ -780,7 +780,7 @@
     </message>
     <message>
         <source>&amp;Drag the Cage</source>
-        <translation>&amp;Повлечи го кафезот</translation>
+        <translation>Повле&amp;чи го кафезот</translation>
     </message>
     <message>
         <source>C</source>
@@ -1176,7 +1176,7 @@
     </message>
     <message>
         <source>P&amp;resentation</source>
-        <translation>Пре&amp;зентација</translation>
+        <translation>Презен&amp;тација</translation>
     </message>
     <message>
         <source>Shift+F11</source>
