@@ -307,7 +307,7 @@ void CollectionPanelTest::favouritesAreKept() {
     QCOMPARE(grid(again)->model()->index(1, 0).data().toString(), name);
     grid(again)->setCurrentIndex(grid(again)->model()->index(1, 0));
     action(again, u"Fa&vourite"_s)->trigger();
-    QVERIFY(QSettings().value(u"collection/favourites"_s).toStringList().isEmpty());
+    QVERIFY(view::stored(u"collection/favourites"_s).toStringList().isEmpty());
     // An empty grid says why.
     const auto* why = grid(again)->viewport()->findChild<QLabel*>();
     QTRY_VERIFY(why->isVisible());
