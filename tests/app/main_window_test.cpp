@@ -12,6 +12,7 @@
 #include "recovery.h"
 #include "session.h"
 #include "settings.h"
+#include "support/forget_settings.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
 #include "welcome.h"
@@ -245,8 +246,7 @@ void MainWindowTest::aWindowMayGoWhileANameIsTyped() {
 
 // One is closed, one floats, one is in front of those that share its place, and one is on the other side.
 void MainWindowTest::panelsAreWhereTheyWereLeft() {
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     const auto panel = [](MainWindow* window, const char* id) {
         return window->findChild<QDockWidget*>(QLatin1String(id));
     };
@@ -275,13 +275,11 @@ void MainWindowTest::panelsAreWhereTheyWereLeft() {
     QTRY_VERIFY(!panel(second, "appearance")->visibleRegion().isEmpty());
     QVERIFY(panel(second, "maps")->visibleRegion().isEmpty()); // behind it
     QTRY_COMPARE(panel(second, "appearance")->width(), width);
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
 }
 
 void MainWindowTest::theWholeScreenAndBack() {
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     MainWindow* window = shown({});
     QVERIFY(QTest::qWaitForWindowExposed(window));
     window->resize(900, 600);
@@ -306,13 +304,11 @@ void MainWindowTest::theWholeScreenAndBack() {
     for (auto* action : next->findChildren<QAction*>())
         if (action->shortcut() == QKeySequence(Qt::Key_F11)) action->trigger();
     QTRY_VERIFY(!next->isFullScreen());
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
 }
 
 void MainWindowTest::aPresentationPutsAwayWhatIsNotCanvas() {
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     MainWindow* window = shown({});
     QVERIFY(QTest::qWaitForWindowExposed(window));
     window->openFirstPicture();
@@ -345,8 +341,7 @@ void MainWindowTest::aPresentationPutsAwayWhatIsNotCanvas() {
 }
 
 void MainWindowTest::aPresentationIsNotRemembered() {
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     MainWindow* window = shown({});
     QVERIFY(QTest::qWaitForWindowExposed(window));
     window->resize(1000, 700);
@@ -358,8 +353,7 @@ void MainWindowTest::aPresentationIsNotRemembered() {
     QTRY_COMPARE(next->size(), QSize(1000, 700));
     QVERIFY(!next->isFullScreen() && next->menuBar()->isVisible());
     QVERIFY(!next->findChild<QDockWidget*>(QStringLiteral("maps"))->isHidden());
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
 }
 
 void MainWindowTest::windowsHaveTheirOwnDocuments() {
@@ -408,8 +402,7 @@ void MainWindowTest::whatOthersCopiedIsPasted() {
 }
 
 void MainWindowTest::theHintGoesWithAnotherTool() {
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     for (const bool byTool : {true, false}) {
         auto* window = new MainWindow;
         window->openFirstPicture();

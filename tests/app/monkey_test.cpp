@@ -5,7 +5,7 @@
 #include "io/fractint_writer.h"
 #include "io/own_comments.h"
 #include "io/text_formats.h"
-#include "settings.h"
+#include "support/forget_settings.h"
 #include "support/paths.h"
 #include "support/window_on_x.h"
 
@@ -216,8 +216,7 @@ void takeWarning(QtMsgType type, const QMessageLogContext& context, const QStrin
 
 void MonkeyTest::initTestCase() {
     if (const QString obstacle = XInput::obstacle(); !obstacle.isEmpty()) QSKIP(qPrintable(obstacle));
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     QDir::setCurrent(folder()); // whatever it writes stays there
     for (const QFileInfo& file : QDir(support::testData()).entryInfoList({QStringLiteral("*.ifs")}))
         QFile::copy(file.filePath(), QDir(folder()).filePath(file.fileName()));

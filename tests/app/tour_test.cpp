@@ -3,7 +3,7 @@
 
 #include "app/window_fixture.h"
 #include "panels/maps_panel.h"
-#include "settings.h"
+#include "support/forget_settings.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -114,8 +114,7 @@ void TourTest::theOfferIsMadeOnce() {
     QTRY_VERIFY(!tour());
     Tour::offer(m_window.get());
     QVERIFY(!tour());
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     Tour::offer(m_window.get());
     button(QStringLiteral("Start the Tour"))->click();
     QCOMPARE(tour()->step(), 0);
@@ -125,8 +124,7 @@ void TourTest::theOfferIsMadeOnce() {
     QVERIFY(tour()); // which goes on while one tries what it says
     tour()->close();
     QTRY_VERIFY(!tour());
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     Tour::offer(m_window.get());
     QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
     QTRY_VERIFY(!tour()); // who begins is not asked any more

@@ -5,7 +5,7 @@
 #include "canvas/canvas_scene.h"
 #include "io/fractint_reader.h"
 #include "io/save_file.h"
-#include "settings.h"
+#include "support/forget_settings.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -48,8 +48,7 @@ bool waitFor(const std::function<bool()>& condition) {
 
 void WindowOnX::openWindow() {
     if (const QString obstacle = XInput::obstacle(); !obstacle.isEmpty()) QSKIP(qPrintable(obstacle));
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     m_hand = std::make_unique<XInput>();
     m_window = new MainWindow;
     m_window->setGeometry(20, 40, 1300, 800);

@@ -5,6 +5,7 @@
 #include "panels/collection_model.h"
 #include "panels/collection_panel.h"
 #include "settings.h"
+#include "support/forget_settings.h"
 #include "support/own_settings.h"
 
 #include <QAbstractItemModelTester>
@@ -250,8 +251,7 @@ void CollectionPanelTest::readsBesideTheWindow() {
 }
 
 void CollectionPanelTest::readingCanBeStopped() {
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     const QTemporaryDir folder;
     writeEntries(folder.filePath(u"a.ifs"_s), 2);
     writeEntries(folder.filePath(u"b.ifs"_s), 20'000);

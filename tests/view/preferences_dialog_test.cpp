@@ -2,6 +2,7 @@
 #include "dialogs/preferences_dialog.h"
 #include "settings.h"
 #include "support/contrast.h"
+#include "support/forget_settings.h"
 #include "support/own_settings.h"
 #include "theme.h"
 
@@ -31,10 +32,7 @@ class PreferencesDialogTest : public QObject {
 
 private slots:
     void initTestCase() { support::useOwnSettings(); }
-    void init() {
-        view::finishStoring();
-        QSettings().clear();
-    }
+    void init() { support::forgetSettings(); }
     void cleanup() { view::wear(Preferences::Theme::Desktop); }
     void choicesAreStoredAndTold();
     void defaultsComeBack();

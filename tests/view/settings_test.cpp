@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "settings.h"
+#include "support/forget_settings.h"
 #include "support/own_settings.h"
 
 #include <QFile>
@@ -10,10 +11,7 @@ class SettingsTest : public QObject {
 
 private slots:
     void initTestCase() { support::useOwnSettings(); }
-    void init() {
-        view::finishStoring();
-        QSettings().clear();
-    }
+    void init() { support::forgetSettings(); }
 
     void whatIsStoredIsFound();
     void aSlowDiskIsNotWaitedFor();
@@ -34,8 +32,7 @@ void SettingsTest::whatIsStoredIsFound() {
     QVERIFY(!QSettings().contains(QStringLiteral("c3")));
     QSettings().setValue(QStringLiteral("a/b"), 5); // as another process does
     QCOMPARE(view::stored(QStringLiteral("a/b")).toInt(), 5);
-    view::finishStoring();
-    QSettings().clear();
+    support::forgetSettings();
     view::store(QStringLiteral("other"), 1);
     QCOMPARE(view::stored(QStringLiteral("a/b"), 7).toInt(), 7);
 }

@@ -47,7 +47,7 @@ public:
     }
 
     // Where one reads, with some lines before it, unless it is seen already.
-    void show(const QTextCursor& place) {
+    void scrollTo(const QTextCursor& place) {
         const QRect there = cursorRect(place);
         if (!viewport()->rect().contains(there))
             verticalScrollBar()->setValue(verticalScrollBar()->value() + there.top() -
@@ -152,7 +152,7 @@ private:
             QCoreApplication::translate("view::Guide", "%1 of %2").arg(m_shown + 1).arg(m_places.size()));
         QTextCursor place = m_places[m_shown];
         place.setPosition(place.selectionStart());
-        m_page->show(place);
+        m_page->scrollTo(place);
     }
 
     Page* m_page;

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "settings.h"
+
+#include <QSettings>
+
+namespace support {
+
+// As at the first start; nothing that is still being stored comes after.
+inline void forgetSettings() {
+    view::finishStoring();
+    QSettings().clear();
+}
+
+} // namespace support
