@@ -5,7 +5,14 @@
 #include <QMouseEvent>
 #include <QThread>
 
+#include <csignal>
+#include <cstdio>
 #include <ctime>
+
+#include <cxxabi.h>
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <unistd.h>
 
 namespace support {
 
@@ -30,7 +37,54 @@ bool isOfAKey(QEvent::Type type) {
            type == QEvent::Shortcut;
 }
 
+void* functions[26];
+volatile std::sig_atomic_t functionCount = 0;
+
+void noteFunctions(int /*signal*/) {
+    functionCount = backtrace(functions, int(std::size(functions)));
+}
+
+QString nameOf(void* address) {
+    Dl_info found;
+    if (!dladdr(address, &found) || !found.dli_sname) return QStringLiteral("?");
+    int status = 0;
+    const std::unique_ptr<char, decltype(&free)> plain(
+        abi::__cxa_demangle(found.dli_sname, nullptr, nullptr, &status), &free);
+    return QLatin1String(status == 0 ? plain.get() : found.dli_sname);
+}
+
 } // namespace
+
+Alarm::Alarm() {
+    backtrace(functions, 1); // loads what it needs, which a signal's handler must not
+    struct sigaction action {};
+    action.sa_handler = noteFunctions;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGPROF, &action, nullptr);
+    sigevent event{};
+    event.sigev_notify = SIGEV_THREAD_ID;
+    event.sigev_signo = SIGPROF;
+    event._sigev_un._tid = gettid();
+    if (timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &m_timer) != 0) qFatal("no timer of processor time");
+}
+
+Alarm::~Alarm() {
+    timer_delete(m_timer);
+}
+
+void Alarm::set(double milliseconds) {
+    functionCount = 0;
+    itimerspec time{};
+    time.it_value.tv_nsec = long(milliseconds * 1e6);
+    timer_settime(m_timer, 0, &time, nullptr);
+}
+
+QString Alarm::noted() const {
+    QStringList names;
+    for (int i = 2; i < functionCount; ++i) // after the handler and the signal
+        names << nameOf(functions[i]).left(100);
+    return names.join(QStringLiteral("\n    "));
+}
 
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
     if (QThread::currentThread() != thread()) return Application::notify(receiver, event);
@@ -45,6 +99,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
                                       : mouseButtons();
     const bool dragging = held != Qt::NoButton && !isOfAKey(seen.type);
     m_running.append({level, processorTime(), 0});
+    if (judged) m_alarm.set(limits[dragging]);
     const bool handled = Application::notify(receiver, event);
     const Running done = m_running.takeLast();
     const double all = processorTime() - done.began;
@@ -54,17 +109,18 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
 }
 
 void WatchedApplication::judge(const Event& event, bool dragging, double spent) {
-    ++m_count[dragging];
-    m_slowest[dragging] = std::max(m_slowest[dragging], spent);
-    if (dragging) ++m_forgivable;
+    Tally& tally = m_tally[dragging];
+    ++tally.count;
+    tally.slowest = std::max(tally.slowest, spent);
     if (!judged || spent <= limits[dragging]) return;
-    ++m_lateCount[dragging];
+    ++tally.late;
     m_unforgivable = m_unforgivable || spent > 2 * limits[dragging];
     m_late << QStringLiteral("%1 to %2 took %3 ms%4")
                   .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event.type)),
                        QLatin1String(event.receiver))
                   .arg(spent, 0, 'f', 1)
                   .arg(dragging ? QStringLiteral(" during a drag") : QString());
+    fprintf(stderr, "late: %s\n    %s\n", qPrintable(m_late.last()), qPrintable(m_alarm.noted()));
 }
 
 void WatchedApplication::ignoreThisEvent() {
@@ -72,21 +128,26 @@ void WatchedApplication::ignoreThisEvent() {
 }
 
 QStringList WatchedApplication::takeLate() {
-    const qint64 few = std::max<qint64>(2, std::exchange(m_forgivable, 0) / 1000);
-    const bool forgiven = !std::exchange(m_unforgivable, false) && m_late.size() <= few;
+    bool forgiven = !std::exchange(m_unforgivable, false);
+    for (const bool dragging : {false, true}) {
+        const Tally before = std::exchange(m_lastTally[dragging], m_tally[dragging]);
+        const qint64 few = (m_tally[dragging].count - before.count) / (dragging ? 1000 : 100'000);
+        forgiven = forgiven && m_tally[dragging].late - before.late <= std::max<qint64>(2, few);
+    }
     const QStringList late = std::exchange(m_late, {});
     return forgiven ? QStringList() : late;
 }
 
 QString WatchedApplication::summary() const {
-    return QStringLiteral(
-               "%1 events, %2 late, the slowest %3 ms; %4 during drags, %5 late, the slowest %6 ms")
-        .arg(m_count[0])
-        .arg(m_lateCount[0])
-        .arg(m_slowest[0], 0, 'f', 1)
-        .arg(m_count[1])
-        .arg(m_lateCount[1])
-        .arg(m_slowest[1], 0, 'f', 1);
+    const auto textOf = [](const Tally& tally, const QString& which) {
+        return QStringLiteral("%1 events %2, %3 late, the slowest %4 ms")
+            .arg(tally.count)
+            .arg(which)
+            .arg(tally.late)
+            .arg(tally.slowest, 0, 'f', 1);
+    };
+    return textOf(m_tally[true], QStringLiteral("during drags")) + QStringLiteral("; ") +
+           textOf(m_tally[false], QStringLiteral("otherwise"));
 }
 
 } // namespace support
