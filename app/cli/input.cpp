@@ -55,6 +55,7 @@ void reportMissing(const Input& input, const QString& name) {
 // problem of the entry.
 void listRefused(document::FractalFile& file) {
     document::Problems ofTheFile;
+    auto id = static_cast<std::uint32_t>(document::freshId(file));
     for (const document::Problem& problem : std::as_const(file.problems)) {
         if (problem.severity != document::Problem::Severity::Error || problem.entry.isEmpty()) {
             ofTheFile << problem;
@@ -63,7 +64,7 @@ void listRefused(document::FractalFile& file) {
         auto fractal = std::make_shared<document::Fractal>();
         fractal->name = problem.entry;
         document::Entry entry;
-        entry.id = document::freshId(file);
+        entry.id = static_cast<document::EntryId>(id++);
         entry.fractal = std::move(fractal);
         entry.problems << problem;
         file.entries << entry;

@@ -4,7 +4,8 @@
 #include "attractor/palette.h"
 #include "ifs/iterated_function_system.h"
 
-#include <map>
+#include <utility>
+#include <vector>
 
 namespace attractor {
 
@@ -15,11 +16,31 @@ enum class ColourBy {
     Plain,   // one colour, the tone is its opacity
 };
 
+// Colours that maps have been given. In one piece, because a system is copied at every step of a drag and may
+// have 10⁵ maps.
+class MapColours {
+public:
+    const Rgba* find(ifs::MapId id) const; // nullptr: it has been given none
+    Rgba& operator[](ifs::MapId id);       // fast when ids grow
+    bool empty() const { return m_colours.empty(); }
+    void reserve(std::size_t count) { m_colours.reserve(count); }
+
+    // Forgets the colours of the maps for which `isGone(id)`.
+    template <typename Predicate> void eraseIf(Predicate isGone) {
+        std::erase_if(m_colours, [&](const auto& colour) { return isGone(colour.first); });
+    }
+
+    friend bool operator==(const MapColours&, const MapColours&) = default;
+
+private:
+    std::vector<std::pair<ifs::MapId, Rgba>> m_colours; // by id
+};
+
 // How densities become colours. docs/mathematics.md, "Density to colour".
 struct Appearance {
     ColourBy colourBy = ColourBy::Density;
     Palette palette = builtInPalettes().front();
-    std::map<ifs::MapId, Rgba> mapColours; // maps absent here take categoricalColour(place in the system)
+    MapColours mapColours; // maps absent here take categoricalColour(place in the system)
     Rgba plain{235, 235, 235, 255};
     Rgba background{13, 16, 23, 255}; // alpha 0: transparent
     double brightness = 20;           // κ > 0

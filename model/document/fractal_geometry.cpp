@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <mutex>
+#include <utility>
 
 namespace document {
 
@@ -102,12 +103,21 @@ std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal) {
     std::vector<ifs::MovedBranch<2>> result;
     const System2* system = system2(fractal);
     if (system == nullptr) return result;
+    std::vector<std::pair<ifs::MapId, int>> places; // of the maps that are named
+    for (const MovedBranch& branch : fractal.moved)
+        for (const ifs::MapId id : branch.word)
+            places.emplace_back(id, -1);
+    std::ranges::sort(places);
+    const auto placeOf = [&](ifs::MapId id) {
+        const auto place = std::ranges::lower_bound(places, id, {}, &std::pair<ifs::MapId, int>::first);
+        return place != places.end() && place->first == id ? &place->second : nullptr;
+    };
+    for (std::size_t place = 0; !places.empty() && place < system->maps.size(); ++place)
+        if (int* known = placeOf(system->maps[place].id)) *known = int(place);
     for (const auto& [word, change] : fractal.moved) {
         ifs::MovedBranch<2> branch{{}, change};
-        for (const ifs::MapId id : word) {
-            const auto map = std::ranges::find(system->maps, id, &ifs::WeightedMap<2>::id);
-            if (map != system->maps.end()) branch.word.push_back(int(map - system->maps.begin()));
-        }
+        for (const ifs::MapId id : word)
+            if (const int place = *placeOf(id); place >= 0) branch.word.push_back(place);
         if (branch.word.size() == word.size()) result.push_back(std::move(branch));
     }
     return result;

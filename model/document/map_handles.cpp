@@ -37,17 +37,20 @@ AffineMap<2> changeAround(const Fractal& fractal, const std::vector<ifs::MapId>&
 
 } // namespace
 
-MapHandles::MapHandles(Fractal fractal, const ifs::ControlCage<2>& cage, const AffineMap<2>& within)
-    : m_fractal(std::move(fractal)), m_cage(cage), m_placement(placement(m_fractal)), m_within(within) {}
+MapHandles::MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<2>& cage,
+                       const AffineMap<2>& within)
+    : m_fractal(std::move(fractal)), m_cage(cage), m_placement(placement(*m_fractal)), m_within(within) {}
 
-MapHandles MapHandles::ofBranch(const Fractal& fractal, const ifs::ControlCage<2>& cage,
-                                const ifs::Word& branch) {
+MapHandles MapHandles::ofBranch(const std::shared_ptr<const Fractal>& fractal,
+                                const ifs::ControlCage<2>& cage, const ifs::Word& branch) {
     MapHandles handles(fractal, cage);
-    const std::vector<AffineMap<2>> maps = ifs::mapsOf(*system2(fractal));
-    const std::vector<ifs::MapId> word = idsOf(*system2(fractal), branch);
-    handles.m_within = changeAround(fractal, word); // moves it too, and stays as it is
+    AffineMap<2> map;
+    for (const int place : branch)
+        map = map * system2(*fractal)->maps[std::size_t(place)].map;
+    const std::vector<ifs::MapId> word = idsOf(*system2(*fractal), branch);
+    handles.m_within = changeAround(*fractal, word); // moves it too, and stays as it is
     handles.m_branch = word;
-    handles.m_branchMap = {{word.back(), changeOf(fractal, word) * ifs::composed<2>(maps, branch), {}}};
+    handles.m_branchMap = {{word.back(), changeOf(*fractal, word) * map, {}}};
     return handles;
 }
 
@@ -59,7 +62,7 @@ std::vector<Vector<2>> MapHandles::corners(std::size_t place) const {
 }
 
 std::vector<Vector<2>> MapHandles::outline(std::size_t place) const {
-    if (m_placement.bend() == nullptr) return corners(place);
+    if (!bends()) return corners(place);
     constexpr int parts = 12; // of an edge
     std::vector<Vector<2>> result;
     for (std::size_t i = 0; i < m_cage.rest.size(); ++i) {
@@ -71,8 +74,20 @@ std::vector<Vector<2>> MapHandles::outline(std::size_t place) const {
     return result;
 }
 
+std::vector<Vector<2>> MapHandles::middles() const {
+    Vector<2> centre = Vector<2>::Zero();
+    for (const Vector<2>& vertex : m_cage.rest)
+        centre += vertex / double(m_cage.rest.size());
+    const AffineMap<2> seen = m_placement.affine() * m_within;
+    std::vector<Vector<2>> result;
+    result.reserve(count());
+    for (const ifs::WeightedMap<2>& map : maps())
+        result.push_back(seen(map.map(centre)));
+    return result;
+}
+
 bool MapHandles::canBeTaken() const {
-    return (m_placement.bend() != nullptr || ifs::isInvertible(m_cage)) && ifs::inverse(m_within) &&
+    return (bends() || ifs::isInvertible(m_cage)) && ifs::inverse(m_within) &&
            (m_branch.empty() || ifs::inverse(m_branchMap.front().map));
 }
 
@@ -84,7 +99,7 @@ AffineMap<2> MapHandles::around(std::size_t place) const {
 }
 
 Fractal MapHandles::changed() const {
-    Fractal fractal = m_fractal;
+    Fractal fractal = *m_fractal;
     if (m_branch.empty()) fractal.cage = m_cage;
     return fractal;
 }
@@ -111,7 +126,7 @@ void MapHandles::changeDisplayed(Fractal& fractal, std::size_t place, const Affi
 Fractal MapHandles::withCornerMoved(std::size_t place, std::size_t corner, const Vector<2>& offset) const {
     const auto inCode = ifs::inverse(around(place));
     const auto outOf = ifs::inverse(m_within);
-    if (offset.isZero(0) || !inCode || !outOf) return m_fractal;
+    if (offset.isZero(0) || !inCode || !outOf) return *m_fractal;
     const Vector<2> held = maps()[place].map(m_cage.rest[corner]);
     const Vector<2> seen = m_within(held);
     const auto target = ifs::preimage(m_placement, m_placement(seen) + offset, seen);
@@ -131,7 +146,7 @@ Fractal MapHandles::withCornerMoved(std::size_t place, std::size_t corner, const
 }
 
 Fractal MapHandles::withMapsMoved(std::span<const std::size_t> places, const Vector<2>& offset) const {
-    if (offset.isZero(0)) return m_fractal;
+    if (offset.isZero(0)) return *m_fractal;
     Fractal fractal = changed();
     for (const std::size_t place : places)
         if (const auto inCode = ifs::inverse(around(place)))
@@ -140,7 +155,7 @@ Fractal MapHandles::withMapsMoved(std::span<const std::size_t> places, const Vec
 }
 
 Fractal MapHandles::withMapsChanged(std::span<const std::size_t> places, const AffineMap<2>& change) const {
-    if (change == AffineMap<2>{}) return m_fractal;
+    if (change == AffineMap<2>{}) return *m_fractal;
     Fractal fractal = changed();
     for (const std::size_t place : places)
         changeDisplayed(fractal, place, change);
@@ -149,7 +164,7 @@ Fractal MapHandles::withMapsChanged(std::span<const std::size_t> places, const A
 
 Fractal MapHandles::withMapsSwung(std::span<const std::size_t> places, const Vector<2>& root,
                                   double angle) const {
-    if (angle == 0) return m_fractal;
+    if (angle == 0) return *m_fractal;
     Fractal fractal = changed();
     for (const std::size_t place : places)
         changeDisplayed(fractal, place,
@@ -166,20 +181,22 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
     const ifs::ActiveMaps<2> active = ifs::activeMaps(before);
     Fractal result = fractal;
     System2 system = ifs::withBranchChanged<2>(before, letters, {});
-    result.appearance.mapColours.clear();
-    auto& colours = result.appearance.mapColours;
-    const auto keepColour = [&](ifs::MapId id, std::size_t place) { // ids grow
-        colours.emplace_hint(colours.end(), id,
-                             attractor::mapColour(fractal.appearance, before.maps[place].id, place));
+    attractor::MapColours& colours = result.appearance.mapColours = {};
+    colours.reserve(system.maps.size());
+    std::size_t made = 0;
+    const auto keepColour = [&](std::size_t place) { // for the next map
+        colours[system.maps[made++].id] =
+            attractor::mapColour(fractal.appearance, before.maps[place].id, place);
     };
-    const std::vector<ifs::Word> words = ifs::cutSet(letters, active.maps.size());
-    for (std::size_t i = 0; i < words.size(); ++i)
-        keepColour(system.maps[i].id, active.index[std::size_t(words[i].front())]);
+    const auto keepColourOf = [&](int letter) { keepColour(active.index[std::size_t(letter)]); };
+    keepColourOf(letters.front());
+    for (const auto& [kept, symbol] : ifs::departures(letters, active.maps.size()))
+        keepColourOf(kept > 0 ? letters.front() : symbol);
     for (std::size_t place = 0; place < before.maps.size(); ++place) {
         if (std::ranges::binary_search(active.index, place)) continue;
         system.maps.push_back(before.maps[place]);
         system.maps.back().id = ifs::MapId{std::uint32_t(system.maps.size())};
-        keepColour(system.maps.back().id, place);
+        keepColour(place);
     }
     result.moved.clear();
     for (const auto& [word, change] : ifs::overMaps<2>(movedBranches(fractal), active.index))
@@ -191,18 +208,20 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
 
 } // namespace
 
-std::optional<BranchHandles> branchHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage,
-                                           const ifs::Word& branch, BranchEdit edit) {
-    if (branch.empty() || system2(fractal) == nullptr) return std::nullopt;
-    const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(fractal));
+std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>& fractal,
+                                           const ifs::ControlCage<2>& cage, const ifs::Word& branch,
+                                           BranchEdit edit) {
+    if (branch.empty() || system2(*fractal) == nullptr) return std::nullopt;
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(*fractal));
     auto letters = ifs::overMaps(branch, active.index);
     if (!letters) return std::nullopt;
     if (edit == BranchEdit::Display) return BranchHandles{MapHandles::ofBranch(fractal, cage, branch), 0};
-    const std::vector<ifs::MapId> word = idsOf(*system2(fractal), branch);
-    const AffineMap<2> moved = changeAround(fractal, word) * changeOf(fractal, word);
+    const std::vector<ifs::MapId> word = idsOf(*system2(*fractal), branch);
+    const AffineMap<2> moved = changeAround(*fractal, word) * changeOf(*fractal, word);
     if (branch.size() == 1) return BranchHandles{{fractal, cage, moved}, std::size_t(branch.front())};
     if (edit == BranchEdit::OwnMap)
-        return BranchHandles{{withBranchAsMap(fractal, *letters), cage, moved}, 0};
+        return BranchHandles{
+            {std::make_shared<const Fractal>(withBranchAsMap(*fractal, *letters)), cage, moved}, 0};
     letters->pop_back();
     return BranchHandles{{fractal, cage, moved * ifs::composed<2>(active.maps, *letters)},
                          std::size_t(branch.back())};

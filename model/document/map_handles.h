@@ -4,6 +4,7 @@
 #include "document/fractal.h"
 #include "ifs/branch.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,18 +18,23 @@ class MapHandles {
 public:
     // The fractal must be a system of the plane and `cage` its effective one. The maps are shown and taken as
     // they are seen inside the piece that `within` makes of the attractor.
-    MapHandles(Fractal fractal, const ifs::ControlCage<2>& cage, const ifs::AffineMap<2>& within = {});
+    MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<2>& cage,
+               const ifs::AffineMap<2>& within = {});
     // The map of one branch as the only one, at place 0; taking it moves what is shown of the branch
     // (Fractal::moved) and leaves the code alone. The word has places of maps that take part.
-    static MapHandles ofBranch(const Fractal& fractal, const ifs::ControlCage<2>& cage,
+    static MapHandles ofBranch(const std::shared_ptr<const Fractal>& fractal, const ifs::ControlCage<2>& cage,
                                const ifs::Word& branch);
 
     std::size_t count() const { return maps().size(); }
     const std::vector<ifs::WeightedMap<2>>& maps() const {
-        return m_branch.empty() ? std::get<System2>(m_fractal.system).maps : m_branchMap;
+        return m_branch.empty() ? std::get<System2>(m_fractal->system).maps : m_branchMap;
     }
     std::vector<ifs::Vector<2>> corners(std::size_t place) const; // images of the cage's vertices
     std::vector<ifs::Vector<2>> outline(std::size_t place) const; // the same polygon, bent with the cage
+
+    // The images of the cage's centre, soon found for many maps; of a cage that bends, by its affine fit.
+    std::vector<ifs::Vector<2>> middles() const;
+    bool bends() const { return m_placement.bend() != nullptr; }
 
     // Maps can be taken unless the placement, or the piece, is flat.
     bool canBeTaken() const;
@@ -49,7 +55,7 @@ private:
     void changeDisplayed(Fractal& fractal, std::size_t place, const ifs::AffineMap<2>& change) const;
     Fractal changed() const; // with the cage as it is
 
-    Fractal m_fractal;
+    std::shared_ptr<const Fractal> m_fractal;
     ifs::ControlCage<2> m_cage;
     ifs::Placement m_placement;
     ifs::AffineMap<2> m_within;
@@ -70,8 +76,9 @@ struct BranchHandles {
     std::size_t place = 0;
 };
 // nullopt when the word is empty or names a map that takes no part.
-std::optional<BranchHandles> branchHandles(const Fractal& fractal, const ifs::ControlCage<2>& cage,
-                                           const ifs::Word& branch, BranchEdit edit);
+std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>& fractal,
+                                           const ifs::ControlCage<2>& cage, const ifs::Word& branch,
+                                           BranchEdit edit);
 
 // The same with the branch, a word of places, where its maps put it; as it is when there is no such branch.
 Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch);

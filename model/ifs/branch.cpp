@@ -8,11 +8,6 @@ namespace ifs {
 
 namespace {
 
-bool beginsWith(const Word& word, const Word& beginning) {
-    return word.size() >= beginning.size() &&
-           std::ranges::equal(beginning, std::span(word).first(beginning.size()));
-}
-
 template <int Dim>
 void addPieces(const MovedBranch<Dim>& piece, std::span<const MovedBranch<Dim>> moved, std::size_t mapCount,
                std::vector<MovedBranch<Dim>>& result) {
@@ -43,8 +38,8 @@ void addPieces(const MovedBranch<Dim>& piece, std::span<const MovedBranch<Dim>> 
 std::optional<Word> overMaps(const Word& places, std::span<const std::size_t> index) {
     Word letters;
     for (const int place : places) {
-        const auto letter = std::ranges::find(index, std::size_t(place));
-        if (letter == index.end()) return std::nullopt;
+        const auto letter = std::ranges::lower_bound(index, std::size_t(place));
+        if (letter == index.end() || *letter != std::size_t(place)) return std::nullopt;
         letters.push_back(int(letter - index.begin()));
     }
     return letters;
@@ -67,14 +62,21 @@ std::optional<Vector<Dim>> addressPoint(std::span<const AffineMap<Dim>> maps, co
     return point;
 }
 
+std::vector<Departure> departures(const Word& word, std::size_t mapCount) {
+    std::vector<Departure> all;
+    all.reserve(word.size() * mapCount);
+    for (std::size_t kept = word.size(); kept-- > 0;)
+        for (int symbol = 0; symbol < int(mapCount); ++symbol)
+            if (symbol != word[kept]) all.push_back({kept, symbol});
+    return all;
+}
+
 std::vector<Word> cutSet(const Word& word, std::size_t mapCount) {
     std::vector<Word> words{word};
-    for (std::size_t j = word.size(); j-- > 0;)
-        for (int symbol = 0; symbol < int(mapCount); ++symbol)
-            if (symbol != word[j]) {
-                words.emplace_back(word.begin(), word.begin() + std::ptrdiff_t(j));
-                words.back().push_back(symbol);
-            }
+    for (const auto& [kept, symbol] : departures(word, mapCount)) {
+        words.emplace_back(word.begin(), word.begin() + std::ptrdiff_t(kept));
+        words.back().push_back(symbol);
+    }
     return words;
 }
 
@@ -90,8 +92,8 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
         beginnings.push_back(beginnings.back() * active.maps[std::size_t(symbol)]);
         chances.push_back(chances.back() * active.probabilities[std::size_t(symbol)]);
     }
-    const std::vector<Word> words = cutSet(branch, active.maps.size());
-    result.maps.reserve(words.size());
+    const std::vector<Departure> others = departures(branch, active.maps.size());
+    result.maps.reserve(1 + others.size());
     // Not by append(), which looks for a free number among all before.
     const auto add = [&](const AffineMap<Dim>& map, double probability) {
         // A product of many small ones is 0 in doubles, which would switch the map off.
@@ -100,11 +102,9 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
                                .weight = std::max(probability, std::numeric_limits<double>::min())});
     };
     add(change * beginnings.back(), chances.back());
-    for (const Word& word : std::span(words).subspan(1)) {
-        const auto last = std::size_t(word.back());
-        add(beginnings[word.size() - 1] * active.maps[last],
-            chances[word.size() - 1] * active.probabilities[last]);
-    }
+    for (const auto& [kept, symbol] : others)
+        add(beginnings[kept] * active.maps[std::size_t(symbol)],
+            chances[kept] * active.probabilities[std::size_t(symbol)]);
     return result;
 }
 
@@ -144,22 +144,24 @@ std::vector<MovedBranch<Dim>> overMaps(std::span<const MovedBranch<Dim>> moved,
 }
 
 std::vector<Word> overCutSet(const Word& word, const Word& branch, std::size_t mapCount) {
-    const std::vector<Word> set = cutSet(branch, mapCount);
+    const int others = int(mapCount) - 1;
+    const auto withoutFirst = [&](std::size_t kept) { return int(branch.size() - kept) * others; };
     Word places;
-    std::vector<Word> result;
-    for (Word rest = word; !rest.empty();) {
-        const auto whole = std::ranges::find_if(set, [&](const Word& w) { return beginsWith(rest, w); });
-        if (whole != set.end()) {
-            places.push_back(int(whole - set.begin()));
-            rest.erase(rest.begin(), rest.begin() + std::ptrdiff_t(whole->size()));
-            continue;
+    for (std::span<const int> rest = word; !rest.empty();) {
+        const auto kept = std::size_t(std::ranges::mismatch(rest, branch).in1 - rest.begin());
+        if (kept == branch.size()) {
+            places.push_back(0);
+            rest = rest.subspan(kept);
+        } else if (kept < rest.size()) {
+            const int symbol = rest[kept];
+            places.push_back(1 + withoutFirst(kept + 1) + symbol - (symbol > branch[kept] ? 1 : 0));
+            rest = rest.subspan(kept + 1);
+        } else { // the branch goes on: all that does not leave it before
+            std::vector<Word> result(std::size_t(1 + withoutFirst(kept)), places);
+            for (std::size_t k = 0; k < result.size(); ++k)
+                result[k].push_back(int(k));
+            return result;
         }
-        for (std::size_t k = 0; k < set.size(); ++k)
-            if (beginsWith(set[k], rest)) {
-                result.push_back(places);
-                result.back().push_back(int(k));
-            }
-        return result;
     }
     return {places};
 }

@@ -13,8 +13,8 @@ namespace ifs {
 
 using Word = std::vector<int>;
 
-// A word over places in a system as one over its active maps, whose places are `index`; nullopt when it names
-// a map that takes no part.
+// A word over places in a system as one over its active maps, whose places are `index`, ascending; nullopt
+// when it names a map that takes no part.
 std::optional<Word> overMaps(const Word& places, std::span<const std::size_t> index);
 
 // w_σ; the identity for the empty word.
@@ -25,8 +25,15 @@ template <int Dim>
 std::optional<Vector<Dim>> addressPoint(std::span<const AffineMap<Dim>> maps, const Word& prefix,
                                         const Word& period);
 
-// σ, then all words that leave σ at some symbol: every address begins with exactly one of them. For three
-// maps and σ = 12 (counted from 1): 12, 11, 13, 2, 3.
+// A word that leaves σ: its first symbols, `kept` of them, then another `symbol` than the next one of σ.
+struct Departure {
+    std::size_t kept;
+    int symbol;
+};
+std::vector<Departure> departures(const Word& word, std::size_t mapCount); // those with most kept first
+
+// σ, then all words that leave σ, as departures() has them: every address begins with exactly one of them.
+// For three maps and σ = 12 (counted from 1): 12, 11, 13, 2, 3.
 std::vector<Word> cutSet(const Word& word, std::size_t mapCount);
 
 // The same attractor from the maps w_τ over the cut set of σ, in its order and with their probabilities, but

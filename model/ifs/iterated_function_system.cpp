@@ -45,18 +45,26 @@ std::vector<double> shares(std::vector<double> masses, double floor) {
     return masses;
 }
 
-template <int Dim> MapId freshId(const IteratedFunctionSystem<Dim>& system) {
-    std::unordered_set<std::uint32_t> taken;
+template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>& system, std::size_t count) {
     std::uint32_t largest = 0;
-    for (const auto& map : system.maps) {
-        taken.insert(std::uint32_t(map.id));
+    for (const auto& map : system.maps)
         largest = std::max(largest, std::uint32_t(map.id));
+    std::vector<MapId> ids;
+    if (count <= std::numeric_limits<std::uint32_t>::max() - largest) {
+        while (ids.size() < count)
+            ids.push_back(MapId{++largest});
+        return ids;
     }
-    if (largest < std::numeric_limits<std::uint32_t>::max()) return MapId{largest + 1};
-    std::uint32_t id = 1;
-    while (taken.contains(id))
-        ++id;
-    return MapId{id};
+    std::unordered_set<std::uint32_t> taken;
+    for (const auto& map : system.maps)
+        taken.insert(std::uint32_t(map.id));
+    for (std::uint32_t id = 1; ids.size() < count; ++id)
+        if (!taken.contains(id)) ids.push_back(MapId{id});
+    return ids;
+}
+
+template <int Dim> MapId freshId(const IteratedFunctionSystem<Dim>& system) {
+    return freshIds(system, 1).front();
 }
 
 template <int Dim>
@@ -136,6 +144,7 @@ std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& trans
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>&, std::size_t);                   \
     template MapId freshId(const IteratedFunctionSystem<Dim>&);                                              \
     template MapId append(IteratedFunctionSystem<Dim>&, const AffineMap<Dim>&, std::optional<double>);       \
     template std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>&);                         \

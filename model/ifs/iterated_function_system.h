@@ -31,8 +31,9 @@ template <int Dim> struct IteratedFunctionSystem {
     friend bool operator==(const IteratedFunctionSystem&, const IteratedFunctionSystem&) = default;
 };
 
-// An id that no map of the system has.
+// Ids that no map of the system has, in increasing order.
 template <int Dim> MapId freshId(const IteratedFunctionSystem<Dim>& system);
+template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>& system, std::size_t count);
 
 // Appends a map under a fresh id, which is returned.
 template <int Dim>

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 
 namespace io {
 
@@ -65,8 +66,8 @@ QByteArrayList mapLines(const ifs::IteratedFunctionSystem<Dim>& system,
             lines << line("unweighted", place);
         else if (isRuled && map.weight && *map.weight > 0 && std::isfinite(*map.weight))
             lines << line("weight", place + ' ' + formatNumber(*map.weight));
-        if (const auto colour = appearance.mapColours.find(map.id); colour != appearance.mapColours.end())
-            lines << line("map-colour", place + ' ' + colourText(colour->second));
+        if (const auto* colour = appearance.mapColours.find(map.id))
+            lines << line("map-colour", place + ' ' + colourText(*colour));
     }
     return lines;
 }
@@ -125,14 +126,14 @@ std::string storablePaletteName(const std::string& name) {
 }
 
 template <int Dim>
-void renumber(ifs::IteratedFunctionSystem<Dim>& system, std::map<ifs::MapId, attractor::Rgba>& colours,
+void renumber(ifs::IteratedFunctionSystem<Dim>& system, attractor::MapColours& colours,
               std::vector<document::MovedBranch>& moved) {
-    std::map<ifs::MapId, attractor::Rgba> kept;
+    attractor::MapColours kept;
     std::map<ifs::MapId, ifs::MapId> ids;
     std::uint32_t number = 0;
     for (auto& map : system.maps) {
         const auto id = static_cast<ifs::MapId>(++number);
-        if (const auto colour = colours.find(map.id); colour != colours.end()) kept[id] = colour->second;
+        if (const auto* colour = colours.find(map.id)) kept[id] = *colour;
         ids[map.id] = id;
         map.id = id;
     }

@@ -5554,6 +5554,10 @@ Der Eintrag bleibt, wie er ist.</translation>
         <source>Select a map first.</source>
         <translation>Erst eine Abbildung wählen.</translation>
     </message>
+    <message>
+        <source>Of so many maps only some are shown. Zoom in for the others.</source>
+        <translation>Von so vielen Abbildungen werden nur einige gezeigt. Die übrigen zeigt ein näherer Ausschnitt.</translation>
+    </message>
 </context>
 <context>
     <name>view::MutateDialog</name>

@@ -5554,6 +5554,10 @@ La entrada se conserva tal cual.</translation>
         <source>Select a map first.</source>
         <translation>Elija primero una aplicación.</translation>
     </message>
+    <message>
+        <source>Of so many maps only some are shown. Zoom in for the others.</source>
+        <translation>De tantas aplicaciones solo se muestran algunas. Acerque la vista para ver las demás.</translation>
+    </message>
 </context>
 <context>
     <name>view::MutateDialog</name>

@@ -5554,6 +5554,10 @@ L’entrée est conservée telle quelle.</translation>
         <source>Select a map first.</source>
         <translation>Choisissez d’abord une application.</translation>
     </message>
+    <message>
+        <source>Of so many maps only some are shown. Zoom in for the others.</source>
+        <translation>De si nombreuses applications, seules quelques-unes sont montrées. Agrandissez la vue pour voir les autres.</translation>
+    </message>
 </context>
 <context>
     <name>view::MutateDialog</name>

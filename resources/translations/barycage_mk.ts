@@ -5567,6 +5567,10 @@ The entry is kept as it is.</source>
         <source>Select a map first.</source>
         <translation>Прво избери пресликување.</translation>
     </message>
+    <message>
+        <source>Of so many maps only some are shown. Zoom in for the others.</source>
+        <translation>Од толку многу пресликувања прикажани се само некои. Зголемете го приказот за останатите.</translation>
+    </message>
 </context>
 <context>
     <name>view::MutateDialog</name>

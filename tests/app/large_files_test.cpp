@@ -240,11 +240,27 @@ void LargeFilesTest::mapsAreEdited() {
     doing("nudge the branch", press(Qt::Key_Right));
     QCOMPARE(history->index(), before + 1);
     doing("undo the nudge", [&] { history->undo(); });
+    doing("maps tool", [&] { canvas->setTool(view::CanvasView::Tool::Maps); });
+    doing("select every map", [&] { QTest::keyClick(canvas, Qt::Key_A, Qt::ControlModifier); });
+    const QPoint corner(3, 3);
+    doing("begin a rectangle",
+          [&] { QTest::mousePress(canvas->viewport(), Qt::LeftButton, Qt::ShiftModifier, corner); });
+    doing("draw it", [&] { QTest::mouseMove(canvas->viewport(), corner + QPoint(40, 30)); });
+    QTest::mouseRelease(canvas->viewport(), Qt::LeftButton, Qt::ShiftModifier, corner + QPoint(40, 30));
+    doing("move every map", press(Qt::Key_Right));
+    doing("undo moving", [&] { history->undo(); });
     doing("cage tool", [&] { canvas->setTool(view::CanvasView::Tool::Cage); });
     doing("select all", [&] { panel->findChild<QTableView*>()->selectAll(); });
     doing("copy", [&] { panel->copyMaps(); });
     doing("paste", [&] { panel->pasteMaps(); });
     doing("undo pasting", [&] { history->undo(); });
+    doing("duplicate", [&] { panel->duplicateMaps(); });
+    doing("undo duplicating", [&] { history->undo(); });
+    doing("select none", [&] { panel->findChild<QTableView*>()->clearSelection(); });
+    doing("paste more", [&] { panel->pasteMaps(); });
+    QCOMPARE(model->rowCount(), 2 * count);
+    doing("undo pasting more", [&] { history->undo(); });
+    doing("select all again", [&] { panel->findChild<QTableView*>()->selectAll(); });
     doing("remove", [&] { panel->deleteMaps(); });
     doing("undo removing", [&] { history->undo(); });
     QCOMPARE(takeLate(), QString());

@@ -144,6 +144,27 @@ private slots:
         QCOMPARE(mapColour(appearance, ifs::MapId{7}, 0), (Rgba{1, 2, 3, 255}));
         QCOMPARE(mapColour(appearance, ifs::MapId{8}, 4), categoricalColour(4));
     }
+
+    void coloursOfMapsAreKeptById() {
+        MapColours colours;
+        QVERIFY(colours.empty());
+        for (const std::uint8_t id : {9, 2, 14, 5}) // in any order
+            colours[ifs::MapId{id}] = {id, 0, 0, 255};
+        colours[ifs::MapId{2}].green = 1;
+        for (const std::uint8_t id : {5, 9, 14})
+            QCOMPARE(*colours.find(ifs::MapId{id}), (Rgba{id, 0, 0, 255}));
+        QCOMPARE(*colours.find(ifs::MapId{2}), (Rgba{2, 1, 0, 255}));
+        for (const std::uint32_t id : {0, 3, 15})
+            QVERIFY(!colours.find(ifs::MapId{id}));
+
+        MapColours others; // the same given in another order
+        for (const std::uint8_t id : {14, 5, 9})
+            others[ifs::MapId{id}] = {id, 0, 0, 255};
+        QVERIFY(!(colours == others));
+        colours.eraseIf([](ifs::MapId id) { return id == ifs::MapId{2}; });
+        QVERIFY(!colours.find(ifs::MapId{2}));
+        QVERIFY(colours == others);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestPalette)

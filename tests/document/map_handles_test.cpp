@@ -20,6 +20,10 @@ Fractal placed(std::vector<Vector<2>> rest, std::vector<Vector<2>> current) {
 const std::vector<Vector<2>> triangle{{0, 0}, {1, 0}, {0, 1}};
 const std::vector<Vector<2>> square{{-0.2, -0.2}, {1.2, -0.2}, {1.2, 1.2}, {-0.2, 1.2}};
 
+std::shared_ptr<const Fractal> held(const Fractal& fractal) {
+    return std::make_shared<const Fractal>(fractal);
+}
+
 double farthest(const std::vector<Vector<2>>& a, const std::vector<Vector<2>>& b, const Vector<2>& offset) {
     double most = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -35,7 +39,7 @@ class MapHandlesTest : public QObject {
 private slots:
     void theChildrenOfTheCageAreTheMapsOnTheScreen() {
         const Fractal fractal = placed(triangle, {{1, 1}, {3, 1.5}, {0.5, 4}});
-        const MapHandles handles(fractal, *fractal.cage);
+        const MapHandles handles(held(fractal), *fractal.cage);
         const auto effective = effectiveSystem(fractal);
         for (std::size_t i = 0; i < handles.count(); ++i)
             for (std::size_t k = 0; k < 3; ++k)
@@ -61,20 +65,20 @@ private slots:
         QFETCH(std::vector<Vector<2>>, current);
         QFETCH(bool, bends);
         const Fractal fractal = placed(rest, current);
-        const MapHandles handles(fractal, *fractal.cage);
+        const MapHandles handles(held(fractal), *fractal.cage);
         QVERIFY(handles.canBeTaken());
         const Vector<2> offset(0.03, -0.02);
         const double exact = 1e-9, firstOrder = bends ? 1e-2 : 1e-9;
 
         const Fractal dragged = handles.withCornerMoved(1, 2, offset);
-        const MapHandles after(dragged, *dragged.cage);
+        const MapHandles after(held(dragged), *dragged.cage);
         QVERIFY((after.corners(1)[2] - handles.corners(1)[2] - offset).norm() < exact);
         QVERIFY(farthest(handles.corners(0), after.corners(0), Vector<2>::Zero()) == 0);
         QVERIFY(dragged.cage == fractal.cage);
 
         const std::array<std::size_t, 2> both{0, 2};
         const Fractal moved = handles.withMapsMoved(both, offset);
-        const MapHandles there(moved, *moved.cage);
+        const MapHandles there(held(moved), *moved.cage);
         QVERIFY(farthest(handles.corners(0), there.corners(0), offset) < firstOrder);
         QVERIFY(farthest(handles.corners(2), there.corners(2), offset) < firstOrder);
         QVERIFY(there.corners(1) == handles.corners(1));
@@ -82,14 +86,14 @@ private slots:
 
         ifs::AffineMap<2> turn = ifs::affineMap(0.99, -0.08, 0.08, 0.99, 0.02, 0.01);
         const Fractal turned = handles.withMapsChanged(both, turn);
-        const MapHandles round(turned, *turned.cage);
+        const MapHandles round(held(turned), *turned.cage);
         for (std::size_t k = 0; k < rest.size(); ++k)
             QVERIFY((round.corners(0)[k] - turn(handles.corners(0)[k])).norm() < (bends ? 3e-2 : 1e-9));
     }
 
     void noOffsetIsExactlyNoChange() {
         const Fractal fractal = sierpinskiTriangle(); // whose cage follows the code
-        const MapHandles handles(fractal, effectiveCage(fractal));
+        const MapHandles handles(held(fractal), effectiveCage(fractal));
         const std::array<std::size_t, 1> first{0};
         QVERIFY(handles.withCornerMoved(0, 1, Vector<2>::Zero()) == fractal);
         QVERIFY(handles.withMapsMoved(first, Vector<2>::Zero()) == fractal);
@@ -100,7 +104,7 @@ private slots:
 
     void aFlatPlacementHoldsTheMaps() {
         const Fractal fractal = placed(triangle, {{0, 0}, {1, 1}, {2, 2}});
-        const MapHandles handles(fractal, *fractal.cage);
+        const MapHandles handles(held(fractal), *fractal.cage);
         QVERIFY(!handles.canBeTaken());
         QVERIFY(handles.withCornerMoved(0, 1, {0.1, 0.1}) == fractal);
     }
@@ -111,7 +115,7 @@ private slots:
         system2(fractal)->maps.push_back({ifs::MapId(9), ifs::affineMap(.1, 0, 0, .1, 0, 0), 1.0, false});
         const System2 before = *system2(fractal);
         const ifs::Word branch{2, 0};
-        const auto taken = branchHandles(fractal, *fractal.cage, branch, BranchEdit::OwnMap);
+        const auto taken = branchHandles(held(fractal), *fractal.cage, branch, BranchEdit::OwnMap);
         QVERIFY(taken);
         QCOMPARE(taken->handles.count(), std::size_t{6}); // 2·(3 − 1) + 1, and the one that is off
         QVERIFY(!taken->handles.maps().back().enabled);
@@ -121,7 +125,7 @@ private slots:
             QVERIFY((taken->handles.corners(taken->place)[k] - place(map(triangle[k]))).norm() < 1e-13);
         const std::array<std::size_t, 1> first{taken->place};
         const Fractal after = taken->handles.withMapsMoved(first, {0.2, 0.1});
-        const MapHandles moved(after, *after.cage);
+        const MapHandles moved(held(after), *after.cage);
         QVERIFY(farthest(taken->handles.corners(0), moved.corners(0), {0.2, 0.1}) < 1e-12);
         for (std::size_t i = 1; i < moved.count(); ++i)
             QVERIFY(moved.maps()[i] == taken->handles.maps()[i]);
@@ -133,7 +137,7 @@ private slots:
     // Through its last map, the branch follows the hand and the others that this map makes follow it.
     void aBranchChangesItsLastMap() {
         const Fractal fractal = placed(triangle, {{1, 1}, {3, 1.5}, {0.5, 4}});
-        const auto taken = branchHandles(fractal, *fractal.cage, {2, 2, 0}, BranchEdit::LastMap);
+        const auto taken = branchHandles(held(fractal), *fractal.cage, {2, 2, 0}, BranchEdit::LastMap);
         QVERIFY(taken && taken->place == 0);
         const Vector<2> offset(0.03, -0.04);
         for (const Fractal& after :
@@ -141,18 +145,18 @@ private slots:
               taken->handles.withMapsChanged(std::array<std::size_t, 1>{0},
                                              ifs::affineMap(1, 0, 0, 1, offset.x(), offset.y()))}) {
             QVERIFY(system2(after)->maps[1] == system2(fractal)->maps[1]);
-            const auto there = branchHandles(after, *after.cage, {2, 2, 0}, BranchEdit::LastMap);
+            const auto there = branchHandles(held(after), *after.cage, {2, 2, 0}, BranchEdit::LastMap);
             QVERIFY((there->handles.corners(0)[1] - taken->handles.corners(0)[1] - offset).norm() < 1e-12);
         }
-        QVERIFY(!branchHandles(fractal, *fractal.cage, {}, BranchEdit::LastMap));
-        QVERIFY(!branchHandles(fractal, *fractal.cage, {0, 7}, BranchEdit::LastMap));
+        QVERIFY(!branchHandles(held(fractal), *fractal.cage, {}, BranchEdit::LastMap));
+        QVERIFY(!branchHandles(held(fractal), *fractal.cage, {0, 7}, BranchEdit::LastMap));
     }
 
     // A branch turns about its own base, seen as a turn whatever the placement.
     void branchesSwingAboutTheirRoots() {
         for (const auto& current : {triangle, std::vector<Vector<2>>{{1, 1}, {3, 1.5}, {0.5, 4}}}) {
             const Fractal fractal = placed(triangle, current);
-            const MapHandles handles(fractal, *fractal.cage);
+            const MapHandles handles(held(fractal), *fractal.cage);
             const auto base = root(fractal);
             QVERIFY(base);
             const ifs::Placement place = placement(fractal);
@@ -176,7 +180,7 @@ private slots:
 
     void theOutlineBendsWithTheCage() {
         const Fractal fractal = placed(square, {{-0.2, -0.2}, {2, 0}, {1.1, 1.3}, {-0.2, 1.2}});
-        const MapHandles handles(fractal, *fractal.cage);
+        const MapHandles handles(held(fractal), *fractal.cage);
         QVERIFY(handles.outline(1).size() > 3 * handles.corners(1).size());
         QCOMPARE(handles.outline(1).front(), handles.corners(1).front());
     }
@@ -198,7 +202,7 @@ private slots:
         const ifs::AffineMap<2> turn = ifs::swung({}, {0.4, 0.3}, 0.1);
         for (const ifs::Word& word : {ifs::Word{1, 2}, ifs::Word{0, 1}, ifs::Word{2, 2, 0}, ifs::Word{1}}) {
             const auto handlesOf = [&](const Fractal& of) {
-                return branchHandles(of, *of.cage, word, BranchEdit::Display)->handles;
+                return branchHandles(held(of), *of.cage, word, BranchEdit::Display)->handles;
             };
             const MapHandles before = handlesOf(fractal);
             QVERIFY(before.canBeTaken());
@@ -241,15 +245,16 @@ private slots:
         QVERIFY(!near(box, *displayedBox(unmoved)));
         QVERIFY(near(box, *displayedBox(*withCageBaked(fractal))));
         for (const ifs::Word& word : {ifs::Word{0, 1}, ifs::Word{1, 2}, ifs::Word{2, 2, 2}, ifs::Word{1}}) {
-            const auto branch = branchHandles(fractal, *fractal.cage, word, BranchEdit::OwnMap);
+            const auto branch = branchHandles(held(fractal), *fractal.cage, word, BranchEdit::OwnMap);
             const std::array<std::size_t, 1> place{branch->place};
             const Fractal own = branch->handles.withMapsChanged(place, ifs::affineMap(1, 0, 0, 1, 1e-14, 0));
             if (word.size() > 1) QVERIFY(*system2(own) != code);
             QVERIFY(near(box, *displayedBox(own)));
             // The branch is seen where it is shown.
-            const auto shown = branchHandles(fractal, *fractal.cage, word, BranchEdit::Display)->handles;
+            const auto shown =
+                branchHandles(held(fractal), *fractal.cage, word, BranchEdit::Display)->handles;
             QVERIFY(farthest(shown.corners(0), branch->handles.corners(branch->place), {0, 0}) < 1e-9);
-            const auto last = branchHandles(fractal, *fractal.cage, word, BranchEdit::LastMap);
+            const auto last = branchHandles(held(fractal), *fractal.cage, word, BranchEdit::LastMap);
             QVERIFY(farthest(shown.corners(0), last->handles.corners(last->place), {0, 0}) < 1e-9);
         }
     }

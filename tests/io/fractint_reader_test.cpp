@@ -253,7 +253,7 @@ void FractintReaderTest::ownLinesAreRead() {
     QVERIFY((fractal.appearance.background == attractor::Rgba{1, 2, 3, 0}));
     QCOMPARE(fractal.appearance.gamma, 3.5);
     const auto& maps = document::system2(fractal)->maps;
-    QVERIFY((fractal.appearance.mapColours.at(maps[1].id) == attractor::Rgba{255, 0, 0, 128}));
+    QVERIFY((*fractal.appearance.mapColours.find(maps[1].id) == attractor::Rgba{255, 0, 0, 128}));
     QVERIFY(!maps[0].enabled);
     QCOMPARE(maps[0].weight, std::optional(0.25));
 }

@@ -277,6 +277,54 @@ private slots:
         QCOMPARE(scene().mapCount(), 2);
     }
 
+    // Frames of all would keep the window too long.
+    void ofVeryManyThoseInViewAreTaken() {
+        document::Fractal many;
+        document::System2 system;
+        constexpr int side = 150;
+        for (int i = 0; i < side * side; ++i)
+            system.maps.push_back({.id = ifs::MapId{std::uint32_t(i + 1)},
+                                   .map = ifs::affineMap(0.8 / side, 0, 0, 0.8 / side,
+                                                         double(i % side) / side, double(i / side) / side),
+                                   .weight = {}});
+        many.system = system;
+        m_document->edit(QStringLiteral("many"), many);
+        QSignalSpy said(m_canvas.get(), &CanvasView::message);
+        m_canvas->setTool(CanvasView::Tool::Cage);
+        m_canvas->fit();
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        QCOMPARE(said.size(), 1);
+        QVERIFY(scene().frameCount() > 5000 && scene().frameCount() <= 10'000);
+        int hidden = side * side - 1;
+        while (scene().hasFrame(hidden))
+            --hidden;
+
+        // A rectangle takes them all the same.
+        drag({1, 1}, {600, 470});
+        QVERIFY(m_canvas->selectedMaps().size() == std::size_t(side * side));
+        key(Qt::Key_Escape);
+
+        // What is walked to has a frame.
+        m_canvas->findChild<view::CanvasScene*>()->setFocused({Kind::Inside, 0, hidden});
+        QVERIFY(scene().hasFrame(hidden));
+        m_canvas->findChild<view::CanvasScene*>()->setFocused({});
+
+        hidden -= side / 2;
+        while (QLineF(corner(hidden, 0), corner(hidden, 1)).length() < 60) {
+            m_canvas->zoomBy(1.5);
+            const QPointF from = middle(hidden), to(320, 240);
+            press(from, {}, Qt::MiddleButton);
+            move(to, {}, Qt::MiddleButton);
+            release(to, {}, Qt::MiddleButton);
+        }
+        QVERIFY(scene().hasFrame(hidden));
+        const QPointF start = corner(hidden, 1);
+        const auto before = map(std::size_t(hidden));
+        drag(start, {12, 7});
+        QVERIFY(!(map(std::size_t(hidden)) == before));
+        QVERIFY(QLineF(corner(hidden, 1), start + QPointF(12, 7)).length() < 1e-6);
+    }
+
     // The cage drags the same maps: they are its children on the screen.
     void underADraggedCageTheyAreWhereTheyAreSeen() {
         m_canvas->setTool(CanvasView::Tool::Cage);

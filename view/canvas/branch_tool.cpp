@@ -89,10 +89,10 @@ MapsTool::Taken BranchTool::take(const CanvasPart&) {
     if (m_before) {
         select(m_addressAtPress); // begun anew
     } else {
-        m_before = scene().document().fractal();
+        m_before = scene().document().currentEntry().fractal;
         m_addressAtPress = m_address;
     }
-    auto branch = document::branchHandles(*m_before, *scene().cage(), scene().branch(), m_edit);
+    auto branch = document::branchHandles(m_before, *scene().cage(), scene().branch(), m_edit);
     if (!branch) return {};
     return {std::move(branch->handles), {branch->place}};
 }

@@ -47,7 +47,7 @@ private:
     document::BranchEdit m_edit = document::BranchEdit::OwnMap;
     ifs::Word m_address;
     ifs::Word m_addressAtPress;
-    std::optional<document::Fractal> m_before; // as it was at the press, while something is held
+    std::shared_ptr<const document::Fractal> m_before; // as it was at the press, while something is held
 };
 
 } // namespace view

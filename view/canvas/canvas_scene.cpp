@@ -17,7 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <numeric>
 #include <utility>
 
 namespace view {
@@ -26,7 +26,10 @@ namespace {
 
 using Kind = CanvasPart::Kind;
 
-constexpr std::size_t mostHints = 1000; // at selected maps that are not taken: more would hide the picture
+// Of maps that are taken; more, and their moves, would take longer than an event of a drag may.
+constexpr std::size_t mostFrames = 10'000;
+constexpr std::size_t mostChosen = 1000; // selected ones, of more than that
+constexpr std::size_t mostHints = 1000;  // at selected maps that are not taken: more would hide the picture
 
 struct Radii {
     double handle;
@@ -128,8 +131,9 @@ void CanvasScene::follow(const document::Change& change) {
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         const std::size_t vertices = m_cage ? m_cage->current.size() : 0;
         m_cage = document::system2(fractal) ? std::optional(document::effectiveCage(fractal)) : std::nullopt;
-        m_handles =
-            m_cage ? std::optional<document::MapHandles>(std::in_place, fractal, *m_cage) : std::nullopt;
+        m_handles = m_cage ? std::optional<document::MapHandles>(std::in_place,
+                                                                 m_document->currentEntry().fractal, *m_cage)
+                           : std::nullopt;
         setSelectedMaps(m_selectedMaps);                         // those that are left
         if (vertices != (m_cage ? m_cage->current.size() : 0)) { // others have the numbers now
             setSelectedVertices({});
@@ -223,8 +227,8 @@ bool CanvasScene::exists(const CanvasPart& part) const {
 
 QPointF CanvasScene::positionOf(const CanvasPart& part) const {
     if (part.map >= 0) {
-        if (part.map >= int(m_mapFrames->frames().size())) return {};
-        const QPolygonF& corners = m_mapFrames->frames()[std::size_t(part.map)].corners;
+        if (part.map >= childCount()) return {};
+        const QPolygonF corners = inPixels(childCorners(part.map));
         if (part.kind == Kind::Vertex) return corners.value(part.index);
         QPointF sum;
         for (const QPointF& corner : corners)
@@ -344,6 +348,7 @@ void CanvasScene::setPressed(CanvasPart part) {
 
 void CanvasScene::setFocused(CanvasPart part) {
     m_focused = part;
+    if (m_taken == Taken::Maps && part.map >= 0 && !hasFrame(part.map)) placeMaps();
     mark();
     emit focusChanged();
 }
@@ -363,8 +368,12 @@ SnapTargets CanvasScene::snapTargets(const CanvasPart& part, const std::vector<i
     };
     if (m_taken == Taken::Cage) targets.vertices = m_cage->rest;
     addStill(m_cage->current, m_taken == Taken::Cage);
+    std::vector<bool> isChosen(std::size_t(childCount()), m_taken == Taken::Branch);
+    if (m_taken == Taken::Maps)
+        for (const std::size_t place : selectedPlaces())
+            isChosen[place] = true;
     for (int child = 0; child < childCount(); ++child) {
-        const bool whole = part.kind != Kind::Vertex && !moving.empty() && isChildSelected(child);
+        const bool whole = part.kind != Kind::Vertex && !moving.empty() && isChosen[std::size_t(child)];
         if (!whole) addStill(childCorners(child), child == part.map);
     }
     return targets;
@@ -412,14 +421,36 @@ void CanvasScene::place() {
     updateVisibility();
 }
 
+QPolygonF CanvasScene::inPixels(const std::vector<ifs::Vector<2>>& points) const {
+    QPolygonF polygon;
+    for (const ifs::Vector<2>& point : points)
+        polygon.append(pixelOf(m_camera, point));
+    return polygon;
+}
+
+// Of too many those near the view, and if these are too many every so many of them.
+std::vector<std::size_t> CanvasScene::placesShown(const std::vector<bool>& isChosen) const {
+    std::vector<std::size_t> places(isChosen.size());
+    std::iota(places.begin(), places.end(), std::size_t(0));
+    if (places.size() <= mostFrames) return places;
+    if (!m_handles->bends()) {
+        const std::vector<ifs::Vector<2>> middles = m_handles->middles();
+        const QSizeF margin = sceneRect().size();
+        const QRectF near =
+            sceneRect().adjusted(-margin.width(), -margin.height(), margin.width(), margin.height());
+        std::erase_if(places,
+                      [&](std::size_t place) { return !near.contains(pixelOf(m_camera, middles[place])); });
+    }
+    const std::size_t stride = 1 + places.size() / mostFrames;
+    const bool withChosen = std::ranges::count(isChosen, true) <= std::ptrdiff_t(mostChosen);
+    std::erase_if(places, [&, k = std::size_t(0)](std::size_t place) mutable {
+        return k++ % stride != 0 && !(withChosen && isChosen[place]) && int(place) != m_focused.map;
+    });
+    return places;
+}
+
 void CanvasScene::placeMaps() {
     std::vector<MapFrame> frames;
-    const auto inPixels = [this](const std::vector<ifs::Vector<2>>& points) {
-        QPolygonF polygon;
-        for (const ifs::Vector<2>& point : points)
-            polygon.append(pixelOf(m_camera, point));
-        return polygon;
-    };
     const auto add = [&](const document::MapHandles& handles, std::size_t place, int child,
                          const QColor& colour, bool selected) {
         frames.push_back({child,
@@ -431,10 +462,12 @@ void CanvasScene::placeMaps() {
     std::vector<bool> isChosen(std::size_t(mapCount()), false);
     for (const std::size_t place : selectedPlaces())
         isChosen[place] = true;
-    for (std::size_t place = 0; m_taken != Taken::Branch && place < isChosen.size(); ++place) {
-        if (m_taken != Taken::Maps && (!isChosen[place] || frames.size() >= mostHints)) continue;
-        add(*m_handles, place, int(place), m_mapColours.at(place), isChosen[place]);
-    }
+    if (m_taken == Taken::Maps)
+        for (const std::size_t place : placesShown(isChosen))
+            add(*m_handles, place, int(place), m_mapColours.at(place), isChosen[place]);
+    for (std::size_t place = 0; m_taken == Taken::Cage && place < isChosen.size(); ++place)
+        if (isChosen[place] && frames.size() < mostHints)
+            add(*m_handles, place, int(place), m_mapColours.at(place), true);
     m_mapFrames->setFrames(std::move(frames),
                            m_taken == Taken::Cage ? MapFramesItem::Mode::Hint : MapFramesItem::Mode::Held);
 }
@@ -452,8 +485,8 @@ std::vector<ifs::Vector<2>> CanvasScene::childCorners(int child) const {
 void CanvasScene::takeBranch() {
     m_branchHandles.reset();
     if (m_taken != Taken::Branch || !m_cage) return;
-    const auto shown =
-        document::branchHandles(m_document->fractal(), *m_cage, m_branch, document::BranchEdit::Display);
+    const auto shown = document::branchHandles(m_document->currentEntry().fractal, *m_cage, m_branch,
+                                               document::BranchEdit::Display);
     if (shown) m_branchHandles = shown->handles;
 }
 
@@ -509,10 +542,11 @@ void CanvasScene::raiseTaken() {
 
 void CanvasScene::setSelectedMaps(const std::vector<ifs::MapId>& maps) {
     if (maps.empty() && m_selectedMaps.empty()) return;
-    const std::set<ifs::MapId> selected(maps.begin(), maps.end());
+    std::vector<ifs::MapId> selected = maps;
+    std::ranges::sort(selected);
     std::vector<std::size_t> places;
     for (std::size_t place = 0; place < std::size_t(mapCount()); ++place)
-        if (selected.contains(m_handles->maps()[place].id)) places.push_back(place);
+        if (std::ranges::binary_search(selected, m_handles->maps()[place].id)) places.push_back(place);
     setSelectedPlaces(places);
 }
 
@@ -547,8 +581,23 @@ bool CanvasScene::isSelected(int place) const {
                m_selectedMaps.end();
 }
 
-QRectF CanvasScene::frameBox(int place) const {
-    return m_mapFrames->frames().at(std::size_t(place)).outline.boundingRect();
+int CanvasScene::frameCount() const {
+    return int(m_mapFrames->frames().size());
+}
+
+bool CanvasScene::hasFrame(int place) const {
+    return std::ranges::binary_search(m_mapFrames->frames(), place, {}, &MapFrame::place);
+}
+
+std::vector<std::size_t> CanvasScene::placesWithin(const QRectF& band) const {
+    std::vector<std::size_t> places;
+    if (!m_handles) return places;
+    const std::vector<ifs::Vector<2>> middles = m_handles->middles();
+    for (std::size_t place = 0; place < middles.size(); ++place)
+        if ((m_handles->bends() || band.contains(pixelOf(m_camera, middles[place]))) &&
+            band.contains(inPixels(m_handles->outline(place)).boundingRect()))
+            places.push_back(place);
+    return places;
 }
 
 void CanvasScene::setSelectedVertices(std::vector<std::size_t> vertices) {

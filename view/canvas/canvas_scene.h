@@ -64,7 +64,11 @@ public:
     std::vector<std::size_t> selectedPlaces() const;
     void setSelectedPlaces(const std::vector<std::size_t>& places);
     bool isSelected(int place) const;
-    QRectF frameBox(int place) const; // of the image of the cage under a map that is taken, in pixels
+    // The maps that are taken have frames, or of very many those near the view.
+    int frameCount() const;
+    bool hasFrame(int place) const;
+    // The maps whose frames, the images of the cage, lie in `band`, in pixels.
+    std::vector<std::size_t> placesWithin(const QRectF& band) const;
 
     // Vertices of the cage that move together, in increasing order; those that are left when some have gone:
     // none.
@@ -133,10 +137,11 @@ private:
     void follow(const document::Change& change);
     void place(); // everything that depends on camera and cage
     void placeMaps();
+    QPolygonF inPixels(const std::vector<ifs::Vector<2>>& points) const;
+    std::vector<std::size_t> placesShown(const std::vector<bool>& isChosen) const; // of maps that are taken
     // The polygons that are taken when the cage is not: of the maps, or of the branch.
     int childCount() const;
     std::vector<ifs::Vector<2>> childCorners(int child) const;
-    bool isChildSelected(int child) const { return m_taken == Taken::Branch || isSelected(child); }
     bool anythingTaken() const { return m_taken == Taken::Cage || !takenPoints().empty(); }
     void takeBranch();
     std::vector<ifs::Vector<2>> takenPoints() const;

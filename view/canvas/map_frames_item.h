@@ -32,7 +32,7 @@ public:
     enum class Mode { Hint, Held };
 
     void setFrames(std::vector<MapFrame> frames, Mode mode);
-    const std::vector<MapFrame>& frames() const { return m_frames; }
+    const std::vector<MapFrame>& frames() const { return m_frames; } // by place
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;

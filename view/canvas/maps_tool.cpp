@@ -25,6 +25,8 @@ std::vector<ifs::AffineMap<2>> activeMaps(const document::Fractal& fractal) {
 
 void MapsTool::start() {
     scene().setTaken(CanvasScene::Taken::Maps);
+    if (scene().frameCount() < scene().mapCount())
+        emit message(tr("Of so many maps only some are shown. Zoom in for the others."));
 }
 
 void MapsTool::stop() {
@@ -55,15 +57,13 @@ void MapsTool::setSelection(const std::vector<std::size_t>& places) {
 }
 
 std::vector<std::size_t> MapsTool::enclosedBy(const QRectF& band) const {
-    std::vector<std::size_t> places;
-    for (int place = 0; place < scene().mapCount(); ++place)
-        if (band.contains(scene().frameBox(place))) places.push_back(std::size_t(place));
-    return places;
+    return scene().placesWithin(band);
 }
 
 MapsTool::Taken MapsTool::take(const CanvasPart& part) {
     if (part.map >= 0 && !scene().isSelected(part.map)) selectOnly(part.map);
-    return {document::MapHandles(scene().document().fractal(), *scene().cage()), scene().selectedPlaces()};
+    return {document::MapHandles(scene().document().currentEntry().fractal, *scene().cage()),
+            scene().selectedPlaces()};
 }
 
 QString MapsTool::stepText(Mode mode, std::optional<std::size_t> corner) const {

@@ -194,9 +194,11 @@ void PolygonTool::movePivot(const Pointer& pointer) {
 void PolygonTool::selectWithin(const Pointer& pointer) {
     const QRectF band = QRectF(m_press, pointer.position).normalized();
     std::vector<std::size_t> items = enclosedBy(band);
-    if (pointer.modifiers & adding)
-        for (const std::size_t item : m_selectionAtPress)
-            if (std::ranges::find(items, item) == items.end()) items.push_back(item);
+    if (pointer.modifiers & adding) {
+        items.insert(items.end(), m_selectionAtPress.begin(), m_selectionAtPress.end());
+        std::ranges::sort(items);
+        items.erase(std::ranges::unique(items).begin(), items.end());
+    }
     setSelection(items);
     m_scene->showBand(band);
 }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numbers>
 
 namespace view {
@@ -179,7 +180,8 @@ void BranchBar::swingTo(int degrees) {
     const document::Fractal before = m_swinging.before();
     const auto root = document::root(before);
     if (!document::system2(before) || !root) return;
-    const document::MapHandles handles(before, document::effectiveCage(before));
+    const document::MapHandles handles(std::make_shared<const document::Fractal>(before),
+                                       document::effectiveCage(before));
     const std::vector<std::size_t> places = m_canvas->canvas().selectedPlaces();
     const auto swung = [&](double angle) {
         return handles.withMapsSwung(places, *root, angle * std::numbers::pi / 180);

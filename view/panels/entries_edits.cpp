@@ -121,15 +121,13 @@ FractalFile replaced(FractalFile file, EntryId id, document::Fractal fractal) {
 }
 
 FractalFile turnedOver(FractalFile file, const QList<EntryId>& ids) {
-    for (const EntryId id : ids) {
-        const qsizetype place = document::indexOf(file, id);
-        if (place < 0) continue;
-        document::Fractal fractal = *file.entries[place].fractal;
-        document::System2* system = document::system2(fractal);
-        if (!system) continue;
-        for (auto& map : system->maps)
+    const QSet<EntryId> turned = setOf(ids);
+    for (Entry& entry : file.entries) {
+        if (!turned.contains(entry.id) || !document::system2(*entry.fractal)) continue;
+        document::Fractal fractal = *entry.fractal;
+        for (auto& map : document::system2(fractal)->maps)
             map.map = io::flipped(map.map);
-        file = replaced(std::move(file), id, std::move(fractal));
+        entry.fractal = std::make_shared<const document::Fractal>(std::move(fractal));
     }
     return file;
 }

@@ -30,13 +30,11 @@ std::vector<ifs::MapId> idsOf(const MapRows& maps) {
 
 // Inserts under fresh ids, which are returned.
 std::vector<ifs::MapId> insert(document::System2& system, std::size_t at, const MapRows& maps) {
-    std::vector<ifs::MapId> ids;
-    for (const auto& map : maps) {
-        const ifs::MapId id = ifs::freshId(system);
-        const auto place = system.maps.begin() + static_cast<std::ptrdiff_t>(at++);
-        system.maps.insert(place, map)->id = id;
-        ids.push_back(id);
-    }
+    std::vector<ifs::MapId> ids = ifs::freshIds(system, maps.size());
+    auto place =
+        system.maps.insert(system.maps.begin() + static_cast<std::ptrdiff_t>(at), maps.begin(), maps.end());
+    for (const ifs::MapId id : ids)
+        place++->id = id;
     return ids;
 }
 
@@ -98,13 +96,17 @@ MapsEdit withDuplicates(document::Fractal fractal, const Rows& rows) {
 MapsEdit withoutMaps(document::Fractal fractal, const Rows& rows) {
     auto& maps = document::system2(fractal)->maps;
     MapRows kept;
+    std::vector<ifs::MapId> gone;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         if (contains(rows, static_cast<int>(i)))
-            fractal.appearance.mapColours.erase(maps[i].id); // a later map may get the id
+            gone.push_back(maps[i].id);
         else
             kept.push_back(maps[i]);
     }
     maps = std::move(kept);
+    std::ranges::sort(gone);
+    fractal.appearance.mapColours.eraseIf( // a later map may get the id
+        [&](ifs::MapId id) { return std::ranges::binary_search(gone, id); });
     std::vector<ifs::MapId> touched;
     if (!rows.empty() && !maps.empty())
         touched.push_back(maps[std::min(static_cast<std::size_t>(rows.front()), maps.size() - 1)].id);

@@ -142,7 +142,7 @@ int decimalsOf(const QString& number) {
 MapsModel::MapsModel(document::Document* document, QObject* parent)
     : QAbstractTableModel(parent), m_document(document), m_edit(document) {
     connect(document, &document::Document::changed, this, &MapsModel::follow);
-    reload();
+    reload(false);
 }
 
 void MapsModel::follow(const document::Change& change) {
@@ -151,25 +151,26 @@ void MapsModel::follow(const document::Change& change) {
                           Change::Current | Change::File)))
         return;
     const document::System2* system = document::system2(m_document->fractal());
+    const bool sameCode = system && system->maps == m_maps; // as while the cage is dragged
     const bool sameRows =
-        system && std::equal(system->maps.begin(), system->maps.end(), m_maps.begin(), m_maps.end(),
-                             [](const auto& a, const auto& b) { return a.id == b.id; });
+        sameCode ||
+        (system && std::equal(system->maps.begin(), system->maps.end(), m_maps.begin(), m_maps.end(),
+                              [](const auto& a, const auto& b) { return a.id == b.id; }));
     if (!sameRows || change.parts & (Change::Current | Change::File)) {
         beginResetModel();
-        reload();
+        reload(sameCode);
         endResetModel();
         return;
     }
-    reload();
+    reload(sameCode);
     if (m_maps.empty()) return;
     emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-    emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1); // the warnings
+    if (!sameCode) emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1); // the warnings
 }
 
-void MapsModel::reload() {
+void MapsModel::reload(bool sameCode) {
     const document::Fractal& fractal = m_document->fractal();
     const document::System2* system = document::system2(fractal);
-    const bool sameCode = system && system->maps == m_maps; // as while the cage is dragged
     if (!sameCode) {
         m_maps = system ? system->maps : std::vector<ifs::WeightedMap<2>>{};
         m_probabilities = system ? ifs::probabilities(*system) : std::vector<double>{};

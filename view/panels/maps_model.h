@@ -66,7 +66,7 @@ public:
 
 private:
     void follow(const document::Change& change);
-    void reload();
+    void reload(bool sameCode);
     std::optional<double> number(int row, int column) const;
     QString tip(int row, int column) const;
     QString editText(int row, int column) const;
