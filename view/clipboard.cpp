@@ -30,6 +30,8 @@ public:
         : m_type(std::move(type)), m_write(std::move(write)) {}
     ~LateText() override { io::letGo(std::move(m_write)); }
 
+    const std::function<QByteArray()>& write() const { return m_write; }
+
     QStringList formats() const override { return {m_type, QStringLiteral("text/plain")}; }
 
 protected:
@@ -67,11 +69,13 @@ QByteArray entriesText(const QList<document::Entry>& entries) {
     return text;
 }
 
-std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries) {
-    return std::make_unique<LateText>(ifsType, [entries] { return entriesText(entries); });
-}
-
 namespace {
+
+class EntriesMimeData : public LateText {
+public:
+    explicit EntriesMimeData(const QList<document::Entry>& entries)
+        : LateText(ifsType, [entries] { return entriesText(entries); }) {}
+};
 
 class MapsMimeData : public LateText {
 public:
@@ -87,6 +91,10 @@ private:
 };
 
 } // namespace
+
+std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries) {
+    return std::make_unique<EntriesMimeData>(entries);
+}
 
 std::unique_ptr<QMimeData> mapsMimeData(std::vector<ifs::WeightedMap<2>> maps) {
     return std::make_unique<MapsMimeData>(std::move(maps));
@@ -121,12 +129,14 @@ FoundEntries entriesIn(const QByteArray& text) {
     return found;
 }
 
-QByteArray entriesTextIn(const QMimeData& mimeData) {
-    return mimeData.hasFormat(ifsType) ? mimeData.data(ifsType) : mimeData.text().toUtf8();
+std::function<QByteArray()> entriesTextIn(const QMimeData& mimeData) {
+    if (const auto* ours = dynamic_cast<const EntriesMimeData*>(&mimeData)) return ours->write();
+    if (mimeData.hasFormat(ifsType)) return [text = mimeData.data(ifsType)] { return text; };
+    return [text = mimeData.text()] { return text.toUtf8(); };
 }
 
 FoundEntries entriesIn(const QMimeData& mimeData) {
-    return entriesIn(entriesTextIn(mimeData));
+    return entriesIn(entriesTextIn(mimeData)());
 }
 
 bool holdsText(const QMimeData& mimeData) {

@@ -8,6 +8,7 @@
 #include <QList>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -31,8 +32,8 @@ struct FoundEntries {
     QString table{};
     bool areFlames = false;
 };
-FoundEntries entriesIn(const QByteArray& text); // any thread
-QByteArray entriesTextIn(const QMimeData& mimeData);
+FoundEntries entriesIn(const QByteArray& text);                       // any thread
+std::function<QByteArray()> entriesTextIn(const QMimeData& mimeData); // called in any thread, at any time
 FoundEntries entriesIn(const QMimeData& mimeData);
 
 // Rows of maps likewise, as a table; those copied in this process are there as they were.

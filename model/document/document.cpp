@@ -2,6 +2,7 @@
 #include "document/document.h"
 
 #include "document/edit_gesture.h"
+#include "document/let_go.h"
 
 #include <QUndoCommand>
 
@@ -14,6 +15,13 @@ class EditCommand : public QUndoCommand {
 public:
     EditCommand(Document* document, const QString& text, Document::State before, Document::State after)
         : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)) {}
+
+    ~EditCommand() override { // two files may be all there is of a hundred thousand entries
+        for (Document::State* state : {&m_before, &m_after})
+            if (state->file) letGo(std::move(*state->file));
+    }
+    EditCommand(const EditCommand&) = delete;
+    EditCommand& operator=(const EditCommand&) = delete;
 
     void undo() override { m_document->apply(m_before); }
     void redo() override { m_document->apply(m_after); }

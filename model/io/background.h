@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QCoreApplication>
+#include "document/let_go.h"
+
 #include <QPromise>
 #include <QThreadPool>
 
@@ -28,10 +29,6 @@ template <class Result, class Work> QFuture<Result> inBackground(Work work) {
     return future;
 }
 
-// What is large takes a while to be freed: beside the window, if this is the last of it and the program goes
-// on.
-template <class Value> void letGo(Value value) {
-    if (QCoreApplication::instance()) QThreadPool::globalInstance()->start([held = std::move(value)] {});
-}
+using document::letGo;
 
 } // namespace io

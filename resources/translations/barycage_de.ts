@@ -4328,6 +4328,10 @@
         <source>Reading what was pasted…</source>
         <translation>Das Eingefügte wird gelesen …</translation>
     </message>
+    <message>
+        <source>Adding entries…</source>
+        <translation>Einträge werden hinzugefügt …</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>

@@ -4328,6 +4328,10 @@
         <source>Reading what was pasted…</source>
         <translation>Leyendo lo pegado…</translation>
     </message>
+    <message>
+        <source>Adding entries…</source>
+        <translation>Añadiendo entradas…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>

@@ -4328,6 +4328,10 @@
         <source>Reading what was pasted…</source>
         <translation>Lecture de ce qui a été collé…</translation>
     </message>
+    <message>
+        <source>Adding entries…</source>
+        <translation>Ajout des entrées…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>

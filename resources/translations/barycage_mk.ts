@@ -4341,6 +4341,10 @@
         <source>Reading what was pasted…</source>
         <translation>Се чита вметнатото…</translation>
     </message>
+    <message>
+        <source>Adding entries…</source>
+        <translation>Се додаваат записи…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>

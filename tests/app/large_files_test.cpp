@@ -156,6 +156,19 @@ void LargeFilesTest::entriesAreEdited() {
     doing("undo moving", [&] { history->undo(); });
     doing("select all", [&] { list->selectAll(); });
     doing("copy all", [&] { panel->copySelected(); });
+    const int count = list->model()->rowCount();
+    const int many = std::min(count, 50'000);
+    doing("select many", [&] {
+        list->selectionModel()->select({list->model()->index(0, 0), list->model()->index(many - 1, 0)},
+                                       QItemSelectionModel::ClearAndSelect);
+    });
+    doing("copy many", [&] { panel->copySelected(); });
+    doing("duplicate many", [&] { panel->duplicateSelected(); });
+    QCOMPARE(list->model()->rowCount(), count + many);
+    doing("undo duplicating", [&] { history->undo(); });
+    doing("paste many", [&] { panel->paste(); });
+    QCOMPARE(list->model()->rowCount(), count + many);
+    doing("undo pasting", [&] { history->undo(); });
     doing("save", [&] {
         for (QAction* action : m_window->findChildren<QAction*>())
             if (action->shortcut() == QKeySequence(QKeySequence::Save)) return action->trigger();

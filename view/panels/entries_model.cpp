@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/entries_model.h"
 
+#include "io/background.h"
 #include "panels/entries_edits.h"
 
 #include <QScopedValueRollback>
@@ -59,6 +60,10 @@ EntriesModel::EntriesModel(document::Document* document, Thumbnails* thumbnails,
         if (const QModelIndex row = indexOf(static_cast<EntryId>(key)); row.isValid())
             emit dataChanged(row, row, {Qt::DecorationRole, ThumbnailStateRole, SubtitleRole});
     });
+}
+
+EntriesModel::~EntriesModel() {
+    io::letGo(std::move(m_shown));
 }
 
 int EntriesModel::rowCount(const QModelIndex& parent) const {

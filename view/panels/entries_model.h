@@ -28,6 +28,7 @@ public:
 
     // Both must outlive the model.
     EntriesModel(document::Document* document, Thumbnails* thumbnails, QObject* parent = nullptr);
+    ~EntriesModel() override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

@@ -28,6 +28,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace view {
 
@@ -203,13 +204,13 @@ void EntriesPanel::removeSelected() {
 }
 
 void EntriesPanel::duplicateSelected() {
-    QList<Entry> copies = entriesOf(m_list->selectedIds());
+    const QList<EntryId> selected = m_list->selectedIds();
+    QList<Entry> copies = entriesOf(selected);
     copies.removeIf([](const Entry& entry) { return !isReadable(entry); });
     if (copies.isEmpty()) {
         emit message(tr("An entry that could not be read cannot be duplicated: it would keep its name."));
         return;
     }
-    const EntryId last = m_list->selectedIds().last();
     const QString text = copies.size() == 1
                              ? tr("Duplicate %1").arg(quotedName(copies.front()))
                              : tr("Duplicate %n entries", nullptr, static_cast<int>(copies.size()));
@@ -217,7 +218,7 @@ void EntriesPanel::duplicateSelected() {
         copy.source.reset();
         copy.problems.clear();
     }
-    insertEntries(copies, last, text);
+    insertEntries(copies, selected.last(), text);
 }
 
 void EntriesPanel::renameCurrent() {
@@ -278,18 +279,23 @@ QList<Entry> EntriesPanel::entriesOf(const QList<EntryId>& ids) const {
 }
 
 QList<EntryId> EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId after, const QString& text) {
-    const Inserted result = inserted(m_document->file(), entries, after);
+    auto inserting =
+        io::inBackground<Inserted>([file = m_document->file(), entries, after](QPromise<Inserted>& promise) {
+            promise.addResult(inserted(file, entries, after));
+        });
+    if (!waitFor(QFuture<void>(inserting), tr("Adding entries…"), this)) return {};
+    const Inserted result = inserting.takeResult();
     m_document->editFile(text, result.file, result.ids.front());
     if (!m_filtered->mapFromSource(m_model->indexOf(result.ids.front())).isValid()) m_filter->clear();
     m_list->select(result.ids);
     return result.ids;
 }
 
-void EntriesPanel::insertFrom(const QByteArray& text, EntryId after) {
+void EntriesPanel::insertFrom(const std::function<QByteArray()>& text, EntryId after) {
     auto finding = io::inBackground<FoundEntries>(
-        [text](QPromise<FoundEntries>& promise) { promise.addResult(entriesIn(text)); });
+        [text](QPromise<FoundEntries>& promise) { promise.addResult(entriesIn(text())); });
     if (!waitFor(QFuture<void>(finding), tr("Reading what was pasted…"), this)) return;
-    const FoundEntries found = finding.takeResult();
+    FoundEntries found = finding.takeResult();
     if (found.entries.isEmpty()) {
         const QString why =
             found.problems.isEmpty() ? QString() : QLatin1Char(' ') + found.problems.front().message;
@@ -301,8 +307,10 @@ void EntriesPanel::insertFrom(const QByteArray& text, EntryId after) {
         insertEntries(found.entries, after,
                       count == 1 ? tr("Paste %1").arg(quotedName(found.entries.front()))
                                  : tr("Paste %n entries", nullptr, count));
-    const auto unreadable = std::count_if(found.entries.begin(), found.entries.end(),
+    if (ids.isEmpty()) return;
+    const auto unreadable = std::count_if(found.entries.cbegin(), found.entries.cend(),
                                           [](const Entry& entry) { return !isReadable(entry); });
+    io::letGo(std::exchange(found.entries, {}));
     if (unreadable > 0)
         emit message(tr("%n pasted entries could not be read; their text is kept as it is.", nullptr,
                         static_cast<int>(unreadable)));

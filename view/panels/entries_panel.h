@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QAction;
 class QLineEdit;
 
@@ -60,7 +62,7 @@ private:
     // Their new ids.
     QList<document::EntryId> insertEntries(const QList<document::Entry>& entries, document::EntryId after,
                                            const QString& text);
-    void insertFrom(const QByteArray& text, document::EntryId after);
+    void insertFrom(const std::function<QByteArray()>& text, document::EntryId after);
     void moveEntries(const QList<document::EntryId>& ids, document::EntryId before);
 
     document::Document* m_document;

@@ -422,18 +422,23 @@ std::vector<ifs::MapId> MapsPanel::selectedMaps() const {
 
 // In the order of the ids; maps that are gone have none.
 Rows MapsPanel::rowsOf(const std::vector<ifs::MapId>& ids) const {
-    QHash<ifs::MapId, int> known;
-    known.reserve(m_model->rowCount());
+    QHash<ifs::MapId, int> order; // of those asked for, which are seldom as many as there are
+    order.reserve(qsizetype(ids.size()));
+    Rows rows(ids.size(), -1);
+    for (int i = 0; i < int(ids.size()); ++i)
+        order.insert(ids[std::size_t(i)], i);
     for (int row = 0; row < m_model->rowCount(); ++row)
-        known.insert(m_model->idAt(row), row);
-    Rows rows;
-    for (const ifs::MapId id : ids)
-        if (const auto row = known.constFind(id); row != known.constEnd()) rows.push_back(*row);
+        if (const auto place = order.constFind(m_model->idAt(row)); place != order.constEnd())
+            rows[std::size_t(*place)] = row;
+    std::erase(rows, -1);
     return rows;
 }
 
 void MapsPanel::selectMaps(const std::vector<ifs::MapId>& ids) {
-    Rows rows = rowsOf(ids);
+    selectRows(rowsOf(ids));
+}
+
+void MapsPanel::selectRows(Rows rows) {
     const QModelIndex first = rows.empty() ? QModelIndex() : m_model->index(rows.front(), m_keptColumn);
     std::sort(rows.begin(), rows.end());
     QItemSelection selection; // of as few ranges as there are
@@ -460,10 +465,9 @@ void MapsPanel::keepSelection() {
 
 void MapsPanel::restoreSelection() {
     m_shape->setMap(ifs::MapId::None);
-    if (!rowsOf(m_kept).empty())
-        selectMaps(m_kept);
-    else if (m_model->rowCount() > 0)
-        selectMaps({m_model->idAt(0)});
+    Rows rows = rowsOf(m_kept);
+    if (rows.empty() && m_model->rowCount() > 0) rows = {0};
+    selectRows(std::move(rows));
     updateActions();
 }
 

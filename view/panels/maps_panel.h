@@ -84,6 +84,7 @@ private:
     Rows rowsOf(const std::vector<ifs::MapId>& ids) const;
     void keepSelection();
     void restoreSelection();
+    void selectRows(Rows rows); // the first becomes the current one
 
     document::Document* m_document;
     MapsModel* m_model;
