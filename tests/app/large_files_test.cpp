@@ -17,6 +17,8 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPointer>
 #include <QScrollBar>
 #include <QTableView>
@@ -87,6 +89,7 @@ private slots:
     void mapsAreSelected();
     void mapsAreEdited_data();
     void mapsAreEdited();
+    void everyCommandIsChosen();
     void framesOfManyMapsAreDragged();
     void branchesAreFoundAmongManyMaps();
     void workIsRecovered();
@@ -94,7 +97,7 @@ private slots:
 
 private:
     // As an event of its own, and until what follows is done.
-    void doing(const char* what, const std::function<void()>& action) {
+    void doing(const QByteArray& what, const std::function<void()>& action) {
         bool isDone = false;
         QMetaObject::invokeMethod(
             this,
@@ -107,7 +110,7 @@ private:
             QTest::qWait(10);
         QTest::qWait(150);
         for (const QString& late : application()->takeLate())
-            m_late << QString::fromLatin1(what) + QStringLiteral(": ") + late;
+            m_late << QString::fromUtf8(what) + QStringLiteral(": ") + late;
     }
     QString takeLate() { return std::exchange(m_late, {}).join(u'\n'); }
     void openLarge(const QByteArray& text) {
@@ -276,6 +279,37 @@ void LargeFilesTest::mapsAreEdited() {
     doing("select all again", [&] { panel->findChild<QTableView*>()->selectAll(); });
     doing("remove", [&] { panel->deleteMaps(); });
     doing("undo removing", [&] { history->undo(); });
+    QCOMPARE(takeLate(), QString());
+}
+
+// But for those that ask for a file, a printer, or to leave.
+void LargeFilesTest::everyCommandIsChosen() {
+    openLarge("many {\n" + rows(50'000) + "}\n");
+    const QStringList left{QStringLiteral("Open…"),    QStringLiteral("Save As…"),
+                           QStringLiteral("Print…"),   QStringLiteral("Close"),
+                           QStringLiteral("Quit"),     QStringLiteral("Revert"),
+                           QStringLiteral("New"),      QStringLiteral("New Window"),
+                           QStringLiteral("About Qt"), QStringLiteral("About Barycage")};
+    QList<QPointer<QAction>> commands;
+    for (const QMenu* menu : m_window->menuBar()->findChildren<QMenu*>())
+        for (QAction* action : menu->actions())
+            if (!action->isSeparator() && !action->menu() && !left.contains(action->text().remove(u'&')))
+                commands << action;
+    QVERIFY(commands.size() > 40);
+    for (const QPointer<QAction>& command : commands) {
+        if (!command || !command->isEnabled()) continue;
+        const QByteArray name = command->text().toUtf8();
+        doing(name, [&] { command->trigger(); });
+        QTest::qWait(200); // for what is asked beside the window
+        doing(name + ", left again", [&] {
+            for (auto* dialog : m_window->findChildren<QDialog*>())
+                dialog->reject();
+        });
+    }
+    const auto* panel = m_window->findChild<view::MapsPanel*>();
+    for (const auto rule : {view::WeightRule::Determinant, view::WeightRule::Equal,
+                            view::WeightRule::Dimension, view::WeightRule::Normalise})
+        doing("weights", [&] { const_cast<view::MapsPanel*>(panel)->applyWeights(rule); });
     QCOMPARE(takeLate(), QString());
 }
 
