@@ -74,15 +74,22 @@ std::vector<Vector<2>> MapHandles::outline(std::size_t place) const {
     return result;
 }
 
-std::vector<Vector<2>> MapHandles::middles() const {
-    Vector<2> centre = Vector<2>::Zero();
-    for (const Vector<2>& vertex : m_cage.rest)
-        centre += vertex / double(m_cage.rest.size());
+std::vector<Box> MapHandles::boxes() const {
+    Vector<2> low = m_cage.rest.front(), high = low;
+    for (const Vector<2>& vertex : m_cage.rest) {
+        low = low.cwiseMin(vertex);
+        high = high.cwiseMax(vertex);
+    }
+    const Vector<2> centre = (low + high) / 2, half = (high - low) / 2;
     const AffineMap<2> seen = m_placement.affine() * m_within;
-    std::vector<Vector<2>> result;
+    std::vector<Box> result;
     result.reserve(count());
-    for (const ifs::WeightedMap<2>& map : maps())
-        result.push_back(seen(map.map(centre)));
+    for (const ifs::WeightedMap<2>& map : maps()) {
+        const Vector<2> at = map.map(centre);
+        const Vector<2> middle = bends() ? m_placement(m_within(at)) : seen(at);
+        const Vector<2> reach = (seen.linear * map.map.linear).cwiseAbs() * half;
+        result.push_back({middle - reach, middle + reach});
+    }
     return result;
 }
 

@@ -32,8 +32,9 @@ public:
     std::vector<ifs::Vector<2>> corners(std::size_t place) const; // images of the cage's vertices
     std::vector<ifs::Vector<2>> outline(std::size_t place) const; // the same polygon, bent with the cage
 
-    // The images of the cage's centre, soon found for many maps; of a cage that bends, by its affine fit.
-    std::vector<ifs::Vector<2>> middles() const;
+    // Boxes around the images of the cage, soon found for many maps. Where the cage bends they are where
+    // their middles are shown, but as large as its affine fit makes them.
+    std::vector<Box> boxes() const;
     bool bends() const { return m_placement.bend() != nullptr; }
 
     // Maps can be taken unless the placement, or the piece, is flat.

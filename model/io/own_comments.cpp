@@ -371,7 +371,9 @@ QStringList OwnComments::applyTo(document::Fractal& fractal) const {
             else if (auto* map = mapAt(setting.place))
                 map->weight.reset();
         }
-        for (const MapSetting& setting : m_colours)
+        std::vector<MapSetting> colours = m_colours;
+        std::ranges::stable_sort(colours, {}, &MapSetting::place); // as their ids are; the last one counts
+        for (const MapSetting& setting : colours)
             if (const auto* map = mapAt(setting.place))
                 fractal.appearance.mapColours[map->id] = setting.colour;
         for (const MapSetting& setting : m_off) {

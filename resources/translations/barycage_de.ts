@@ -5559,7 +5559,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Erst eine Abbildung wählen.</translation>
     </message>
     <message>
-        <source>Of so many maps only some are shown. Zoom in for the others.</source>
+        <source>Of so many maps only some are shown. Zoom in to see the others.</source>
         <translation>Von so vielen Abbildungen werden nur einige gezeigt. Die übrigen zeigt ein näherer Ausschnitt.</translation>
     </message>
 </context>

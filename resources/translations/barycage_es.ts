@@ -5559,7 +5559,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Elija primero una aplicación.</translation>
     </message>
     <message>
-        <source>Of so many maps only some are shown. Zoom in for the others.</source>
+        <source>Of so many maps only some are shown. Zoom in to see the others.</source>
         <translation>De tantas aplicaciones solo se muestran algunas. Acerque la vista para ver las demás.</translation>
     </message>
 </context>

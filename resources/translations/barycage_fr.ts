@@ -5559,7 +5559,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Choisissez d’abord une application.</translation>
     </message>
     <message>
-        <source>Of so many maps only some are shown. Zoom in for the others.</source>
+        <source>Of so many maps only some are shown. Zoom in to see the others.</source>
         <translation>De si nombreuses applications, seules quelques-unes sont montrées. Agrandissez la vue pour voir les autres.</translation>
     </message>
 </context>

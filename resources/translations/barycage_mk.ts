@@ -5572,7 +5572,7 @@ The entry is kept as it is.</source>
         <translation>Прво избери пресликување.</translation>
     </message>
     <message>
-        <source>Of so many maps only some are shown. Zoom in for the others.</source>
+        <source>Of so many maps only some are shown. Zoom in to see the others.</source>
         <translation>Од толку многу пресликувања прикажани се само некои. Зголемете го приказот за останатите.</translation>
     </message>
 </context>

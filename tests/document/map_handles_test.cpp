@@ -46,6 +46,16 @@ private slots:
                 QVERIFY((handles.corners(i)[k] - effective->maps[i].map(fractal.cage->current[k])).norm() <
                         1e-13);
         QVERIFY(handles.outline(0) == handles.corners(0));
+        const std::vector<Box> boxes = handles.boxes();
+        QCOMPARE(boxes.size(), handles.count());
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const Vector<2> size = boxes[i].max - boxes[i].min;
+            for (const Vector<2>& corner : handles.corners(i)) {
+                QVERIFY(((corner - boxes[i].min).array() > -1e-12).all());
+                QVERIFY(((boxes[i].max - corner).array() > -1e-12).all());
+            }
+            QVERIFY(size.x() < 2 && size.y() < 2); // of triangles of half of 2.5 by 3
+        }
     }
 
     // What is asked for in displayed coordinates happens there, whatever the placement.

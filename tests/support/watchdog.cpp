@@ -7,7 +7,10 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <iterator>
+#include <memory>
 
 #include <cxxabi.h>
 #include <dlfcn.h>
@@ -98,13 +101,19 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
                                       ? static_cast<QMouseEvent*>(event)->buttons()
                                       : mouseButtons();
     const bool dragging = held != Qt::NoButton && !isOfAKey(seen.type);
-    m_running.append({level, processorTime(), 0});
+    m_running.append({level, processorTime(), 0, limits[dragging]});
     if (judged) m_alarm.set(limits[dragging]);
     const bool handled = Application::notify(receiver, event);
     const Running done = m_running.takeLast();
-    const double all = processorTime() - done.began;
-    if (!m_running.isEmpty()) m_running.last().inner += all;
+    const double now = processorTime();
+    const double all = now - done.began;
     if (!done.ignored) judge(seen, dragging, all - done.inner);
+    if (!m_running.isEmpty()) {
+        Running& around = m_running.last();
+        around.inner += all;
+        const double left = around.limit - (now - around.began - around.inner);
+        if (judged && left > 0) m_alarm.set(left);
+    }
     return handled;
 }
 
@@ -128,13 +137,14 @@ void WatchedApplication::ignoreThisEvent() {
 }
 
 QStringList WatchedApplication::takeLate() {
-    bool forgiven = !std::exchange(m_unforgivable, false);
+    bool few = true;
     for (const bool dragging : {false, true}) {
         const Tally before = std::exchange(m_lastTally[dragging], m_tally[dragging]);
-        const qint64 few = (m_tally[dragging].count - before.count) / (dragging ? 1000 : 100'000);
-        forgiven = forgiven && m_tally[dragging].late - before.late <= std::max<qint64>(2, few);
+        const qint64 count = m_tally[dragging].count - before.count;
+        few = few && m_tally[dragging].late - before.late <= count / (dragging ? 1000 : 100'000);
     }
     const QStringList late = std::exchange(m_late, {});
+    const bool forgiven = !std::exchange(m_unforgivable, false) && (few || late.size() <= 2);
     return forgiven ? QStringList() : late;
 }
 

@@ -36,8 +36,9 @@ public:
     bool notify(QObject* receiver, QEvent* event) override;
 
     // What was late since the last call, a line each; what it was doing when its time was over is printed at
-    // once. On a busy machine even processor time is stretched: two late events, or one in a thousand during
-    // drags and one in a hundred thousand otherwise, are forgiven when none took twice as long as it may.
+    // once. On a busy machine even processor time is stretched: two late events, or one in a thousand of
+    // those during drags and one in a hundred thousand of the others, are forgiven when none took twice as
+    // long as it may.
     QStringList takeLate();
     void ignoreThisEvent();  // it is a test's own work
     QString summary() const; // how many events, and the slowest of either kind
@@ -47,6 +48,7 @@ private:
         int loopLevel; // of event loops inside each other
         double began;  // milliseconds of processor time
         double inner;  // spent in events of loops inside this event: theirs, not its
+        double limit;
         bool ignored = false;
     };
     struct Event {

@@ -296,7 +296,7 @@ private slots:
         QCOMPARE(said.size(), 1);
         QVERIFY(scene().frameCount() > 5000 && scene().frameCount() <= 10'000);
         int hidden = side * side - 1;
-        while (scene().hasFrame(hidden))
+        while (scene().frameOf(hidden))
             --hidden;
 
         // A rectangle takes them all the same.
@@ -306,7 +306,7 @@ private slots:
 
         // What is walked to has a frame.
         m_canvas->findChild<view::CanvasScene*>()->setFocused({Kind::Inside, 0, hidden});
-        QVERIFY(scene().hasFrame(hidden));
+        QVERIFY(scene().frameOf(hidden));
         m_canvas->findChild<view::CanvasScene*>()->setFocused({});
 
         hidden -= side / 2;
@@ -317,12 +317,65 @@ private slots:
             move(to, {}, Qt::MiddleButton);
             release(to, {}, Qt::MiddleButton);
         }
-        QVERIFY(scene().hasFrame(hidden));
+        QVERIFY(scene().frameOf(hidden));
         const QPointF start = corner(hidden, 1);
         const auto before = map(std::size_t(hidden));
         drag(start, {12, 7});
         QVERIFY(!(map(std::size_t(hidden)) == before));
         QVERIFY(QLineF(corner(hidden, 1), start + QPointF(12, 7)).length() < 1e-6);
+    }
+
+    // However near one looks at a corner of it.
+    void ofVeryManyALargeOneIsTakenByItsCorner_data() {
+        QTest::addColumn<bool>("bends");
+        QTest::newRow("affine") << false;
+        QTest::newRow("bent") << true;
+    }
+    void ofVeryManyALargeOneIsTakenByItsCorner() {
+        QFETCH(bool, bends);
+        document::Fractal many;
+        document::System2 system;
+        for (int i = 0; i < 10'000; ++i)
+            system.maps.push_back(
+                {.id = ifs::MapId{std::uint32_t(i + 1)},
+                 .map = ifs::affineMap(0.001, 0, 0, 0.001, i % 100 / 100.0, i / 100 / 100.0),
+                 .weight = {}});
+        many.system = system;
+        const std::vector<Vector<2>> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        many.cage = ifs::ControlCage<2>{square, square};
+        if (bends) many.cage->current[2] = {1.3, 1.2};
+        m_document->edit(QStringLiteral("many"), many);
+        m_canvas->fit();
+        m_canvas->setTool(CanvasView::Tool::Cage);
+        QSignalSpy said(m_canvas.get(), &CanvasView::message);
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        QCOMPARE(scene().frameCount(), 10'000); // just not too many
+        QVERIFY(said.isEmpty());
+
+        document::Fractal more = m_document->fractal();
+        document::system2(more)->maps.push_back(
+            {.id = ifs::MapId{20'000}, .map = ifs::affineMap(0.5, 0, 0, 0.5, 0.1, 0.1), .weight = {}});
+        m_document->edit(QStringLiteral("one more"), more);
+        constexpr int last = 10'000;
+        const auto nearer = [&](double width) {
+            while (QLineF(corner(last, 0), corner(last, 1)).length() < width) {
+                const QPointF from = corner(last, 2), to(320, 240);
+                press(from, {}, Qt::MiddleButton);
+                move(to, {}, Qt::MiddleButton);
+                release(to, {}, Qt::MiddleButton);
+                m_canvas->zoomBy(1.5);
+            }
+        };
+        nearer(800);
+        QVERIFY(scene().frameOf(last));
+        drag(corner(last, 2), {12, 7});
+        QCOMPARE(m_canvas->selectedMaps(), std::vector<ifs::MapId>{ifs::MapId{20'000}});
+        nearer(bends ? 1200 : 20'000); // the box of a bent one is not exact, but it is selected
+        QVERIFY(scene().frameOf(last));
+        const QPointF start = corner(last, 2);
+        drag(start, {12, 7});
+        QVERIFY(QLineF(corner(last, 2), start + QPointF(12, 7)).length() < (bends ? 1 : 1e-3));
+        QVERIFY(scene().frameCount() < 10'000);
     }
 
     // The cage drags the same maps: they are its children on the screen.

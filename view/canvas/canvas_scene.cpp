@@ -116,6 +116,7 @@ void CanvasScene::follow(const document::Change& change) {
     if (change.parts & (Change::Current | Change::File)) {
         m_pivot.reset();
         m_branch.clear();
+        m_branchHandles.reset();
         setFocused({});
         setSelectedMaps({});
         setSelectedVertices({});
@@ -348,7 +349,7 @@ void CanvasScene::setPressed(CanvasPart part) {
 
 void CanvasScene::setFocused(CanvasPart part) {
     m_focused = part;
-    if (m_taken == Taken::Maps && part.map >= 0 && !hasFrame(part.map)) placeMaps();
+    if (m_taken == Taken::Maps && part.map >= 0 && !frameOf(part.map)) placeMaps();
     mark();
     emit focusChanged();
 }
@@ -428,24 +429,34 @@ QPolygonF CanvasScene::inPixels(const std::vector<ifs::Vector<2>>& points) const
     return polygon;
 }
 
+QRectF CanvasScene::inPixels(const document::Box& box) const {
+    return QRectF(pixelOf(m_camera, box.min), pixelOf(m_camera, box.max)).normalized();
+}
+
 // Of too many those near the view, and if these are too many every so many of them.
-std::vector<std::size_t> CanvasScene::placesShown(const std::vector<bool>& isChosen) const {
+std::vector<std::size_t> CanvasScene::placesShown(const std::vector<bool>& isChosen) {
     std::vector<std::size_t> places(isChosen.size());
     std::iota(places.begin(), places.end(), std::size_t(0));
+    m_thinned = false;
     if (places.size() <= mostFrames) return places;
-    if (!m_handles->bends()) {
-        const std::vector<ifs::Vector<2>> middles = m_handles->middles();
-        const QSizeF margin = sceneRect().size();
-        const QRectF near =
-            sceneRect().adjusted(-margin.width(), -margin.height(), margin.width(), margin.height());
-        std::erase_if(places,
-                      [&](std::size_t place) { return !near.contains(pixelOf(m_camera, middles[place])); });
-    }
-    const std::size_t stride = 1 + places.size() / mostFrames;
     const bool withChosen = std::ranges::count(isChosen, true) <= std::ptrdiff_t(mostChosen);
-    std::erase_if(places, [&, k = std::size_t(0)](std::size_t place) mutable {
-        return k++ % stride != 0 && !(withChosen && isChosen[place]) && int(place) != m_focused.map;
+    const auto mayGo = [&](std::size_t place) {
+        return !(withChosen && isChosen[place]) && int(place) != m_focused.map;
+    };
+    const QSizeF margin = m_handles->bends() ? sceneRect().size() : QSizeF(1, 1);
+    const QRectF near =
+        sceneRect().adjusted(-margin.width(), -margin.height(), margin.width(), margin.height());
+    const std::vector<document::Box> boxes = m_handles->boxes();
+    std::erase_if(places, [&](std::size_t place) {
+        const QRectF box = inPixels(boxes[place]).adjusted(-1, -1, 1, 1); // a flat one is empty
+        return mayGo(place) && !near.intersects(box);
     });
+    const std::size_t stride = (places.size() + mostFrames - 1) / mostFrames;
+    m_thinned = stride > 1;
+    if (m_thinned)
+        std::erase_if(places, [&, k = std::size_t(0)](std::size_t place) mutable {
+            return k++ % stride != 0 && mayGo(place);
+        });
     return places;
 }
 
@@ -585,18 +596,24 @@ int CanvasScene::frameCount() const {
     return int(m_mapFrames->frames().size());
 }
 
-bool CanvasScene::hasFrame(int place) const {
-    return std::ranges::binary_search(m_mapFrames->frames(), place, {}, &MapFrame::place);
+const MapFrame* CanvasScene::frameOf(int place) const {
+    const std::vector<MapFrame>& frames = m_mapFrames->frames();
+    const auto frame = std::ranges::lower_bound(frames, place, {}, &MapFrame::place);
+    return frame != frames.end() && frame->place == place ? &*frame : nullptr;
 }
 
 std::vector<std::size_t> CanvasScene::placesWithin(const QRectF& band) const {
     std::vector<std::size_t> places;
     if (!m_handles) return places;
-    const std::vector<ifs::Vector<2>> middles = m_handles->middles();
-    for (std::size_t place = 0; place < middles.size(); ++place)
-        if ((m_handles->bends() || band.contains(pixelOf(m_camera, middles[place]))) &&
-            band.contains(inPixels(m_handles->outline(place)).boundingRect()))
+    std::vector<document::Box> boxes; // of those without frames
+    if (frameCount() < mapCount()) boxes = m_handles->boxes();
+    for (std::size_t place = 0; place < m_handles->count(); ++place) {
+        const MapFrame* frame = frameOf(int(place));
+        if (frame ? band.contains(frame->outline.boundingRect())
+                  : band.contains(inPixels(boxes[place]).center()) &&
+                        band.contains(inPixels(m_handles->outline(place)).boundingRect()))
             places.push_back(place);
+    }
     return places;
 }
 

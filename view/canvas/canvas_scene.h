@@ -28,6 +28,7 @@ class AttractorItem;
 class BandItem;
 class CageItem;
 class GridItem;
+struct MapFrame;
 class MapFramesItem;
 class NoteItem;
 class RubberItem;
@@ -64,9 +65,10 @@ public:
     std::vector<std::size_t> selectedPlaces() const;
     void setSelectedPlaces(const std::vector<std::size_t>& places);
     bool isSelected(int place) const;
-    // The maps that are taken have frames, or of very many those near the view.
+    // The maps that are taken have frames, or of very many those near the view, if need be thinned out.
+    bool areMapsThinnedOut() const { return m_taken == Taken::Maps && m_thinned; }
     int frameCount() const;
-    bool hasFrame(int place) const;
+    const MapFrame* frameOf(int place) const; // nullptr: none
     // The maps whose frames, the images of the cage, lie in `band`, in pixels.
     std::vector<std::size_t> placesWithin(const QRectF& band) const;
 
@@ -138,7 +140,8 @@ private:
     void place(); // everything that depends on camera and cage
     void placeMaps();
     QPolygonF inPixels(const std::vector<ifs::Vector<2>>& points) const;
-    std::vector<std::size_t> placesShown(const std::vector<bool>& isChosen) const; // of maps that are taken
+    QRectF inPixels(const document::Box& box) const;
+    std::vector<std::size_t> placesShown(const std::vector<bool>& isChosen); // of maps that are taken
     // The polygons that are taken when the cage is not: of the maps, or of the branch.
     int childCount() const;
     std::vector<ifs::Vector<2>> childCorners(int child) const;
@@ -159,6 +162,7 @@ private:
     std::optional<document::MapHandles> m_handles;
     Taken m_taken = Taken::Cage;
     std::vector<QColor> m_mapColours;
+    bool m_thinned = false;
     std::vector<ifs::MapId> m_selectedMaps;
     std::vector<std::size_t> m_selectedVertices;
     ifs::Word m_branch;

@@ -25,8 +25,8 @@ std::vector<ifs::AffineMap<2>> activeMaps(const document::Fractal& fractal) {
 
 void MapsTool::start() {
     scene().setTaken(CanvasScene::Taken::Maps);
-    if (scene().frameCount() < scene().mapCount())
-        emit message(tr("Of so many maps only some are shown. Zoom in for the others."));
+    if (scene().areMapsThinnedOut())
+        emit message(tr("Of so many maps only some are shown. Zoom in to see the others."));
 }
 
 void MapsTool::stop() {

@@ -37,6 +37,8 @@ using document::EntryId;
 
 namespace {
 
+constexpr qsizetype mostAtOnce = 1000; // entries that are given ids and names while the window waits
+
 bool isReadable(const Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
 }
@@ -279,12 +281,18 @@ QList<Entry> EntriesPanel::entriesOf(const QList<EntryId>& ids) const {
 }
 
 QList<EntryId> EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId after, const QString& text) {
-    auto inserting =
-        io::inBackground<Inserted>([file = m_document->file(), entries, after](QPromise<Inserted>& promise) {
-            promise.addResult(inserted(file, entries, after));
-        });
-    if (!waitFor(QFuture<void>(inserting), tr("Adding entries…"), this)) return {};
-    const Inserted result = inserting.takeResult();
+    Inserted result;
+    const auto before = m_document->revision();
+    if (m_document->file().entries.size() + entries.size() > mostAtOnce) {
+        auto inserting = io::inBackground<Inserted>(
+            [file = m_document->file(), entries, after](QPromise<Inserted>& promise) {
+                promise.addResult(inserted(file, entries, after));
+            });
+        if (!waitFor(QFuture<void>(inserting), tr("Adding entries…"), this)) return {};
+        result = inserting.takeResult();
+    }
+    if (result.ids.isEmpty() || m_document->revision() != before) // nothing that was edited meanwhile is lost
+        result = inserted(m_document->file(), entries, after);
     m_document->editFile(text, result.file, result.ids.front());
     if (!m_filtered->mapFromSource(m_model->indexOf(result.ids.front())).isValid()) m_filter->clear();
     m_list->select(result.ids);
