@@ -197,7 +197,7 @@ void PolygonTool::selectWithin(const Pointer& pointer) {
     if (pointer.modifiers & adding) {
         items.insert(items.end(), m_selectionAtPress.begin(), m_selectionAtPress.end());
         std::ranges::sort(items);
-        items.erase(std::ranges::unique(items).begin(), items.end());
+        items.erase(std::unique(items.begin(), items.end()), items.end());
     }
     setSelection(items);
     m_scene->showBand(band);
