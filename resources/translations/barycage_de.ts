@@ -4726,6 +4726,10 @@
         <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
         <translation> Ein Pixel braucht mehr: Tiefer zeichnen Programme nicht, ohne dass man lange wartet.</translation>
     </message>
+    <message>
+        <source>Working out the shapes…</source>
+        <translation>Die Formen werden berechnet …</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>

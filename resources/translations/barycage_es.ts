@@ -4726,6 +4726,10 @@
         <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
         <translation> Un píxel necesita más: esta es la mayor profundidad que los programas dibujan sin una larga espera.</translation>
     </message>
+    <message>
+        <source>Working out the shapes…</source>
+        <translation>Calculando las formas…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>

@@ -4726,6 +4726,10 @@
         <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
         <translation> Un pixel en demande plus&#x202f;: c’est la plus grande profondeur que les logiciels dessinent sans longue attente.</translation>
     </message>
+    <message>
+        <source>Working out the shapes…</source>
+        <translation>Calcul des formes…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>

@@ -4739,6 +4739,10 @@
         <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
         <translation> За еден пиксел треба повеќе: ова е најголемата длабочина што програмите ја цртаат без долго чекање.</translation>
     </message>
+    <message>
+        <source>Working out the shapes…</source>
+        <translation>Се пресметуваат облиците…</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>

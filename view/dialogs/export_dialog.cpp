@@ -4,6 +4,7 @@
 #include "dialogs/export_size_editor.h"
 #include "dialogs/save_file_dialog.h"
 #include "dialogs/start_export.h"
+#include "io/background.h"
 #include "io/svg_levels.h"
 #include "panels/number_text.h"
 
@@ -61,6 +62,7 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     m_planTimer.setSingleShot(true);
     m_planTimer.setInterval(150);
     connect(&m_planTimer, &QTimer::timeout, this, &ExportDialog::updateSvgPlan);
+    connect(&m_planning, &QFutureWatcherBase::finished, this, &ExportDialog::showSvgPlan);
     connectOptions();
     update();
 }
@@ -251,9 +253,20 @@ void ExportDialog::update() {
 }
 
 void ExportDialog::updateSvgPlan() {
-    if (!isSvg()) return;
-    const auto svg = std::get<io::SvgExport>(exportNow());
-    const io::SvgPlan plan = io::svgPlan(svg.fractal, svg.camera, svg.format);
+    m_isPlanOld = m_planning.isRunning();
+    if (!isSvg() || m_isPlanOld) return;
+    m_planning.setFuture(io::inBackground<io::SvgPlan>(
+        [svg = std::get<io::SvgExport>(exportNow())](QPromise<io::SvgPlan>& promise) {
+            promise.addResult(io::svgPlan(svg.fractal, svg.camera, svg.format));
+        }));
+    QTimer::singleShot(300, this, [this] {
+        if (m_planning.isRunning()) showPlan(tr("Working out the shapes…"));
+    });
+}
+
+void ExportDialog::showSvgPlan() {
+    if (m_isPlanOld) return updateSvgPlan();
+    const io::SvgPlan plan = m_planning.result();
     if (plan.failure) {
         showPlan(*plan.failure);
         return;

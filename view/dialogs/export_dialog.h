@@ -6,6 +6,7 @@
 #include "io/export_job.h"
 
 #include <QDialog>
+#include <QFutureWatcher>
 #include <QImage>
 #include <QTimer>
 
@@ -56,7 +57,8 @@ private:
     document::Fractal fractalToExport() const;
     io::Export exportNow() const;
     void update();
-    void updateSvgPlan();
+    void updateSvgPlan(); // beside the window
+    void showSvgPlan();
     void showPlan(const QString& text);
     void makeRoomForPlan();
     void chooseFile();
@@ -86,6 +88,8 @@ private:
     QPushButton* m_start = nullptr;
     QPushButton* m_close = nullptr;
     QTimer m_planTimer;
+    QFutureWatcher<io::SvgPlan> m_planning;
+    bool m_isPlanOld = false;             // what is worked out is no longer what is wanted
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
 };
 
