@@ -99,6 +99,7 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() {
     hide(); // fields being edited hand over what was typed, while there is a document to take it
+    m_document.undoStack()->disconnect(this); // it is cleared when the file that the title names has gone
     connect(this, &QObject::destroyed, qApp,
             [file = m_document.file()]() mutable { // the panels are gone, too
                 io::letGo(std::move(file));

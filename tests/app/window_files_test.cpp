@@ -104,6 +104,7 @@ private slots:
     void recoveredWorkStaysUntilItIsKept();
     void unsavedWorkIsKeptWithinTwoSeconds();
     void whatIsGivenUpIsNotKept();
+    void aWindowGoesWithUnsavedWork();
     void aPathIsKnownFromEveryFolder();
     void namesAreNoMarkup();
     void aKilledEditorLeavesItsWork();
@@ -249,6 +250,25 @@ void WindowFilesTest::whatIsGivenUpIsNotKept() {
     edit("still mine");
     QTest::qWait(2000);
     QCOMPARE(journals(), 0);
+}
+
+// The history is emptied after the file has gone that the title names.
+void WindowFilesTest::aWindowGoesWithUnsavedWork() {
+    class Listener : public QObject {
+    public:
+        int count = 0;
+        bool eventFilter(QObject*, QEvent* event) override {
+            count += event->type() == QEvent::ModifiedChange ? 1 : 0;
+            return false;
+        }
+    } listener;
+    MainWindow* window = opened();
+    window->installEventFilter(&listener);
+    rename(window, QStringLiteral("mine"));
+    const int before = std::exchange(listener.count, 0);
+    QVERIFY(before > 0);
+    delete window;
+    QCOMPARE(listener.count, 0);
 }
 
 void WindowFilesTest::aPathIsKnownFromEveryFolder() {
