@@ -32,6 +32,7 @@
 #include <sys/stat.h>
 
 #include <csignal>
+#include <utility>
 
 namespace {
 
