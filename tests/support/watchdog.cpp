@@ -137,14 +137,16 @@ void WatchedApplication::ignoreThisEvent() {
 }
 
 QStringList WatchedApplication::takeLate() {
-    bool few = true;
+    qint64 few = 0, others = 0;
     for (const bool dragging : {false, true}) {
         const Tally before = std::exchange(m_lastTally[dragging], m_tally[dragging]);
-        const qint64 count = m_tally[dragging].count - before.count;
-        few = few && m_tally[dragging].late - before.late <= count / (dragging ? 1000 : 100'000);
+        if (dragging)
+            few = std::max<qint64>(2, (m_tally[dragging].count - before.count) / 1000);
+        else
+            others = m_tally[dragging].late - before.late;
     }
     const QStringList late = std::exchange(m_late, {});
-    const bool forgiven = !std::exchange(m_unforgivable, false) && (few || late.size() <= 2);
+    const bool forgiven = !std::exchange(m_unforgivable, false) && late.size() <= few && others <= 2;
     return forgiven ? QStringList() : late;
 }
 

@@ -36,9 +36,8 @@ public:
     bool notify(QObject* receiver, QEvent* event) override;
 
     // What was late since the last call, a line each; what it was doing when its time was over is printed at
-    // once. On a busy machine even processor time is stretched: two late events, or one in a thousand of
-    // those during drags and one in a hundred thousand of the others, are forgiven when none took twice as
-    // long as it may.
+    // once. On a busy machine even processor time is stretched: two late events, or one in a thousand
+    // during drags, are forgiven, of the others never more than two, when none took twice as long as it may.
     QStringList takeLate();
     void ignoreThisEvent();  // it is a test's own work
     QString summary() const; // how many events, and the slowest of either kind
