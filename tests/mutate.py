@@ -96,8 +96,8 @@ def tests_in(folder):
     listing = subprocess.run(["ctest", "--show-only=json-v1"], cwd=BUILD / "tests" / folder, check=True,
                              capture_output=True, text=True).stdout
     slow = {"name": "LABELS", "value": ["slow"]}
-    return [BUILD / "tests" / folder / test["name"] for test in json.loads(listing)["tests"]
-            if slow not in test["properties"]]
+    return [Path(test["command"][0]) for test in json.loads(listing)["tests"]
+            if slow not in test["properties"] and test["command"][0].startswith(str(BUILD))]
 
 
 class Judge:
@@ -143,7 +143,7 @@ def main():
     arguments = parser.parse_args()
 
     files = arguments.files or [str(path.relative_to(ROOT)) for folder in FOLDERS
-                                for path in sorted((ROOT / folder).glob("*.cpp"))]
+                                for path in sorted((ROOT / folder).rglob("*.cpp"))]
     all_mutants = [(name, mutant) for name in files for mutant in mutants(ROOT / name)]
     random.Random(arguments.seed).shuffle(all_mutants)  # so that what comes first is a fair sample
     all_mutants = all_mutants[:arguments.sample]
@@ -156,7 +156,7 @@ def main():
     for number, (name, (place, length, replacement)) in enumerate(all_mutants, 1):
         if time.monotonic() > end:
             break
-        folder = str(Path(name).parent)
+        folder = next(folder for folder in FOLDERS if name.startswith(folder + "/"))
         judge = judges.get(folder) or judges.setdefault(folder, Judge(FOLDERS[folder]))
         text = (ROOT / name).read_text()
         line = text.count("\n", 0, place) + 1

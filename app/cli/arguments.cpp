@@ -1,34 +1,63 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.h"
 
+#include "input.h"
 #include "messages.h"
+#include "parser.h"
 #include "usage_error.h"
 
-#include "io/number.h"
-#include "io/palette_reader.h"
-#include "io/save_file.h"
+#include "io/file/save_file.h"
+#include "io/palette/palette_reader.h"
+#include "io/text/number.h"
 
 #include <QColor>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QStringList>
+
+#include <algorithm>
+#include <limits>
 
 namespace cli {
 
 namespace {
-
-constexpr int largestSide = 1'000'000;
 
 QString tr(const char* text) {
     return QCoreApplication::translate("cli", text);
 }
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const QString& wanted) {
-    throw UsageError{tr("%1 “%2” is not understood: %3")
+    throw UsageError{tr("%1 “%2” is not valid: %3")
                          .arg(QString::fromStdString(option), QString::fromStdString(text), wanted)};
 }
 
-// Numbers between commas; empty when one of them is none.
+// The digits and what they are multiplied by: 10 to a power, k, M, G or T. Exact, so not by way of a double.
+std::optional<std::uint64_t> wholeNumber(const QString& text) {
+    static const QRegularExpression form(
+        QStringLiteral("^([0-9]*)(?:\\.([0-9]*))?(?:[eE]\\+?([0-9]{1,2})|([kKMGT]))?$"));
+    const auto match = form.match(text.trimmed());
+    QString digits = match.captured(1) + match.captured(2);
+    if (!match.hasMatch() || digits.isEmpty()) return std::nullopt;
+    const int unit = match.captured(4).isEmpty()
+                         ? 0
+                         : 3 * (1 + int(QStringLiteral("KMGT").indexOf(match.captured(4).toUpper())));
+    qsizetype power = match.captured(3).toInt() + unit - match.captured(2).size();
+    for (; power < 0 && digits.endsWith(u'0'); ++power)
+        digits.chop(1);
+    if (power < 0) return std::nullopt; // a fraction is left
+    if (digits.isEmpty()) digits = QStringLiteral("0");
+    bool good = false;
+    const std::uint64_t number = (digits + QString(power, u'0')).toULongLong(&good);
+    return good ? std::optional(number) : std::nullopt;
+}
+
+bool isLight(const attractor::Rgba& colour) {
+    return 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue > 128;
+}
+
+} // namespace
+
 std::vector<double> numbers(const QString& text) {
     std::vector<double> result;
     for (const QString& part : text.split(u',')) {
@@ -39,15 +68,63 @@ std::vector<double> numbers(const QString& text) {
     return result;
 }
 
-} // namespace
+std::string choiceArgument(const std::string& option, const std::string& text,
+                           const std::vector<std::string>& names) {
+    if (std::ranges::find(names, text) != names.end()) return text;
+    QStringList shown;
+    for (const std::string& name : names)
+        shown << QString::fromStdString(name);
+    const QString last = shown.takeLast();
+    const QString wanted = tr("it must be %1 or %2").arg(shown.join(QStringLiteral(", ")), last);
+    const std::string meant = nearest(text, names);
+    refuse(option, text,
+           meant.empty() ? wanted + u'.'
+                         : tr("%1. Did you mean %2?").arg(wanted, QString::fromStdString(meant)));
+}
+
+int integerArgument(const std::string& option, const std::string& text, int min, int max) {
+    bool good = false;
+    const int number = QString::fromStdString(text).toInt(&good);
+    if (!good || number < min || number > max)
+        refuse(option, text, tr("it must be a whole number from %1 to %2.").arg(min).arg(max));
+    return number;
+}
+
+std::uint64_t countArgument(const std::string& option, const std::string& text, std::uint64_t min,
+                            std::uint64_t max) {
+    const auto number = wholeNumber(QString::fromStdString(text));
+    if (!number || *number < min || *number > max)
+        refuse(option, text,
+               tr("it must be a whole number from %1 to %2, such as 250000, 1e6, 2.5M or 4G.")
+                   .arg(min)
+                   .arg(max));
+    return *number;
+}
+
+QSize pictureSizeArgument(const std::string& option, const std::string& text) {
+    const QStringList parts = QString::fromStdString(text).toLower().split(u'x');
+    bool good = parts.size() == 2 && (!parts[0].isEmpty() || !parts[1].isEmpty());
+    int sides[2] = {0, 0};
+    for (int i = 0; good && i < 2; ++i)
+        if (!parts[i].isEmpty())
+            sides[i] = parts[i].toInt(&good), good = good && sides[i] > 0 && sides[i] <= maxSide;
+    if (!good)
+        refuse(
+            option, text,
+            tr("it must be a width and a height of 1 to %1 pixels, such as 1200x900; 1200x and x900 keep the "
+               "proportions of the picture.")
+                .arg(maxSide));
+    return {sides[0], sides[1]};
+}
 
 QSize sizeArgument(const std::string& option, const std::string& text) {
     const QStringList parts = QString::fromStdString(text).toLower().split(u'x');
     bool good[2] = {false, false};
     QSize size;
     if (parts.size() == 2) size = {parts[0].toInt(&good[0]), parts[1].toInt(&good[1])};
-    if (!good[0] || !good[1] || size.isEmpty() || size.width() > largestSide || size.height() > largestSide)
-        refuse(option, text, tr("it takes a width and a height in pixels, like 1200x900."));
+    if (!good[0] || !good[1] || size.isEmpty() || size.width() > maxSide || size.height() > maxSide)
+        refuse(option, text,
+               tr("it must be a width and a height of 1 to %1 pixels, such as 240x180.").arg(maxSide));
     return size;
 }
 
@@ -55,32 +132,36 @@ std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std:
     std::vector<ifs::Vector<2>> points;
     for (const QString& part : QString::fromStdString(text).simplified().split(u' ', Qt::SkipEmptyParts)) {
         const auto xy = numbers(part);
-        if (xy.size() != 2) refuse(option, text, tr("it takes points like \"0,0 1,0 0.5,0.8\"."));
+        if (xy.size() != 2) refuse(option, text, tr("it must be points, such as \"0,0 1,0 0.5,0.8\"."));
         points.emplace_back(xy[0], xy[1]);
     }
     if (points.size() < 3)
-        refuse(option, text, tr("it takes at least three points, like \"0,0 1,0 0.5,0.8\"."));
+        refuse(option, text, tr("it must be at least three points, such as \"0,0 1,0 0.5,0.8\"."));
     return points;
 }
 
 std::uint64_t wholeArgument(const std::string& option, const std::string& text) {
-    bool good = false;
-    const QString digits = QString::fromStdString(text);
-    const std::uint64_t number = digits.startsWith(u'-') ? 0 : digits.toULongLong(&good);
-    if (!good) refuse(option, text, tr("it takes a whole number from 0 to 18446744073709551615."));
-    return number;
+    return countArgument(option, text, 0, std::numeric_limits<std::uint64_t>::max());
 }
 
 double positiveArgument(const std::string& option, const std::string& text) {
     const auto number = io::parseNumber(QString::fromStdString(text));
-    if (!number || !(*number > 0)) refuse(option, text, tr("it takes a positive number."));
+    if (!number || !(*number > 0)) refuse(option, text, tr("it must be a positive number."));
+    return *number;
+}
+
+double secondsArgument(const std::string& option, const std::string& text) {
+    constexpr double most = 1e6;
+    const auto number = io::parseNumber(QString::fromStdString(text));
+    if (!number || !(*number > 0 && *number <= most))
+        refuse(option, text, tr("it must be a number of seconds above 0, at most 1000000."));
     return *number;
 }
 
 double marginArgument(const std::string& option, const std::string& text) {
     const auto number = io::parseNumber(QString::fromStdString(text));
     if (!number || !(*number >= 0 && *number < 50))
-        refuse(option, text, tr("it takes per cent of the picture, from 0 to below 50."));
+        refuse(option, text, tr("it must be a percentage of the picture, from 0 to less than 50."));
     return *number / 100;
 }
 
@@ -90,7 +171,7 @@ attractor::Rgba colourArgument(const std::string& option, const std::string& tex
         name = u'#' + name.last(2) + name.sliced(1, 6); // #rrggbbaa, as our files have it; Qt: #aarrggbb
     const QColor colour(name);
     if (!colour.isValid() || (name.startsWith(u'#') && name.size() > 9))
-        refuse(option, text, tr("it takes a colour like #0d1017, #0d101780 or white, or transparent."));
+        refuse(option, text, tr("it must be a colour, such as #0d1017, #0d101780 or white, or transparent."));
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue()),
             std::uint8_t(colour.alpha())};
 }
@@ -103,7 +184,7 @@ attractor::Palette paletteOfFile(const QString& path) {
     for (const document::Problem& problem : file.problems)
         report(problem, path);
     if (file.palettes.size() > 1)
-        reportWarning(path, tr("The file holds %1 palettes; the first of them, “%2”, is taken.")
+        reportWarning(path, tr("The file contains %1 palettes; using the first of them, “%2”.")
                                 .arg(file.palettes.size())
                                 .arg(QString::fromStdString(file.palettes.front().name)));
     return file.palettes.front();
@@ -111,21 +192,41 @@ attractor::Palette paletteOfFile(const QString& path) {
 
 attractor::Palette paletteArgument(const std::string& option, const std::string& text) {
     if (const attractor::Palette* palette = attractor::findPalette(text)) return *palette;
-    const QString path = QString::fromStdString(text);
+    const QString path = fileNameOf(text);
     const bool isFileName = path.contains(u'/') || !QFileInfo(path).suffix().isEmpty();
     if (isFileName || QFileInfo(path).isFile()) return paletteOfFile(path);
     QStringList names;
     for (const auto& palette : attractor::builtInPalettes())
         names << QString::fromStdString(palette.name);
     refuse(option, text,
-           tr("the palettes are %1, or a .gpl, .ugr or .map file.").arg(names.join(QStringLiteral(", "))));
+           tr("it must be %1, or a .gpl, .ugr or .map file.").arg(names.join(QStringLiteral(", "))));
 }
 
-View viewArgument(const std::string& option, const std::string& text) {
+attractor::ColourBy colourByArgument(const std::string& option, const std::string& text) {
+    const std::string name = choiceArgument(option, text, {"density", "map", "address", "none"});
+    return name == "density"   ? attractor::ColourBy::Density
+           : name == "map"     ? attractor::ColourBy::Map
+           : name == "address" ? attractor::ColourBy::Address
+                               : attractor::ColourBy::Plain;
+}
+
+void putOn(attractor::Appearance& appearance, const attractor::Rgba& background) {
+    appearance.background = background;
+    const bool isPaper = isLight(background) && background.alpha == 255;
+    if (isPaper && isLight(appearance.plain)) appearance.plain = {20, 20, 20, 255}; // it must be seen
+}
+
+animation::Moment momentArgument(const std::string& option, const std::string& text) {
+    const auto moment = animation::parseMoment(text);
+    if (!moment) refuse(option, text, tr("it must be a frame from 0 on, such as 12, 12.5 or 25/2."));
+    return *moment;
+}
+
+attractor::View viewArgument(const std::string& option, const std::string& text) {
     const auto values = numbers(QString::fromStdString(text));
     if (values.size() != 3 || !(values[2] > 0))
-        refuse(option, text, tr("it takes the middle and a positive height, like \"0,1.5,10\"."));
-    return {{values[0], values[1]}, values[2]};
+        refuse(option, text, tr("it must be the centre and a positive height, such as \"0,1.5,10\"."));
+    return {{values[0], values[1]}, values[2], attractor::YAxis::Up};
 }
 
 } // namespace cli

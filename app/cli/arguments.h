@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "attractor/palette.h"
-#include "ifs/affine_map.h"
+#include "animation/moment.h"
+#include "attractor/colour/palette.h"
+#include "attractor/request/appearance.h"
+#include "attractor/request/camera.h"
+#include "ifs/system/affine_map.h"
 
 #include <QSize>
 
@@ -13,18 +16,33 @@
 // Option values that are more than a number. Each throws UsageError with a sentence that names the option.
 namespace cli {
 
-QSize sizeArgument(const std::string& option, const std::string& text);                         // "1200x900"
+std::vector<double> numbers(const QString& text); // between commas; empty when one of them is none
+
+// One of the names, else the sentence lists them.
+std::string choiceArgument(const std::string& option, const std::string& text,
+                           const std::vector<std::string>& names);
+int integerArgument(const std::string& option, const std::string& text, int min, int max);
+// A whole number, which may be written as 1e6, 2.5M or 4G as well.
+std::uint64_t countArgument(const std::string& option, const std::string& text, std::uint64_t min,
+                            std::uint64_t max);
+QSize sizeArgument(const std::string& option, const std::string& text); // "1200x900"
+// "1200x900"; "1200x" and "x900" leave the other side, 0, to the proportions of what is drawn.
+QSize pictureSizeArgument(const std::string& option, const std::string& text);
+constexpr int maxSide = 1'000'000;                                                              // pixels
 std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std::string& text); // "x,y x,y …"
 std::uint64_t wholeArgument(const std::string& option, const std::string& text);
 double positiveArgument(const std::string& option, const std::string& text);
+double secondsArgument(const std::string& option, const std::string& text); // above 0, at most 1e6
 double marginArgument(const std::string& option, const std::string& text); // per cent → share, below one half
 attractor::Rgba colourArgument(const std::string& option, const std::string& text);
+attractor::ColourBy colourByArgument(const std::string& option, const std::string& text);
+void putOn(attractor::Appearance& appearance,
+           const attractor::Rgba& background); // in colours that are seen on it
 attractor::Palette paletteArgument(const std::string& option, const std::string& text);
 
-struct View {
-    ifs::Vector<2> centre;
-    double height;
-};
-View viewArgument(const std::string& option, const std::string& text); // "cx,cy,height"
+animation::Moment momentArgument(const std::string& option,
+                                 const std::string& text); // frames: "12.5", "25/2"
+
+attractor::View viewArgument(const std::string& option, const std::string& text); // "cx,cy,height"
 
 } // namespace cli

@@ -7,15 +7,22 @@
 
 #include <functional>
 
-// One function per subcommand: it declares the arguments, and sets `run` when the subcommand is the one that
-// is called.
+// One function per command: it declares the arguments and returns what the command does once they are filled
+// in. An option has a group, what stands for its value, and its default; the footer of a command is its
+// usage.
 namespace cli {
 
-using Run = std::function<ExitStatus()>;
+struct Command {
+    CLI::App* app;
+    std::function<ExitStatus()> run;
+};
 
-void addGalleryCommand(CLI::App& program, Run& run);
-void addInfoCommand(CLI::App& program, Run& run);
-void addRenderCommand(CLI::App& program, Run& run);
-void addConvertCommand(CLI::App& program, Run& run);
+Command animateCommand(CLI::App& program);
+Command galleryCommand(CLI::App& program);
+Command mergeCommand(CLI::App& program);
+Command infoCommand(CLI::App& program);
+Command morphCommand(CLI::App& program);
+Command renderCommand(CLI::App& program);
+Command convertCommand(CLI::App& program);
 
 } // namespace cli

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.h"
 #include "commands.h"
+#include "convert_format.h"
 #include "input.h"
 #include "interrupt.h"
 #include "messages.h"
 #include "output.h"
 #include "progress_bar.h"
+#include "solid_arguments.h"
 #include "usage_error.h"
 
-#include "io/fractint_writer.h"
-#include "io/pdf_writer.h"
-#include "io/point_cloud.h"
-#include "io/text_formats.h"
+#include "document/edits/cage_edits.h"
+#include "document/fractal_geometry.h"
+#include "io/exchange/point_cloud.h"
+#include "io/file/native_path.h"
+#include "io/fractint/fractint_strict.h"
+#include "io/fractint/fractint_writer.h"
+#include "io/picture/pdf_writer.h"
+#include "io/solid/openscad.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -19,6 +25,7 @@
 #include <QSet>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <variant>
 
@@ -26,21 +33,20 @@ namespace cli {
 
 namespace {
 
-using io::TextFormat;
-struct PdfFormat {
-    friend bool operator==(const PdfFormat&, const PdfFormat&) = default;
-};
-using Format = std::variant<TextFormat, io::PointFormat, PdfFormat>;
+namespace fs = std::filesystem;
 
+using io::TextFormat;
 struct Arguments {
     std::vector<std::string> files; // the inputs, then the output
     std::vector<std::string> entries;
     std::string format;
     std::optional<std::string> columns, inColumns, points, seed;
+    SolidArguments solid;
     bool bake = false;
     bool strict = false;
     bool yAsWritten = false;
-    std::string progress = "auto";
+    bool overwrite = false;
+    Verbosity verbosity;
 };
 
 QString tr(const char* text) {
@@ -54,85 +60,71 @@ struct Plan {
     io::TextOptions writing;
     std::uint64_t points = 0;
     std::uint64_t seed = 1;
+    io::SolidOptions solid;
+    DimensionChange change;
     QString output;
     bool intoFolder = false;
 };
 
-bool isFractint(const Format& format) {
-    return format == Format(TextFormat::Fractint);
-}
-
-bool isTable(const Format& format) {
-    const auto* text = std::get_if<TextFormat>(&format);
-    return text && io::holdsOneSystem(*text);
-}
-
-bool holdsOneEntry(const Format& format) {
-    return isTable(format) || std::holds_alternative<io::PointFormat>(format);
-}
-
-QString suffixOf(const Format& format) {
-    if (const auto* text = std::get_if<TextFormat>(&format)) return io::suffixOf(*text);
-    if (std::holds_alternative<PdfFormat>(format)) return QStringLiteral("pdf");
-    return std::get<io::PointFormat>(format) == io::PointFormat::Ply ? QStringLiteral("ply")
-                                                                     : QStringLiteral("csv");
-}
-
-Format formatOf(const Arguments& arguments, const QFileInfo& output) {
-    const QString name =
-        arguments.format.empty() ? output.suffix() : QString::fromStdString(arguments.format);
-    if (arguments.points && name.compare(u"csv", Qt::CaseInsensitive) == 0) return io::PointFormat::Csv;
-    if (name.compare(u"ply", Qt::CaseInsensitive) == 0) {
-        if (!arguments.points) throw UsageError{tr("A .ply file holds points: say how many with --points.")};
-        return io::PointFormat::Ply;
-    }
-    if (name.compare(u"pdf", Qt::CaseInsensitive) == 0) return PdfFormat{};
-    if (const auto format = io::textFormat(name)) return *format;
-    throw UsageError{
-        tr("Files are written as fractint (.ifs), flame, aifs, csv, tsv, ply and pdf, and not as “%1”.")
-            .arg(name)};
-}
-
 io::TableColumns columnsArgument(const char* option, const std::string& text) {
     if (const auto columns = io::tableColumns(QString::fromStdString(text))) return *columns;
-    throw UsageError{
-        tr("%1 “%2” is not an order of columns: it names a b c d (or r s theta phi), e and f, and perhaps p, "
-           "each once, like \"a b e c d f p\".")
-            .arg(QLatin1String(option), QString::fromStdString(text))};
+    throw UsageError{tr("%1 “%2” is not an order of columns: it must name a b c d (or r s theta phi), e and "
+                        "f, and optionally p, each once, such as \"a b e c d f p\".")
+                         .arg(QLatin1String(option), QString::fromStdString(text))};
 }
 
 void refuseIf(bool given, const char* option, const QString& reason) {
-    if (given) throw UsageError{tr("%1 is not possible here: %2").arg(QLatin1String(option), reason)};
+    if (given) throw UsageError{tr("%1 cannot be used here: %2").arg(QLatin1String(option), reason)};
+}
+
+fs::path nativePath(const QString& path) {
+    return io::nativeName(path).toStdString();
+}
+
+bool isFolder(const QString& path) {
+    std::error_code error;
+    return fs::is_directory(nativePath(path), error);
+}
+
+bool makeFolder(const QString& path) {
+    std::error_code error;
+    fs::create_directories(nativePath(path), error);
+    return isFolder(path);
 }
 
 Plan planOf(const Arguments& arguments) {
     Plan plan;
-    plan.output = QString::fromStdString(arguments.files.back());
+    plan.output = fileNameOf(arguments.files.back());
     const QFileInfo output(plan.output);
     const bool isPrinted = isStandardOutput(plan.output);
     if (plan.output.isEmpty()) throw UsageError{tr("The name of the output is empty.")};
-    plan.intoFolder = !isPrinted && (output.isDir() || output.fileName().isEmpty());
+    plan.intoFolder = !isPrinted && (isFolder(plan.output) || output.fileName().isEmpty());
     if (plan.intoFolder && arguments.format.empty())
-        throw UsageError{tr("Say with --to what the files in the folder shall be.")};
+        throw UsageError{tr("Give the format of the files in the folder with --to.")};
     if (isPrinted && arguments.format.empty())
-        throw UsageError{tr("Say with --to what is written to standard output.")};
-    plan.format = formatOf(arguments, output);
-    refuseIf(arguments.strict && !isFractint(plan.format), "--strict", tr("it belongs to .ifs."));
+        throw UsageError{tr("Give the format for standard output with --to.")};
+    plan.format =
+        formatOf(arguments.format.empty() ? output.suffix() : QString::fromStdString(arguments.format),
+                 arguments.points.has_value(), asksForVoxels(arguments.solid));
+    refuseIf(arguments.strict && !isFractint(plan.format), "--strict", tr("it applies only to .ifs."));
     refuseIf(arguments.columns && !isTable(plan.format), "--columns",
-             tr("it belongs to tables (.csv and .tsv); the order in a table that is read is --in-columns."));
+             tr("it applies only to tables that are written (.csv and .tsv); for a table that is read, use "
+                "--in-columns."));
     refuseIf(arguments.points && !std::holds_alternative<io::PointFormat>(plan.format), "--points",
-             tr("points are written as .csv or .ply."));
-    refuseIf(arguments.seed && !arguments.points, "--seed", tr("it belongs to --points."));
+             tr("points can be written only as .csv or .ply."));
+    refuseIf(arguments.seed && !arguments.points, "--seed", tr("it applies only with --points."));
+    const bool isMesh = std::holds_alternative<io::MeshFormat>(plan.format);
+    plan.solid = solidOptions(arguments.solid, isMesh, std::holds_alternative<ScadFormat>(plan.format));
+    plan.change = dimensionChange(arguments.solid);
     if (arguments.yAsWritten) plan.reading.axis = plan.writing.axis = io::FlameAxis::AsWritten;
     if (arguments.inColumns) plan.reading.columns = columnsArgument("--in-columns", *arguments.inColumns);
     if (arguments.columns) plan.writing.columns = columnsArgument("--columns", *arguments.columns);
-    if (arguments.points) plan.points = wholeArgument("--points", *arguments.points);
-    if (arguments.points && (plan.points < 1 || plan.points > io::PointCloud::mostPoints))
-        throw UsageError{tr("--points takes a number from 1 to %1.").arg(io::PointCloud::mostPoints)};
+    if (arguments.points)
+        plan.points = countArgument("--points", *arguments.points, 1, io::PointCloud::maxPoints);
     if (arguments.seed) plan.seed = wholeArgument("--seed", *arguments.seed);
     if (arguments.files.size() > 2 && !plan.intoFolder)
-        throw UsageError{tr("Several files are converted into a folder, and “%1” is none. (A name that ends "
-                            "in / makes one.)")
+        throw UsageError{tr("Several files can be converted only into a folder, and “%1” is not one. (To "
+                            "create a folder, end its name with /.)")
                              .arg(plan.output)};
     return plan;
 }
@@ -144,37 +136,32 @@ struct Content {
     ExitStatus status = ExitStatus::Done;
 };
 
-bool isUnderMovedCage(const document::Fractal& fractal) {
-    return document::system2(fractal) && fractal.cage && fractal.cage->rest != fractal.cage->current;
-}
-
 bool hasActiveMap(const document::Fractal& fractal) {
-    const auto* space = std::get_if<document::System3>(&fractal.system);
+    const auto* space = document::system3(fractal);
     return space ? !ifs::activeMaps(*space).maps.empty()
                  : !ifs::activeMaps(*document::system2(fractal)).maps.empty();
 }
 
 // Why the entry cannot be written in this form; the code takes up the cage where that is asked.
 std::optional<QString> obstacle(document::Entry& entry, const Arguments& arguments, const Plan& plan) {
+    if (auto reason = changeDimension(entry, plan.change)) return reason;
     const document::Fractal& fractal = *entry.fractal;
-    const auto* text = std::get_if<TextFormat>(&plan.format);
-    if (text ? !io::holds(*text, fractal) : !document::system2(fractal))
-        return tr("“%1” is left out: the format holds plane systems only.").arg(fractal.name);
+    if (const QString reason = dimensionObstacle(plan.format, fractal); !reason.isEmpty()) return reason;
     if (arguments.columns && !document::system2(fractal))
-        return tr("“%1” is left out: --columns names the columns of plane systems.").arg(fractal.name);
-    if (arguments.bake && isUnderMovedCage(fractal)) {
-        if (ifs::bends(*fractal.cage))
-            return tr("“%1” is left out: its cage bends the picture, which no code can do.")
+        return tr("“%1” was omitted: --columns applies only to systems in the plane.").arg(fractal.name);
+    if (arguments.bake && document::system2(fractal) && !document::isAtRest(fractal)) {
+        if (ifs::bends(*document::cage2(fractal)))
+            return tr("“%1” was omitted: its cage bends the picture, which no code can reproduce.")
                 .arg(fractal.name);
-        auto baked = document::withCageBaked(fractal);
+        auto baked = document::baked(fractal);
         if (!baked)
-            return tr("“%1” is left out: its cage is too flat to be baked into the code.").arg(fractal.name);
+            return tr("“%1” was omitted: its cage is too flat to be baked into the code.").arg(fractal.name);
         entry.fractal = std::make_shared<const document::Fractal>(*std::move(baked));
     }
     if (const auto* points = std::get_if<io::PointFormat>(&plan.format))
         return io::obstacle({*entry.fractal, plan.points, plan.seed, *points});
     if (plan.format == Format(TextFormat::Aifs) && !hasActiveMap(fractal))
-        return tr("“%1” is left out: no map takes part.").arg(fractal.name);
+        return tr("“%1” was omitted: no map is active.").arg(fractal.name);
     return std::nullopt;
 }
 
@@ -191,6 +178,13 @@ Content contentOf(const Input& input, const Arguments& arguments, const Plan& pl
             reportError(input.name, *reason);
             content.status = ExitStatus::InputProblems;
         } else {
+            const auto* text = std::get_if<TextFormat>(&plan.format);
+            document::Fractal written = *entry.fractal;
+            if (auto* shape = document::plane(written);
+                shape && arguments.bake && document::isAtRest(written))
+                shape->cage.reset(); // it has done its work
+            if (const auto loss = text ? io::lossOf(*text, written) : std::nullopt)
+                reportWarning(input.name, *loss);
             content.file.entries << entry;
         }
     }
@@ -236,29 +230,36 @@ struct Written {
 
 class Converter {
 public:
-    Converter(const Arguments& arguments, const Plan& plan, std::stop_token stop)
-        : m_arguments(arguments), m_plan(plan), m_stop(std::move(stop)) {}
+    Converter(const Arguments& arguments, const Plan& plan, const Interrupt& interrupt)
+        : m_arguments(arguments), m_plan(plan), m_interrupt(interrupt), m_stop(interrupt.token()) {}
+
+    bool isInterrupted() const { return m_isInterrupted; } // before all was written
+    int filesWritten() const { return m_filesWritten; }
 
     ExitStatus run(const std::string& file, const io::Progress& progress) {
         const auto input = readInput(file, m_plan.reading);
         if (!input) return ExitStatus::CannotReadOrWrite;
         const QString base = baseOf(*input);
-        if (m_plan.intoFolder && !QDir().mkpath(m_plan.output)) {
-            reportError(m_plan.output, tr("The folder cannot be made."));
+        if (m_plan.intoFolder && !makeFolder(m_plan.output)) {
+            reportError(m_plan.output, tr("The folder cannot be created."));
             return ExitStatus::CannotReadOrWrite;
         }
         const bool untouched = m_arguments.entries.empty() && !m_arguments.bake && !m_arguments.strict &&
-                               !m_arguments.inColumns && !m_arguments.yAsWritten;
+                               !m_plan.change.isWanted() && !m_arguments.inColumns && !m_arguments.yAsWritten;
+        m_input = input->name;
+        m_holdsLess = m_isRefused = false;
         if (untouched && isFractint(m_plan.format) && isCollectionFile(*input))
-            return writeOutput(outputFor(base, input->name), input->bytes);
+            return write(outputFor(base, input->name), input->bytes);
         const Content content = contentOf(*input, m_arguments, m_plan);
         if (content.file.entries.isEmpty()) return nothingLeft(input->name);
+        const bool keepsAll = isFractint(m_plan.format) && input->collection.format == u"fractint";
+        m_holdsLess = !keepsAll || content.file.entries.size() < input->collection.file.entries.size();
         const Written written = save(content.file, base, input->name, progress);
         const ExitStatus status = std::max(content.status, written.status);
-        if (written.entries == content.asked || written.entries == 0) return status;
+        if (m_isRefused || written.entries == content.asked || written.entries == 0) return status;
         if (status > ExitStatus::InputProblems) return status;
         const auto say = status == ExitStatus::Done ? reportWarning : reportError;
-        say(input->name, tr("Entries written: %1; left out: %2.")
+        say(input->name, tr("Entries written: %1; omitted: %2.")
                              .arg(written.entries)
                              .arg(content.asked - written.entries));
         return status;
@@ -279,7 +280,7 @@ private:
     }
 
     static ExitStatus nothingLeft(const QString& fileName) {
-        reportError(fileName, tr("No entry is left that could be written, so nothing was."));
+        reportError(fileName, tr("No entry could be written, so nothing was written."));
         return ExitStatus::InputProblems;
     }
 
@@ -301,7 +302,7 @@ private:
             output = base + u'-' + QString::number(number) + suffix;
         m_taken.insert(output.toLower());
         if (output != wanted)
-            reportWarning(inputName, tr("It is written to “%1”, for “%2” is taken.").arg(output, wanted));
+            reportWarning(inputName, tr("“%2” already exists; using “%1” instead.").arg(output, wanted));
         return output;
     }
 
@@ -313,11 +314,11 @@ private:
             return savePages(systems, outputFor(base, inputName), inputName);
         if (holdsOneEntry(m_plan.format)) return saveEach(systems, base, inputName, progress);
         return {systems.size(),
-                writeOutput(outputFor(base, inputName),
-                            io::textOf(systems, std::get<TextFormat>(m_plan.format), m_plan.writing))};
+                write(outputFor(base, inputName),
+                      io::textOf(systems, std::get<TextFormat>(m_plan.format), m_plan.writing))};
     }
 
-    Written saveCollection(document::FractalFile file, const QString& output, const QString& name) const {
+    Written saveCollection(document::FractalFile file, const QString& output, const QString& name) {
         if (name.endsWith(u".par", Qt::CaseInsensitive)) {
             file.head.clear();
             file.tail.clear();
@@ -325,15 +326,16 @@ private:
                 if (entry.source) // none in a flame of that name
                     entry.source = withoutParameters(*entry.source, &entry == &file.entries.first());
         }
-        if (!m_arguments.strict) return {file.entries.size(), writeOutput(output, io::writeFractint(file))};
+        if (!m_arguments.strict) return {file.entries.size(), write(output, io::writeFractint(file))};
         const io::StrictText text = io::writeStrict(file);
         const ExitStatus status = reportAll(text.problems, name);
         if (text.bytes.isEmpty()) return {0, nothingLeft(name)};
-        return {text.entries, std::max(status, writeOutput(output, text.bytes))};
+        m_holdsLess = m_holdsLess || !text.problems.isEmpty() || text.entries < file.entries.size();
+        return {text.entries, std::max(status, write(output, text.bytes))};
     }
 
     // One square page for every system that has an attractor.
-    Written savePages(const Fractals& systems, const QString& output, const QString& inputName) const {
+    Written savePages(const Fractals& systems, const QString& output, const QString& inputName) {
         constexpr int side = 700; // pixels, a good seven inches
         std::vector<io::PdfPage> pages;
         for (const auto& fractal : systems) {
@@ -344,14 +346,14 @@ private:
             io::PdfPage page{*fractal, camera, {}};
             const auto failure = io::svgPlan(page.fractal, page.camera, page.format).failure;
             if (failure)
-                reportWarning(inputName, tr("“%1” is left out: %2").arg(fractal->name, *failure));
+                reportWarning(inputName, tr("“%1” was omitted: %2").arg(fractal->name, *failure));
             else
                 pages.push_back(std::move(page));
         }
         if (pages.empty()) return {0, nothingLeft(inputName)};
         const io::PdfPicture picture = io::pdfPicture(pages, m_stop);
-        if (m_stop.stop_requested()) return {0, ExitStatus::Interrupted};
-        return {qsizetype(pages.size()), writeOutput(output, picture.bytes)};
+        if (m_stop.stop_requested()) return {0, interrupted()};
+        return {qsizetype(pages.size()), write(output, picture.bytes)};
     }
 
     // One file for every system.
@@ -360,14 +362,15 @@ private:
         if (systems.size() == 1)
             return {1, saveOne(systems.first(), outputFor(base, inputName), inputName, progress)};
         if (!m_plan.intoFolder) {
-            reportError(inputName, tr("The file has %1 systems, and %2 holds one: choose it with --entry, or "
-                                      "name a folder to write one file for each.")
+            reportError(inputName, tr("The file has %1 systems, but %2 can store only one: select it with "
+                                      "--entry, or give a folder to write one file for each.")
                                        .arg(systems.size())
                                        .arg(QFileInfo(base).fileName()));
             return {0, ExitStatus::InputProblems};
         }
         Written written;
-        for (qsizetype i = 0; i < systems.size() && !m_stop.stop_requested(); ++i) {
+        for (qsizetype i = 0; i < systems.size(); ++i) {
+            if (m_stop.stop_requested()) return {written.entries, interrupted()};
             QString name = systems[i]->name;
             name.replace(u'/', u'_');
             const io::Progress part = [&](double fraction) {
@@ -380,84 +383,168 @@ private:
         return written;
     }
 
+    ExitStatus interrupted() {
+        m_isInterrupted = true;
+        return m_interrupt.status();
+    }
+
+    // The output is a file that was given to be read, and what it holds would be gone.
+    bool wouldLose(const QString& output) const {
+        if (m_arguments.overwrite || isStandardOutput(output)) return false;
+        if (isSameFile(output, m_input)) {
+            if (m_holdsLess)
+                reportError(output,
+                            tr("This is the file that is read, and it would be replaced by less than it "
+                               "holds. Write to another file, or replace it with --overwrite."));
+            return m_holdsLess;
+        }
+        const bool isOther =
+            std::any_of(m_arguments.files.begin(), m_arguments.files.end() - 1,
+                        [&](const std::string& file) { return isSameFile(output, fileNameOf(file)); });
+        if (isOther)
+            reportError(output,
+                        tr("This is one of the files to read, and “%1” would replace it. Write to another "
+                           "folder, or replace it with --overwrite.")
+                            .arg(m_input));
+        return isOther;
+    }
+
+    ExitStatus write(const QString& output, const QByteArray& bytes) {
+        if (wouldLose(output)) {
+            m_isRefused = true;
+            return ExitStatus::InputProblems;
+        }
+        const ExitStatus status = writeOutput(output, bytes);
+        if (status == ExitStatus::Done) ++m_filesWritten;
+        return status;
+    }
+
     ExitStatus saveOne(const std::shared_ptr<const document::Fractal>& fractal, const QString& output,
-                       const QString& inputName, const io::Progress& progress) const {
+                       const QString& inputName, const io::Progress& progress) {
         if (const auto* text = std::get_if<TextFormat>(&m_plan.format))
-            return writeOutput(output, io::textOf({fractal}, *text, m_plan.writing));
-        const auto format = std::get<io::PointFormat>(m_plan.format);
-        const io::PointCloud cloud{*fractal, m_plan.points, m_plan.seed, format};
-        const auto outcome = exportOutput(cloud, output, progress, m_stop);
-        if (outcome.stopped) return ExitStatus::Interrupted;
+            return write(output, io::textOf({fractal}, *text, m_plan.writing));
+        if (std::holds_alternative<ScadFormat>(m_plan.format)) return writeScad(*fractal, output, inputName);
+        if (wouldLose(output)) {
+            m_isRefused = true;
+            return ExitStatus::InputProblems;
+        }
+        std::optional<io::SolidFacts> facts;
+        const auto outcome = exportOutput(exportOf(*fractal, facts), output, progress, m_stop);
+        if (outcome.stopped) return interrupted();
         if (outcome.failure) {
             reportError(output, *outcome.failure);
-            return ExitStatus::CannotReadOrWrite;
+            const bool isRefused = std::holds_alternative<io::MeshFormat>(m_plan.format) && !facts;
+            return isRefused ? ExitStatus::InputProblems : ExitStatus::CannotReadOrWrite;
         }
+        if (facts && !isStandardOutput(output)) sayReport(io::summaryOf(*facts, m_plan.solid));
+        ++m_filesWritten;
         if (outcome.note != attractor::RenderNote::None)
-            reportWarning(inputName,
-                          tr("“%1” is not known to have an attractor; the points are where orbits go "
-                             "before they escape.")
-                              .arg(fractal->name));
+            reportWarning(
+                inputName,
+                tr("“%1” may not have an attractor; the points show where orbits go before they escape.")
+                    .arg(fractal->name));
         return ExitStatus::Done;
+    }
+
+    io::Export exportOf(const document::Fractal& fractal, std::optional<io::SolidFacts>& facts) const {
+        if (const auto* mesh = std::get_if<io::MeshFormat>(&m_plan.format))
+            return io::SolidExport{fractal, m_plan.solid, *mesh,
+                                   [&facts](const io::SolidFacts& made) { facts = made; }};
+        return io::PointCloud{fractal, m_plan.points, m_plan.seed, std::get<io::PointFormat>(m_plan.format)};
+    }
+
+    ExitStatus writeScad(const document::Fractal& fractal, const QString& output, const QString& inputName) {
+        const io::OpenScad scad = io::openScad(fractal, m_plan.solid.voxel);
+        if (scad.failure) {
+            reportError(inputName, *scad.failure);
+            return ExitStatus::InputProblems;
+        }
+        return write(output, scad.text);
     }
 
     const Arguments& m_arguments;
     const Plan& m_plan;
+    const Interrupt& m_interrupt;
     std::stop_token m_stop;
+    QString m_input;          // the one at hand
+    bool m_holdsLess = false; // what is written of it
+    bool m_isRefused = false;
+    bool m_isInterrupted = false;
+    int m_filesWritten = 0;
     QSet<QString> m_taken; // files in the folder, in small letters
 };
 
 ExitStatus convert(const Arguments& arguments) {
-    const ProgressMode mode = progressMode(arguments.progress);
+    const ProgressMode mode = applied(arguments.verbosity);
     const Plan plan = planOf(arguments);
     const Interrupt interrupt;
-    Converter converter(arguments, plan, interrupt.token());
+    Converter converter(arguments, plan, interrupt);
     ExitStatus worst = ExitStatus::Done;
     ProgressBar bar(mode);
     const std::size_t files = arguments.files.size() - 1;
-    for (std::size_t i = 0; i < files && worst != ExitStatus::Interrupted; ++i) {
+    bool isInterrupted = false;
+    for (std::size_t i = 0; i < files && !isInterrupted; ++i) {
         const io::Progress progress = [&](double fraction) {
             bar.show((double(i) + fraction) / double(files));
         };
         worst = std::max(worst, converter.run(arguments.files[i], progress));
         progress(1);
-        if (interrupt.token().stop_requested()) worst = ExitStatus::Interrupted;
+        isInterrupted = converter.isInterrupted() || (interrupt.token().stop_requested() && i + 1 < files);
     }
     bar.clear();
-    if (worst == ExitStatus::Interrupted)
-        reportError(plan.output, tr("Interrupted; what is written so far is whole."));
-    return worst;
+    if (!isInterrupted) return worst;
+    const int written = converter.filesWritten();
+    reportError(plan.output, written == 0 ? tr("Interrupted; nothing was written.")
+                                          : tr("Interrupted; files written before that: %1.").arg(written));
+    return interrupt.status();
 }
 
 } // namespace
 
-void addConvertCommand(CLI::App& program, Run& run) {
+Command convertCommand(CLI::App& program) {
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = program.add_subcommand("convert", "Write entries in another form");
+    CLI::App* command = program.add_subcommand("convert", "Convert entries to another format");
+    command->footer("convert FILE... OUT [OPTION]...");
     command
         ->add_option(
-            "FILES", arguments->files,
+            "FILE", arguments->files,
             "Files to read (- for standard input), then the file (- for standard output) or folder to write")
+        ->type_name("FILE... OUT")
+        ->group("Files")
         ->required()
         ->expected(2, 1'000'000);
-    command->add_option("--entry", arguments->entries, "Only the entry of this name (may be repeated)")
-        ->expected(1)
-        ->take_all()
-        ->allow_extra_args(false);
-    command->add_flag("--bake", arguments->bake, "Make what the cage shows the code");
-    command->add_flag("--strict", arguments->strict, "Write .ifs that every reader takes");
-    command->add_option(
-        "--to", arguments->format,
-        "fractint, flame, aifs, csv, tsv, ply or pdf, where the name of the output does not tell");
-    command->add_option("--columns", arguments->columns,
-                        "Order of the columns of a table, like \"a b e c d f p\" (a b c d e f p)");
-    command->add_option("--in-columns", arguments->inColumns,
-                        "Order of the columns in the table that is read (what its header says)");
-    command->add_option("--points", arguments->points, "Write so many points (.csv, .ply) and not the maps");
-    command->add_option("--seed", arguments->seed, "Seed of the random numbers for --points (1)");
-    command->add_flag("--y-as-written", arguments->yAsWritten,
-                      "Leave the y of flames as it is: their pictures grow downwards");
-    command->add_option("--progress", arguments->progress, "always, never or auto");
-    command->callback([arguments, &run] { run = [arguments] { return convert(*arguments); }; });
+    addEntriesOption(*command, arguments->entries);
+    const auto add = [&](const char* name, std::optional<std::string>& value, const char* shown,
+                         const char* description, const char* standard, const char* group) {
+        command->add_option(name, value, description)->type_name(shown)->default_str(standard)->group(group);
+    };
+    command
+        ->add_option("--to", arguments->format,
+                     "fractint, flame, aifs, csv, tsv, ply, pdf, stl, obj, glb or scad")
+        ->type_name("FORMAT")
+        ->default_str("as the name of the output shows")
+        ->group("Format");
+    command
+        ->add_flag("--overwrite", arguments->overwrite,
+                   "Replace a file that is read even by less than it holds")
+        ->group("Files");
+    command->add_flag("--bake", arguments->bake, "Bake the cage into the code")->group("Format");
+    command->add_flag("--strict", arguments->strict, "Write .ifs files that every program can read")
+        ->group("Format");
+    command
+        ->add_flag("--y-as-written", arguments->yAsWritten,
+                   "Keep the y of flames as written; their pictures point down")
+        ->group("Format");
+    add("--columns", arguments->columns, "ORDER",
+        "Order of the columns of the table to write, such as \"a b e c d f p\"", "a b c d e f p", "Tables");
+    add("--in-columns", arguments->inColumns, "ORDER", "Order of the columns in the table to read",
+        "as in its header", "Tables");
+    add("--points", arguments->points, "N", "Number of points to write (.csv, .ply) instead of the maps", "",
+        "Points");
+    add("--seed", arguments->seed, "N", "Seed of the random numbers for --points", "1", "Points");
+    addSolidOptions(*command, arguments->solid);
+    addVerbosityOptions(*command, arguments->verbosity);
+    return {command, [arguments] { return convert(*arguments); }};
 }
 
 } // namespace cli

@@ -8,7 +8,10 @@ enum class ExitStatus {
     InputProblems = 1,
     WrongUsage = 2,
     CannotReadOrWrite = 3,
-    Interrupted = 130, // as shells expect after Ctrl+C
+    // As shells have it after a signal.
+    HungUp = 129,
+    Interrupted = 130,
+    Terminated = 143,
 };
 
 } // namespace cli

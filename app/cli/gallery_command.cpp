@@ -8,7 +8,7 @@
 #include "progress_bar.h"
 #include "usage_error.h"
 
-#include "io/contact_sheet.h"
+#include "io/picture/contact_sheet.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -22,12 +22,13 @@ namespace {
 
 struct Arguments {
     std::vector<std::string> files;
+    std::vector<std::string> entries;
     std::string output;
     std::string tile = "240x240";
     std::string paper = "dark";
     std::string title;
-    std::optional<int> columns;
-    std::string progress = "auto";
+    std::optional<std::string> columns, palette, colour;
+    Verbosity verbosity;
 };
 
 QString tr(const char* text) {
@@ -43,20 +44,50 @@ QString headingOf(const QString& fileName) {
 }
 
 io::ContactSheet sheetOf(const Arguments& arguments) {
-    const QString output = QString::fromStdString(arguments.output);
+    const QString output = fileNameOf(arguments.output);
     if (!isStandardOutput(output) && QFileInfo(output).suffix().compare(u"png", Qt::CaseInsensitive) != 0)
-        throw UsageError{tr("The sheet is written as .png, and “%1” is not.").arg(output)};
+        throw UsageError{tr("The sheet can be written only as .png, and “%1” is not.").arg(output)};
     io::ContactSheet sheet;
     sheet.title = QString::fromStdString(arguments.title);
-    sheet.columns = arguments.columns.value_or(0);
+    if (arguments.columns) sheet.columns = integerArgument("--columns", *arguments.columns, 1, 1000);
     sheet.tile = sizeArgument("--tile", arguments.tile);
-    sheet.paper = arguments.paper == "light" ? io::ContactSheet::Paper::Light : io::ContactSheet::Paper::Dark;
+    const bool isLight = choiceArgument("--paper", arguments.paper, {"dark", "light"}) == "light";
+    sheet.paper = isLight ? io::ContactSheet::Paper::Light : io::ContactSheet::Paper::Dark;
     sheet.threads = io::threadsOfThisMachine();
     return sheet;
 }
 
+// What all tiles have in common.
+struct Style {
+    std::optional<attractor::Palette> palette;
+    std::optional<attractor::ColourBy> colourBy;
+    bool isLight = false;
+};
+
+std::shared_ptr<const document::Fractal> styled(const std::shared_ptr<const document::Fractal>& fractal,
+                                                const Style& style) {
+    if (!style.palette && !style.colourBy && !style.isLight) return fractal;
+    auto changed = std::make_shared<document::Fractal>(*fractal);
+    attractor::Appearance& appearance = changed->appearance;
+    if (style.palette) appearance.palette = *style.palette;
+    if (style.colourBy) appearance.colourBy = *style.colourBy;
+    if (style.isLight) putOn(appearance, {255, 255, 255, 255});
+    return changed;
+}
+
+// An entry that cannot be read is left out, which is no failure of the sheet.
+ExitStatus reportOmitted(const Selection& selection, const Input& input) {
+    const ExitStatus status = reportAll(input.collection.file.problems, input.name);
+    for (const document::Entry& entry : selection.entries)
+        for (document::Problem problem : entry.problems) {
+            problem.severity = document::Problem::Severity::Warning;
+            report(problem, input.name);
+        }
+    return selection.complete ? status : std::max(status, ExitStatus::InputProblems);
+}
+
 // What is wrong with a file is said, and its good entries are shown all the same.
-ExitStatus addFiles(const Arguments& arguments, io::ContactSheet& sheet) {
+ExitStatus addFiles(const Arguments& arguments, const Style& style, io::ContactSheet& sheet) {
     ExitStatus worst = ExitStatus::Done;
     for (const std::string& file : arguments.files) {
         const auto input = readInput(file);
@@ -64,24 +95,28 @@ ExitStatus addFiles(const Arguments& arguments, io::ContactSheet& sheet) {
             worst = ExitStatus::CannotReadOrWrite;
             continue;
         }
-        worst = std::max(worst, reportAll(select(*input, {}).problems, input->name));
+        const Selection selection = select(*input, arguments.entries);
+        worst = std::max(worst, reportOmitted(selection, *input));
         io::ContactSheet::Section section;
         if (arguments.files.size() > 1) section.title = headingOf(input->name);
-        for (const auto& entry : input->collection.file.entries)
-            if (isLoaded(entry)) section.fractals << entry.fractal;
+        for (const auto& entry : selection.entries)
+            if (isLoaded(entry)) section.fractals << styled(entry.fractal, style);
         if (!section.fractals.isEmpty()) sheet.sections << section;
     }
     return worst;
 }
 
 ExitStatus gallery(const Arguments& arguments) {
-    const ProgressMode mode = progressMode(arguments.progress);
+    const ProgressMode mode = applied(arguments.verbosity);
     io::ContactSheet sheet = sheetOf(arguments);
+    Style style{{}, {}, sheet.paper == io::ContactSheet::Paper::Light};
+    if (arguments.palette) style.palette = paletteArgument("--palette", *arguments.palette);
+    if (arguments.colour) style.colourBy = colourByArgument("--colour", *arguments.colour);
     const Interrupt interrupt;
-    const QString output = QString::fromStdString(arguments.output);
-    const ExitStatus read = addFiles(arguments, sheet);
+    const QString output = fileNameOf(arguments.output);
+    const ExitStatus read = addFiles(arguments, style, sheet);
     if (sheet.sections.isEmpty()) {
-        reportError(output, tr("No file holds an entry that could be shown, so nothing was written."));
+        reportError(output, tr("No file contains an entry that can be shown, so nothing was written."));
         return std::max(read, ExitStatus::InputProblems);
     }
     ProgressBar bar(mode);
@@ -91,7 +126,7 @@ ExitStatus gallery(const Arguments& arguments) {
     if (drawn.failure) throw UsageError{*drawn.failure};
     if (drawn.image.isNull()) {
         reportError(output, tr("Interrupted; nothing was written."));
-        return ExitStatus::Interrupted;
+        return interrupt.status();
     }
     QBuffer png;
     drawn.image.save(&png, "PNG");
@@ -100,20 +135,45 @@ ExitStatus gallery(const Arguments& arguments) {
 
 } // namespace
 
-void addGalleryCommand(CLI::App& program, Run& run) {
+Command galleryCommand(CLI::App& program) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand("gallery", "Draw all entries of collections on one sheet");
-    command->add_option("FILES", arguments->files, "Collections; - for standard input")->required();
-    command->add_option("-o,--output", arguments->output, "Sheet to write: .png; - for standard output")
+    command->footer("gallery FILE... -o SHEET.png [OPTION]...");
+    command->add_option("FILE", arguments->files, "Collections; - for standard input")
+        ->type_name("FILE...")
+        ->group("Files")
         ->required();
-    command->add_option("--columns", arguments->columns, "Pictures side by side (as wide as a screen)")
-        ->check(CLI::Range(1, 1000));
-    command->add_option("--tile", arguments->tile, "Width and height of a picture in pixels (240x240)");
-    command->add_option("--paper", arguments->paper, "dark or light (dark)")
-        ->check(CLI::IsMember({"dark", "light"}));
-    command->add_option("--title", arguments->title, "A title over the sheet");
-    command->add_option("--progress", arguments->progress, "always, never or auto");
-    command->callback([arguments, &run] { run = [arguments] { return gallery(*arguments); }; });
+    command->add_option("-o,--output", arguments->output, "Sheet to write: .png; - for standard output")
+        ->type_name("SHEET")
+        ->group("Files")
+        ->required();
+    addEntriesOption(*command, arguments->entries);
+    command->add_option("--palette", arguments->palette, "Palette: a name, as render lists them, or a file")
+        ->type_name("PALETTE")
+        ->default_str("stored in each entry, else Maple")
+        ->group("Colours");
+    command->add_option("--colour,--color", arguments->colour, "Colour by density, map, address or none")
+        ->type_name("BY")
+        ->default_str("stored in each entry, else density")
+        ->group("Colours");
+    command->add_option("--title", arguments->title, "Title above the sheet")
+        ->type_name("TEXT")
+        ->group("Sheet");
+    command->add_option("--columns", arguments->columns, "Pictures per row, 1 to 1000")
+        ->type_name("N")
+        ->default_str("enough to fill a screen, at most 1920 pixels")
+        ->group("Sheet");
+    command->add_option("--tile", arguments->tile, "Width and height of a picture in pixels")
+        ->type_name("WxH")
+        ->default_str("240x240")
+        ->group("Sheet");
+    command
+        ->add_option("--paper", arguments->paper, "Background of the sheet and its pictures: dark or light")
+        ->type_name("PAPER")
+        ->default_str("dark")
+        ->group("Sheet");
+    addVerbosityOptions(*command, arguments->verbosity);
+    return {command, [arguments] { return gallery(*arguments); }};
 }
 
 } // namespace cli

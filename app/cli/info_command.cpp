@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: MIT
+#include "arguments.h"
 #include "commands.h"
 #include "input.h"
 #include "messages.h"
 #include "progress_bar.h"
+#include "shown_frame.h"
 #include "usage_error.h"
 
-#include "io/info_report.h"
-#include "io/number.h"
+#include "io/report/info_json.h"
+#include "io/report/info_text.h"
 
 #include <QCoreApplication>
+#include <QHash>
 
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
+#include <stop_token>
+#include <thread>
 
 namespace cli {
 
@@ -20,33 +29,138 @@ struct Arguments {
     std::string file;
     std::vector<std::string> entries;
     bool json = false;
+    bool names = false;
+    bool list = false;
+    bool noDimension = false;
     std::optional<std::string> hullTolerance;
-    std::string progress = "auto";
+    std::optional<std::string> frame;
+    std::string budget = "1";
+    Verbosity verbosity;
 };
 
 std::optional<double> tolerance(const Arguments& arguments) {
     if (!arguments.hullTolerance) return std::nullopt;
-    const QString text = QString::fromStdString(*arguments.hullTolerance);
-    const auto value = io::parseNumber(text);
-    if (!value || !(*value > 0))
+    return positiveArgument("--hull-tolerance", *arguments.hullTolerance);
+}
+
+// Each name once, as --entry takes it.
+QByteArray namesOf(const QList<document::Entry>& entries) {
+    QStringList lines;
+    for (const document::Entry& entry : entries)
+        if (!entry.fractal->name.isEmpty()) lines << printableLine(entry.fractal->name) + u'\n';
+    lines.removeDuplicates();
+    return lines.join(QString()).toUtf8();
+}
+
+// Each with its number in the file, counted from 1.
+QByteArray listOf(const Input& input, const io::InfoSubject& subject, bool asJson) {
+    const auto& all = input.collection.file.entries;
+    QHash<document::EntryId, qsizetype> places;
+    for (qsizetype i = 0; i < all.size(); ++i)
+        places.insert(all[i].id, i + 1);
+    QList<qsizetype> numbers;
+    for (const document::Entry& entry : subject.entries)
+        numbers << places.value(entry.id);
+    return asJson ? io::listJson(subject, numbers)
+                  : printable(io::listText(subject.entries, numbers)).toUtf8();
+}
+
+// A bar that appears when the answer takes longer than a second.
+class LateBar {
+public:
+    explicit LateBar(ProgressMode mode)
+        : m_mode(mode), m_watch([this](const std::stop_token& stop) { watch(stop); }) {}
+
+    void show(double fraction) { m_fraction = fraction; }
+
+private:
+    void watch(const std::stop_token& stop) {
+        constexpr std::chrono::milliseconds patience{1000}, tick{100};
+        std::mutex mutex;
+        std::unique_lock lock(mutex);
+        std::condition_variable_any waiting;
+        const auto passes = [&](std::chrono::milliseconds time) {
+            waiting.wait_for(lock, stop, time, [] { return false; });
+            return !stop.stop_requested();
+        };
+        if (!passes(patience)) return;
+        ProgressBar bar(m_mode);
+        do
+            bar.show(m_fraction);
+        while (passes(tick));
+    }
+
+    ProgressMode m_mode;
+    std::atomic<double> m_fraction = 0;
+    std::jthread m_watch;
+};
+
+// A file with many systems, each of which takes long, ends as well.
+void limit(io::InfoSubject& subject, std::chrono::duration<double> perFact) {
+    constexpr int perEntry = 3, perCall = 30; // of what a single fact may take
+    subject.limits.perFact = perFact;
+    subject.limits.together = perEntry * perFact;
+    subject.end = ifs::ProcessorClock::now() + perCall * perFact;
+}
+
+QByteArray factsOf(const Arguments& arguments, io::InfoSubject subject, ProgressMode mode,
+                   std::optional<double> budget) {
+    document::Problems remarks;
+    subject.hullTolerance = tolerance(arguments);
+    if (arguments.frame) subject.moment = momentArgument("--frame", *arguments.frame);
+    subject.limits.withAffinityDimension = !arguments.noDimension;
+    if (budget) limit(subject, std::chrono::duration<double>(*budget));
+    subject.remark = [&](const document::Problem& problem) { remarks << problem; };
+    QByteArray answer;
+    {
+        LateBar bar(mode);
+        const auto all = double(subject.entries.size());
+        subject.begun = [&](qsizetype entry) { bar.show(double(entry) / all); };
+        answer = arguments.json ? io::infoJson(subject) : printable(io::infoText(subject)).toUtf8();
+    }
+    reportAll(remarks, subject.fileName);
+    return answer;
+}
+
+// Entries whose animations end before the frame are named and left out.
+void dropEntriesEndedBefore(const std::string& frame, Selection& selection, const QString& fileName) {
+    const animation::Moment moment = momentArgument("--frame", frame);
+    selection.entries.removeIf([&](const document::Entry& entry) {
+        const QString obstacle = frameObstacle(*entry.fractal, moment);
+        if (!obstacle.isEmpty()) reportError(fileName, obstacle);
+        selection.complete &= obstacle.isEmpty();
+        return !obstacle.isEmpty();
+    });
+}
+
+std::optional<double> budgetArgument(const std::string& text) {
+    if (text == "none") return std::nullopt;
+    constexpr double most = 1e6;
+    const double seconds = positiveArgument("--budget", text);
+    if (seconds > most)
         throw UsageError{
-            QCoreApplication::translate("cli", "--hull-tolerance takes a positive length, and not “%1”.")
-                .arg(text)};
-    return value;
+            QCoreApplication::translate("cli", "--budget must be none, or at most 1000000 seconds.")};
+    return seconds;
 }
 
 ExitStatus info(const Arguments& arguments) {
-    progressMode(arguments.progress); // taken for the sake of scripts: nothing here is long
-    const auto hullTolerance = tolerance(arguments);
+    const ProgressMode mode = applied(arguments.verbosity);
+    const auto budget = budgetArgument(arguments.budget);
+    tolerance(arguments);
+    if (arguments.frame) momentArgument("--frame", *arguments.frame);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
-    const Selection selection = select(*input, arguments.entries);
+    Selection selection = select(*input, arguments.entries);
+    if (arguments.frame) dropEntriesEndedBefore(*arguments.frame, selection, input->name);
     const ExitStatus problems = reportAll(selection.problems, input->name);
-    const io::InfoSubject subject{input->name, input->collection.format, selection.entries,
-                                  selection.problems, hullTolerance};
-    if (!print(arguments.json ? io::infoJson(subject) : printable(io::infoText(subject)).toUtf8())) {
+    const io::InfoSubject subject{
+        input->name, input->collection.format, selection.entries, selection.problems, {}};
+    const QByteArray answer = arguments.names  ? namesOf(selection.entries)
+                              : arguments.list ? listOf(*input, subject, arguments.json)
+                                               : factsOf(arguments, subject, mode, budget);
+    if (!print(answer)) {
         reportError(input->name,
-                    QCoreApplication::translate("cli", "The answer cannot be written to standard output."));
+                    QCoreApplication::translate("cli", "The output cannot be written to standard output."));
         return ExitStatus::CannotReadOrWrite;
     }
     return selection.complete && !selection.entries.isEmpty() ? problems : ExitStatus::InputProblems;
@@ -54,22 +168,50 @@ ExitStatus info(const Arguments& arguments) {
 
 } // namespace
 
-void addInfoCommand(CLI::App& program, Run& run) {
+Command infoCommand(CLI::App& program) {
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = program.add_subcommand("info", "Say what a file holds and what is known about it");
+    CLI::App* command =
+        program.add_subcommand("info", "Show what a file contains and the properties of its systems");
+    command->footer("info FILE [OPTION]...");
     command
         ->add_option("FILE", arguments->file,
-                     "Collection, or picture with a system inside; - for standard input")
+                     "Collection, or picture with an embedded system; - for standard input")
+        ->type_name("FILE")
+        ->group("Files")
         ->required();
-    command->add_option("--entry", arguments->entries, "Only the entry of this name (may be repeated)")
-        ->expected(1)
-        ->take_all()
-        ->allow_extra_args(false);
-    command->add_flag("--json", arguments->json, "One JSON object with every digit");
-    command->add_option("--hull-tolerance", arguments->hullTolerance,
-                        "Tolerance of the convex hull, in the system's units (1e-6 of the diagonal)");
-    command->add_option("--progress", arguments->progress, "always, never or auto");
-    command->callback([arguments, &run] { run = [arguments] { return info(*arguments); }; });
+    addEntriesOption(*command, arguments->entries);
+    CLI::Option* json =
+        command->add_flag("--json", arguments->json, "Print one JSON object at full precision");
+    CLI::Option* names = command->add_flag("--names", arguments->names, "Print only the names, one per line");
+    CLI::Option* list = command->add_flag("--list", arguments->list,
+                                          "Print only the number, dimension, maps and name of each entry");
+    json->excludes(names)->group("Output");
+    names->excludes(list)->group("Output");
+    list->group("Output");
+    command
+        ->add_option("--frame", arguments->frame,
+                     "The moment of an animation in frames from 0 on, such as 12, 12.5 or 25/2")
+        ->type_name("F")
+        ->default_str("the entry at rest")
+        ->group("Properties");
+    command
+        ->add_option("--hull-tolerance", arguments->hullTolerance,
+                     "Tolerance of the convex hull, in the system's units")
+        ->type_name("LENGTH")
+        ->default_str("1e-6 of the diagonal")
+        ->group("Properties");
+    command
+        ->add_option(
+            "--budget", arguments->budget,
+            "Processor time for each property that can take long, with three times as much for an entry and "
+            "30 times for all, or none for no limit")
+        ->type_name("SECONDS")
+        ->default_str("1")
+        ->group("Properties");
+    command->add_flag("--no-dimension", arguments->noDimension, "Leave out the affinity dimension")
+        ->group("Properties");
+    addVerbosityOptions(*command, arguments->verbosity);
+    return {command, [arguments] { return info(*arguments); }};
 }
 
 } // namespace cli

@@ -3,7 +3,8 @@
 
 #include "messages.h"
 
-#include "io/save_file.h"
+#include "io/file/native_path.h"
+#include "io/file/save_file.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -23,12 +24,12 @@ io::Loaded readStandardInput() {
     if (!file.open(stdin, QIODevice::ReadOnly))
         return {{}, tr("Standard input cannot be read: %1.").arg(file.errorString())};
     constexpr qint64 pieceSize = 1 << 16;
-    constexpr qsizetype mostBytes = 256 * 1024 * 1024;
+    constexpr qsizetype maxBytes = 256 * 1024 * 1024;
     io::Loaded loaded;
     for (QByteArray piece = file.read(pieceSize); !piece.isEmpty(); piece = file.read(pieceSize)) {
         loaded.bytes += piece;
-        if (loaded.bytes.size() > mostBytes)
-            return {{}, tr("More than 256 MB came in, which is the limit for a file.")};
+        if (loaded.bytes.size() > maxBytes)
+            return {{}, tr("Standard input is larger than 256 MB, which is the limit for a file.")};
     }
     if (file.error() != QFileDevice::NoError)
         return {{}, tr("Standard input cannot be read: %1.").arg(file.errorString())};
@@ -37,18 +38,28 @@ io::Loaded readStandardInput() {
 
 const document::Entry* find(const Input& input, const QString& name) {
     const auto& entries = input.collection.file.entries;
-    const auto found = std::find_if(entries.begin(), entries.end(), [&](const document::Entry& entry) {
-        return entry.fractal->name.compare(name, Qt::CaseInsensitive) == 0;
-    });
-    return found == entries.end() ? nullptr : &*found;
-}
-
-bool isDrawable(const document::Entry& entry) {
-    return document::system2(*entry.fractal) != nullptr;
+    const auto first = [&](const auto& isMeant) {
+        const auto found = std::find_if(entries.begin(), entries.end(), [&](const document::Entry& entry) {
+            return isMeant(entry.fractal->name);
+        });
+        return found == entries.end() ? nullptr : &*found;
+    };
+    if (const auto* exact = first([&](const QString& other) { return other == name; })) return exact;
+    if (const auto* shown = first([&](const QString& other) { return printableLine(other) == name; }))
+        return shown;
+    bool isNumber = false;
+    const qsizetype number = name.startsWith(u'#') ? name.mid(1).toInt(&isNumber) : 0;
+    if (isNumber && number >= 1 && number <= entries.size()) return &entries[number - 1];
+    return first([&](const QString& other) { return other.compare(name, Qt::CaseInsensitive) == 0; });
 }
 
 void reportMissing(const Input& input, const QString& name) {
-    reportError(input.name, tr("There is no entry “%1”.").arg(name));
+    if (!name.startsWith(u'#')) return reportError(input.name, tr("There is no entry “%1”.").arg(name));
+    const qsizetype count = input.collection.file.entries.size();
+    if (count == 1)
+        return reportError(input.name, tr("There is no entry “%1”; the file has 1 entry.").arg(name));
+    reportError(input.name,
+                tr("There is no entry “%1”; the file has %2 entries.").arg(name, QString::number(count)));
 }
 
 // What its reader refused by name is an entry that could not be read, as in a collection, and its reason a
@@ -74,8 +85,12 @@ void listRefused(document::FractalFile& file) {
 
 } // namespace
 
+QString fileNameOf(const std::string& argument) {
+    return io::pathOf(QByteArray::fromStdString(argument));
+}
+
 std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options) {
-    const QString name = QString::fromStdString(file);
+    const QString name = fileNameOf(file);
     const io::Loaded loaded = file == "-" ? readStandardInput() : io::loadFile(name);
     if (loaded.failure) {
         reportError(name, *loaded.failure);
@@ -100,47 +115,90 @@ bool isLoaded(const document::Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
 }
 
+CLI::Option* addEntriesOption(CLI::App& command, std::vector<std::string>& entries, const char* standard) {
+    return command
+        .add_option("--entry", entries, "Only this entry: its name, #NUMBER, or all; may be repeated")
+        ->type_name("NAME")
+        ->group("Files")
+        ->default_str(standard)
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+}
+
+namespace {
+
+// Those named, each once, in the order of the names.
+struct Found {
+    std::vector<const document::Entry*> entries;
+    bool complete = true;
+};
+
+Found findAll(const Input& input, const std::vector<std::string>& names) {
+    Found found;
+    const auto add = [&](const document::Entry& entry) {
+        if (std::ranges::find(found.entries, &entry) == found.entries.end()) found.entries.push_back(&entry);
+    };
+    for (const std::string& name : names) {
+        if (const document::Entry* entry = find(input, QString::fromStdString(name))) {
+            add(*entry);
+        } else if (name == "all") {
+            std::ranges::for_each(input.collection.file.entries, add);
+        } else {
+            reportMissing(input, QString::fromStdString(name));
+            found.complete = false;
+        }
+    }
+    return found;
+}
+
+// The first that can be drawn; a file without one says what is wrong with all.
+ToDraw firstToDraw(const Input& input) {
+    const auto& entries = input.collection.file.entries;
+    const auto first = std::ranges::find_if(entries, isLoaded);
+    ToDraw result{{}, reportAll(input.collection.file.problems, input.name)};
+    for (auto entry = entries.begin(); entry != entries.end(); ++entry)
+        if (entry == first || first == entries.end())
+            result.status = std::max(result.status, reportAll(entry->problems, input.name));
+    if (first != entries.end())
+        result.entries.push_back(&*first);
+    else
+        reportError(input.name, tr("The file contains no entry that can be drawn."));
+    return result;
+}
+
+} // namespace
+
 Selection select(const Input& input, const std::vector<std::string>& names) {
     Selection selection;
     selection.problems = input.collection.file.problems;
     if (names.empty()) selection.entries = input.collection.file.entries;
-    for (const std::string& name : names) {
-        if (const document::Entry* entry = find(input, QString::fromStdString(name))) {
-            const auto isSame = [entry](const document::Entry& chosen) { return chosen.id == entry->id; };
-            if (std::none_of(selection.entries.begin(), selection.entries.end(), isSame))
-                selection.entries << *entry;
-            continue;
-        }
-        reportMissing(input, QString::fromStdString(name));
-        selection.complete = false;
-    }
+    const Found found = findAll(input, names);
+    for (const document::Entry* entry : found.entries)
+        selection.entries << *entry;
+    selection.complete = found.complete;
     for (const auto& entry : std::as_const(selection.entries))
         selection.problems += entry.problems;
     return selection;
 }
 
-ToDraw entryToDraw(const Input& input, const std::string& name) {
-    const document::Entry* entry = nullptr;
-    const auto& entries = input.collection.file.entries;
-    if (!name.empty()) {
-        entry = find(input, QString::fromStdString(name));
-        if (!entry) reportMissing(input, QString::fromStdString(name));
-    } else if (const auto first = std::find_if(entries.begin(), entries.end(), isDrawable);
-               first != entries.end()) {
-        entry = &*first;
+ToDraw entriesToDraw(const Input& input, const std::vector<std::string>& names) {
+    if (names.empty()) {
+        ToDraw first = firstToDraw(input);
+        if (first.entries.empty()) first.status = ExitStatus::InputProblems;
+        return first;
     }
-    ExitStatus status = reportAll(input.collection.file.problems, input.name);
-    for (const auto& other : entries)
-        if (&other == entry || (!entry && name.empty()))
-            status = std::max(status, reportAll(other.problems, input.name));
-    if (entry && isDrawable(*entry)) return {entry, status};
-    if (!entry && name.empty())
-        reportError(input.name, tr("The file holds no entry that can be drawn."));
-    else if (entry && isLoaded(*entry))
-        reportError(
-            input.name,
-            tr("“%1” lies in space, and this version draws in the plane only.").arg(entry->fractal->name));
-    return {nullptr, ExitStatus::InputProblems};
+    const Found found = findAll(input, names);
+    ToDraw result{{}, reportAll(input.collection.file.problems, input.name)};
+    if (!found.complete) result.status = ExitStatus::InputProblems;
+    for (const document::Entry* entry : found.entries) {
+        result.status = std::max(result.status, reportAll(entry->problems, input.name));
+        if (isLoaded(*entry))
+            result.entries.push_back(entry);
+        else
+            result.status = ExitStatus::InputProblems;
+    }
+    return result;
 }
 
 } // namespace cli

@@ -8,6 +8,8 @@
 #include <QByteArray>
 #include <QString>
 
+#include <CLI/CLI.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +22,19 @@ struct Input {
     io::Collection collection;
 };
 
+QString fileNameOf(const std::string& argument); // whose bytes need not be UTF-8
+
 // Reads FILE; nullopt when it cannot be read, which has then been reported.
 std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options = {});
 
-// The entries named, compared without case, the first of each name, each once; all when no name is given. A
-// name that is not there is reported and makes `complete` false.
+// --entry, as often as one likes.
+CLI::Option* addEntriesOption(CLI::App& command, std::vector<std::string>& entries,
+                              const char* standard = "all");
+
+// The entries named, each once; all when no name is given. A name means the first entry that has exactly this
+// name, else the first that is shown so (printableLine), else for #N the Nth entry of the file, else the
+// first that has it but for case; "all" means all where no entry is called so. One that is not there is
+// reported and makes `complete` false.
 struct Selection {
     QList<document::Entry> entries;
     document::Problems problems; // of the file and of these entries
@@ -35,13 +45,13 @@ Selection select(const Input& input, const std::vector<std::string>& names);
 // Says the problems; InputProblems when one of them is an error.
 ExitStatus reportAll(const document::Problems& problems, const QString& fileName);
 
-// The entry to draw: the one named, else the first that could be read and lies in the plane. nullptr when
-// there is none, which has then been reported, as its problems and those of the file are.
+// The entries to draw: those named, else the first that could be read. What cannot be
+// drawn has been reported, as the problems of the entries and of the file have.
 struct ToDraw {
-    const document::Entry* entry;
+    std::vector<const document::Entry*> entries;
     ExitStatus status; // InputProblems after an error
 };
-ToDraw entryToDraw(const Input& input, const std::string& name);
+ToDraw entriesToDraw(const Input& input, const std::vector<std::string>& names);
 
 bool isLoaded(const document::Entry& entry);
 

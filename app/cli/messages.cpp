@@ -4,19 +4,44 @@
 #include <QCoreApplication>
 
 #include <cstdio>
+#include <utility>
 
 namespace cli {
 
+namespace {
+
+// Marks, embeddings, overrides and isolates, with which a name could show another order than it has.
+bool turnsText(QChar c) {
+    const char16_t u = c.unicode();
+    return u == 0x061c || u == 0x200e || u == 0x200f || (u >= 0x202a && u <= 0x202e) ||
+           (u >= 0x2066 && u <= 0x2069);
+}
+
+} // namespace
+
 QString printable(QString text) {
+    for (qsizetype i = text.size(); i-- > 0;) { // bytes of names that are not UTF-8, see io::pathOf()
+        const bool isLow = text[i].isLowSurrogate() && (i == 0 || !text[i - 1].isHighSurrogate());
+        if (isLow)
+            text.replace(i, 1,
+                         QStringLiteral("\\x%1").arg(text[i].unicode() & 0xff, 2, 16, QLatin1Char('0')));
+    }
     for (QChar& c : text)
-        if (c.category() == QChar::Other_Control && c != u'\n') c = QChar::ReplacementCharacter;
+        if ((c.category() == QChar::Other_Control && c != u'\n') || turnsText(c))
+            c = QChar::ReplacementCharacter;
     return text;
+}
+
+QString printableLine(QString text) {
+    return printable(std::move(text)).replace(u'\n', QChar::ReplacementCharacter);
 }
 
 namespace {
 
+bool areWarningsHidden = false; // of this process, like standard error itself
+
 void line(const QString& text) {
-    const QByteArray bytes = printable(text).replace(u'\n', QChar::ReplacementCharacter).toUtf8() + '\n';
+    const QByteArray bytes = printableLine(text).toUtf8() + '\n';
     std::fwrite(bytes.constData(), 1, std::size_t(bytes.size()), stderr);
 }
 
@@ -29,7 +54,12 @@ document::Problem problem(document::Problem::Severity severity, const QString& s
 
 } // namespace
 
+void hideWarnings() {
+    areWarningsHidden = true;
+}
+
 void report(const document::Problem& found, const QString& fileName) {
+    if (areWarningsHidden && found.severity == document::Problem::Severity::Warning) return;
     document::Problem placed = found;
     if (found.line == 0) placed.line = placed.column = 1; // the file as a whole
     line(document::toText(placed, fileName));
@@ -40,6 +70,7 @@ void reportError(const QString& fileName, const QString& sentence) {
 }
 
 void reportWarning(const QString& fileName, const QString& sentence) {
+    if (areWarningsHidden) return;
     line(document::toText(problem(document::Problem::Severity::Warning, sentence), fileName));
 }
 

@@ -8,8 +8,12 @@
 // Everything that goes to standard error: "file:line:column: error: sentence", one per line.
 namespace cli {
 
-// Lines of text without control characters, with which a name out of a file could command the terminal.
+// Lines of text without control characters, with which a name out of a file could command the terminal, and
+// without those that turn its direction. A byte of a file's name that is not UTF-8 is shown as \xe4.
 QString printable(QString text);
+QString printableLine(QString text); // without line ends either
+
+void hideWarnings(); // from now on
 
 void report(const document::Problem& problem, const QString& fileName);
 void reportError(const QString& fileName, const QString& sentence);

@@ -3,18 +3,32 @@
 
 #include "messages.h"
 
-#include "io/save_file.h"
+#include "io/file/hard_links.h"
+#include "io/file/native_path.h"
+#include "io/file/save_file.h"
+#include "io/file/standard_output.h"
 
 #include <QCoreApplication>
-#include <QFile>
-#include <QTemporaryDir>
+
+#include <filesystem>
 
 namespace cli {
 
 namespace {
 
 QString cannotPrint() {
-    return QCoreApplication::translate("cli", "It cannot be written to standard output.");
+    return QCoreApplication::translate("cli", "Standard output cannot be written to.");
+}
+
+int otherNames(const QString& output) {
+    return isStandardOutput(output) ? 0 : io::otherNames(output);
+}
+
+// Of the file that was there before.
+void warnAboutLinks(const QString& output, int otherNames) {
+    if (otherNames == 0) return;
+    reportWarning(output, QCoreApplication::translate(
+                              "cli", "Other names of the file (hard links) keep the old contents."));
 }
 
 } // namespace
@@ -23,30 +37,33 @@ bool isStandardOutput(const QString& output) {
     return output == u"-";
 }
 
+bool isSameFile(const QString& a, const QString& b) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    return fs::equivalent(io::nativeName(a).toStdString(), io::nativeName(b).toStdString(), error) && !error;
+}
+
 ExitStatus writeOutput(const QString& output, const QByteArray& bytes) {
+    const int linked = otherNames(output);
     io::Failure failure;
     if (!isStandardOutput(output))
         failure = io::saveFile(output, bytes);
     else if (!print(bytes))
         failure = cannotPrint();
-    if (!failure) return ExitStatus::Done;
+    if (!failure) {
+        warnAboutLinks(output, linked);
+        return ExitStatus::Done;
+    }
     reportError(output, *failure);
     return ExitStatus::CannotReadOrWrite;
 }
 
 io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
                                std::stop_token stop) {
-    if (!isStandardOutput(output)) return io::exportTo(what, output, progress, std::move(stop));
-    QTemporaryDir folder;
-    QFile file(folder.filePath(QStringLiteral("output")));
-    io::ExportOutcome outcome = io::exportTo(what, file.fileName(), progress, std::move(stop));
-    if (outcome.failure || outcome.stopped) return outcome;
-    constexpr qint64 pieceSize = 1 << 20;
-    bool good = file.open(QIODevice::ReadOnly);
-    folder.remove(); // who reads may stop us at any moment; what is open can still be read
-    while (good && !file.atEnd())
-        good = print(file.read(pieceSize));
-    if (!good) outcome.failure = cannotPrint();
+    const int linked = otherNames(output);
+    io::ExportOutcome outcome = io::exportTo(
+        what, isStandardOutput(output) ? io::standardOutputPath() : output, progress, std::move(stop));
+    if (!outcome.failure && !outcome.stopped) warnAboutLinks(output, linked);
     return outcome;
 }
 

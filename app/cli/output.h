@@ -13,6 +13,9 @@ namespace cli {
 // "-", in place of a file.
 bool isStandardOutput(const QString& output);
 
+// Whether both names lead to one file that exists.
+bool isSameFile(const QString& a, const QString& b);
+
 // What goes wrong has then been reported.
 ExitStatus writeOutput(const QString& output, const QByteArray& bytes);
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "progress_bar.h"
 
-#include "usage_error.h"
-
-#include <QCoreApplication>
+#include "arguments.h"
+#include "messages.h"
 
 #include <cmath>
 #include <cstdio>
@@ -12,12 +11,25 @@
 namespace cli {
 
 ProgressMode progressMode(const std::string& text) {
-    if (text == "always") return ProgressMode::Always;
-    if (text == "never") return ProgressMode::Never;
-    if (text == "auto") return ProgressMode::Auto;
-    throw UsageError{
-        QCoreApplication::translate("cli", "--progress takes always, never or auto, and not “%1”.")
-            .arg(QString::fromStdString(text))};
+    const std::string chosen = choiceArgument("--progress", text, {"always", "never", "auto"});
+    return chosen == "always"  ? ProgressMode::Always
+           : chosen == "never" ? ProgressMode::Never
+                               : ProgressMode::Auto;
+}
+
+void addVerbosityOptions(CLI::App& command, Verbosity& verbosity) {
+    command
+        .add_option("--progress", verbosity.progress, "Progress bar: always, never, or auto for a terminal")
+        ->type_name("WHEN")
+        ->default_str("auto");
+    command.add_flag("-q,--quiet", verbosity.isQuiet, "No progress bar and no warnings");
+}
+
+ProgressMode applied(const Verbosity& verbosity) {
+    const ProgressMode mode = progressMode(verbosity.progress);
+    if (!verbosity.isQuiet) return mode;
+    hideWarnings();
+    return ProgressMode::Never;
 }
 
 ProgressBar::ProgressBar(ProgressMode mode)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <CLI/CLI.hpp>
+
 #include <string>
 
 namespace cli {
@@ -8,6 +10,14 @@ namespace cli {
 enum class ProgressMode { Always, Never, Auto }; // Auto: when standard error is a terminal
 
 ProgressMode progressMode(const std::string& text); // throws UsageError
+
+// What every command says while it works.
+struct Verbosity {
+    std::string progress = "auto";
+    bool isQuiet = false; // neither progress nor warnings
+};
+void addVerbosityOptions(CLI::App& command, Verbosity& verbosity);
+ProgressMode applied(const Verbosity& verbosity); // throws UsageError
 
 // One line on standard error that is drawn over, and gone at the end.
 class ProgressBar {

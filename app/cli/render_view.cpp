@@ -3,7 +3,8 @@
 
 #include "usage_error.h"
 
-#include "attractor/drawable_system.h"
+#include "attractor/samples/prepared_system.h"
+#include "document/fractal_geometry.h"
 
 #include <QCoreApplication>
 
@@ -14,7 +15,7 @@ namespace cli {
 
 namespace {
 
-constexpr double mostCopies = 1e7;
+constexpr double maxCopies = 1e7;
 
 class Extent {
 public:
@@ -33,8 +34,8 @@ private:
 
 ViewBox boxOfAttractor(const document::Fractal& fractal) {
     if (const auto box = document::displayedBox(fractal)) return {box->min, box->max, true};
-    const attractor::DrawableSystem system =
-        attractor::drawable(*document::system2(fractal), document::movedBranches(fractal));
+    const attractor::PreparedSystem system =
+        attractor::prepared(*document::system2(fractal), document::movedBranches(fractal));
     const ifs::Placement toDisplay = document::placement(fractal);
     Extent extent;
     for (const double x : {-1.0, 1.0})
@@ -44,13 +45,13 @@ ViewBox boxOfAttractor(const document::Fractal& fractal) {
 }
 
 ViewBox boxOfIterate(const document::Fractal& fractal, int n) {
-    const attractor::DrawableSystem system =
-        attractor::drawable(*document::system2(fractal), document::movedBranches(fractal));
+    const attractor::PreparedSystem system =
+        attractor::prepared(*document::system2(fractal), document::movedBranches(fractal));
     const std::vector<ifs::AffineMap<2>>& maps = system.maps;
-    if (std::pow(double(maps.size()), n) > mostCopies)
+    if (std::pow(double(maps.size()), n) > maxCopies)
         throw UsageError{
             QCoreApplication::translate(
-                "cli", "--iterations %1 would draw %2 copies of the cage; at most 10 million are drawn.")
+                "cli", "--iterations %1 would draw %2 copies of the cage; the limit is 10 million.")
                 .arg(n)
                 .arg(std::pow(double(maps.size()), n), 0, 'g', 3)};
     struct Copy {

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
 
+#include "desktop/preferences.h"
+#include "desktop/settings.h"
+#include "desktop/theme.h"
 #include "identity.h"
-#include "io/fractint_reader.h"
+#include "io/fractint/fractint_reader.h"
 #include "main_window.h"
-#include "preferences.h"
 #include "recovery.h"
 #include "session.h"
-#include "settings.h"
-#include "theme.h"
 #include "tour.h"
 #include "welcome.h"
+#include "widgets/tooltips.h"
 
 #include <QEvent>
 #include <QIcon>
@@ -27,8 +28,9 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     setDesktopFileName(resources::applicationId());
     setWindowIcon(QIcon(QStringLiteral(":/icons/barycage.svg")));
 
+    new view::Tooltips(this);
     const view::Preferences preferences = view::Preferences::stored();
-    view::wear(preferences.theme);
+    view::applyTheme(preferences.theme);
     speak(preferences.language);
 }
 
@@ -55,8 +57,8 @@ void Application::speak(const QString& language) {
         installTranslator(toolkit);
 }
 
-// What a label says may come out of a file: it is text, unless whoever made the label says otherwise. Tool
-// tips take care of themselves (plain_tip.h).
+// The text of a label may come from a file: it is plain text unless the label's maker set another format.
+// Tool tips are escaped by view::tooltipText().
 bool Application::notify(QObject* receiver, QEvent* event) {
     if (event->type() == QEvent::Polish)
         if (auto* label = qobject_cast<QLabel*>(receiver);

@@ -11,16 +11,16 @@ namespace {
 
 void describe(QCommandLineParser& parser) {
     parser.setApplicationDescription(
-        Application::tr("Take a fractal by its corners: an editor for iterated function systems."));
+        Application::tr("Grab a fractal by its corners: an editor for iterated function systems."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption(
-        {QStringLiteral("new"), Application::tr("a window with the maple, whatever was open before")});
-    parser.addOption({QStringLiteral("collection"), Application::tr("a window that shows the collection")});
+        {QStringLiteral("new"), Application::tr("start with the maple instead of the last session")});
+    parser.addOption({QStringLiteral("collection"), Application::tr("open a window with the collection")});
     parser.addOption(
-        {QStringLiteral("random"), Application::tr("a window with fractals made by chance to pick from")});
+        {QStringLiteral("random"), Application::tr("open a window with random fractals to choose from")});
     parser.addPositionalArgument(QStringLiteral("files"),
-                                 Application::tr(".ifs files to open, a window each"),
+                                 Application::tr(".ifs files to open, each in its own window"),
                                  QStringLiteral("[files…]"));
 }
 

@@ -1,44 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
 
+#include "bars/construction_bar.h"
+#include "bars/tool_options_bar.h"
+#include "bars/zoom_box.h"
+#include "cage_menu.h"
+#include "desktop/preferences.h"
+#include "desktop/settings.h"
 #include "dialogs/paste_table_dialog.h"
-#include "dialogs/save_file_dialog.h"
-#include "flame_card.h"
-#include "io/background.h"
-#include "io/fractint_reader.h"
-#include "panels/analysis_panel.h"
-#include "panels/appearance_panel.h"
-#include "panels/cage_panel.h"
-#include "panels/collection_panel.h"
-#include "panels/entries_edits.h"
-#include "panels/entries_panel.h"
-#include "panels/history_panel.h"
-#include "panels/maps_panel.h"
-#include "panels/problems_panel.h"
-#include "preferences.h"
-#include "recent_files.h"
-#include "session.h"
-#include "settings.h"
+#include "document/edits/entries_edits.h"
+#include "edit_menu.h"
+#include "file_commands.h"
+#include "file_menu.h"
+#include "flame_banner.h"
+#include "focus_walk.h"
+#include "help_menu.h"
+#include "io/file/background.h"
+#include "io/fractint/fractint_reader.h"
+#include "maps_menu.h"
+#include "panels/analysis/analysis_panel.h"
+#include "panels/appearance/appearance_panel.h"
+#include "panels/cage/cage_panel.h"
+#include "panels/collection/collection_panel.h"
+#include "panels/entries/entries_panel.h"
+#include "panels/history/history_panel.h"
+#include "panels/maps/maps_panel.h"
+#include "panels/problems/problems_panel.h"
+#include "stage.h"
 #include "status_line.h"
-#include "whats_this.h"
+#include "view_menu.h"
+#include "widgets/draggable_names.h"
+#include "widgets/icon.h"
+#include "widgets/tooltip_text.h"
+#include "widgets/vertical_scroll_area.h"
+#include "widgets/whats_this.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
 #include <QResizeEvent>
 #include <QScreen>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace {
 
@@ -46,55 +56,50 @@ constexpr int cascade = 32;         // pixels from one window to the next
 constexpr double usualLetter = 6;   // wide, in pixels: the font that first sizes are for
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
 
-QString fileFilter() {
-    return MainWindow::tr("Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers "
-                          "(*.csv *.tsv *.txt);;"
-                          "Pictures that carry their fractal (*.png *.svg);;All files (*)");
-}
-
 // Adds the fractal to the file as a new entry and shows it: one undo step.
 void addEntry(document::Document& document, const document::Fractal& fractal) {
     document::Entry entry;
     entry.fractal = std::make_shared<const document::Fractal>(fractal);
-    view::Inserted added = view::inserted(document.file(), {entry}, document::EntryId::None);
+    document::Inserted added = document::inserted(document.file(), {entry}, document::EntryId::None);
     document.editFile(MainWindow::tr("Add %1").arg(fractal.name), std::move(added.file), added.ids.front());
 }
 
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
-    : QMainWindow(parent),
+    : SessionWindow(parent),
       m_file(&m_document, this),
       m_recovery(&m_document, &m_file, nullptr),
       m_bridge(new view::RenderBridge(&m_document, this)),
+      m_solid(new view::SolidBridge(&m_document, this)),
       m_analysis(new view::AnalysisBridge(&m_document, this)),
-      m_arising(new view::Arising(&m_document, m_bridge, this)),
-      m_canvas(new view::CanvasView(&m_document, m_bridge, this)),
-      m_status(new StatusLine(this)) {
+      m_construction(new view::Construction(&m_document, m_bridge, this)),
+      m_stage(new Stage(&m_document, m_bridge, m_solid, this)),
+      m_canvas(m_stage->plane()),
+      m_status(new StatusLine(this)),
+      m_messages(new WindowMessages(this)),
+      m_fileCommands(new FileCommands({this, &m_document, m_canvas, m_messages, m_stage}, &m_file)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West); // in any language there is room for the names
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
-    setCentralWidget(m_canvas);
+    setCentralWidget(m_stage);
     setStatusBar(m_status);
 
     m_bridge->setQuality(view::Preferences::stored().quality);
-    createFileActions();
-    createEditActions();
-    createCageActions();
-    createViewActions();
+    createMenus();
     createPanels();
     explainPanels();
-    createHelpActions();
     createToolBar();
-    for (QMenu* menu : {m_fileMenu, m_editMenu, m_cageMenu, m_viewMenu, m_helpMenu})
-        menu->setToolTipsVisible(true); // what is disabled says why
+    auto* zoom = new view::ZoomBox(m_canvas);
+    m_status->addPermanentWidget(zoom);
+    connect(m_stage, &Stage::switched, zoom, [this, zoom] { zoom->setVisible(!m_stage->showsSpace()); });
     connectDocument();
     view::explainByTips(this);
+    view::makeNamesDraggable(this);
     restoreLayout();
-    m_branchBar->hide();
-    m_canvas->setFocus();
+    m_stage->takeFocus();
 }
 
 MainWindow::~MainWindow() {
@@ -102,8 +107,28 @@ MainWindow::~MainWindow() {
     m_document.undoStack()->disconnect(this); // it is cleared when the file that the title names has gone
     connect(this, &QObject::destroyed, qApp,
             [file = m_document.file()]() mutable { // the panels are gone, too
-                io::letGo(std::move(file));
+                io::freeInBackground(std::move(file));
             });
+}
+
+void MainWindow::createMenus() {
+    const MenuContext context{this, &m_document, m_canvas, m_messages, m_stage};
+    auto* file = new FileMenu(context, m_fileCommands, &m_file, [] {
+        auto* window = new MainWindow;
+        window->openFirstPicture();
+        window->show();
+    });
+    m_editMenu = new EditMenu(context);
+    auto* cage = new CageMenu(context);
+    auto* maps = new MapsMenu(context);
+    m_viewMenu = new ViewMenu(context, [this](bool on) { present(on); });
+    createConstructionBar();
+    createOptionsBar();
+    m_menus = {file, m_editMenu, cage, maps, m_viewMenu, new HelpMenu(context)};
+    for (ActionMenu* menu : m_menus) {
+        menuBar()->addMenu(menu);
+        menu->setToolTipsVisible(true); // disabled actions explain themselves there
+    }
 }
 
 QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QString& id,
@@ -112,8 +137,8 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
     made->setObjectName(id);
     made->setWidget(panel);
     addDockWidget(area, made);
-    m_panelMenu->addAction(made->toggleViewAction());
-    made->toggleViewAction()->setStatusTip(tr("Show or hide the panel “%1”").arg(title));
+    m_viewMenu->panels()->addAction(made->toggleViewAction());
+    made->toggleViewAction()->setStatusTip(tr("Show or hide the “%1” panel").arg(title));
     made->toggleViewAction()->setToolTip(made->toggleViewAction()->statusTip());
     // Behind another panel it would go on taking keys that nobody sees arrive.
     connect(made, &QDockWidget::visibilityChanged, this, [this, made](bool visible) {
@@ -138,7 +163,8 @@ void MainWindow::createPanels() {
     QDockWidget* mapsDock = dock(maps, tr("Maps"), QStringLiteral("maps"), Qt::RightDockWidgetArea);
     QDockWidget* previous = mapsDock;
     for (QDockWidget* next :
-         {dock(cage, tr("Cage"), QStringLiteral("cage"), Qt::RightDockWidgetArea),
+         {dock(new view::VerticalScrollArea(cage), tr("Cage"), QStringLiteral("cage"),
+               Qt::RightDockWidgetArea),
           dock(appearance, tr("Appearance"), QStringLiteral("appearance"), Qt::RightDockWidgetArea),
           dock(new view::AnalysisPanel(&m_document, m_analysis), tr("Analysis"), QStringLiteral("analysis"),
                Qt::RightDockWidgetArea),
@@ -156,15 +182,18 @@ void MainWindow::createPanels() {
     connect(maps, &view::MapsPanel::selectionChanged, m_canvas,
             [this, maps] { m_canvas->selectMaps(maps->selectedMaps()); });
     connect(m_canvas, &view::CanvasView::selectedMapsChanged, maps, [this, maps] {
-        if (maps->selectedMaps() != m_canvas->selectedMaps()) maps->selectMaps(m_canvas->selectedMaps());
+        const bool isPlane = document::plane(m_document.fractal()) != nullptr; // it shows no maps of space
+        if (isPlane && maps->selectedMaps() != m_canvas->selectedMaps())
+            maps->selectMaps(m_canvas->selectedMaps());
     });
     m_canvas->selectMaps(maps->selectedMaps());
-    connect(entries, &view::EntriesPanel::message, this, &MainWindow::say);
+    connect(maps, &view::MapsPanel::mapPointed, m_canvas, &view::CanvasView::pointAt);
+    connect(entries, &view::EntriesPanel::message, m_messages, &WindowMessages::say);
     connect(entries, &view::EntriesPanel::flamesPasted, this,
-            [this](const QList<document::EntryId>& ids) { FlameCard::offer(this, ids); });
-    connect(maps, &view::MapsPanel::message, this, &MainWindow::say);
-    connect(cage, &view::CagePanel::message, this, &MainWindow::say);
-    connect(appearance, &view::AppearancePanel::message, this, &MainWindow::say);
+            [this](const QList<document::EntryId>& ids) { FlameBanner::offer(this, m_document, ids); });
+    connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);
+    connect(cage, &view::CagePanel::message, m_messages, &WindowMessages::say);
+    connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
     connect(problems, &view::ProblemsPanel::countChanged, problemsDock, [this, problemsDock](int count) {
@@ -176,34 +205,110 @@ void MainWindow::createPanels() {
             [this, problems] { problems->setFileName(m_file.name()); });
     connect(collection, &view::CollectionPanel::openRequested, this,
             [this](const document::Fractal& fractal) {
-                if (!maySpoil()) return;
+                if (!m_fileCommands->maybeSave()) return;
                 m_file.startFrom(document::fileOf(fractal), document::EntryId::None);
             });
+    connect(collection, &view::CollectionPanel::chosen, this, [this](const document::Fractal& fractal) {
+        const bool untouched = m_file.path().isEmpty() && m_document.undoStack()->count() == 0;
+        if (untouched)
+            m_file.startFrom(document::fileOf(fractal), document::EntryId::None);
+        else
+            addEntry(m_document, fractal);
+    });
     connect(collection, &view::CollectionPanel::addRequested, this,
             [this](const document::Fractal& fractal) { addEntry(m_document, fractal); });
 }
 
 void MainWindow::explainPanels() {
     for (const auto& [id, text] :
-         {std::pair{"entries", tr("The fractals of the open file. The one chosen here is in the picture.")},
-          {"collection", tr("Fractals to begin with, by theme, and your own folders of them.")},
-          {"maps", tr("The maps of the fractal: its code, one map in a row.")},
-          {"cage",
-           tr("The control cage by numbers: where its vertices are, where they are at rest, what moving "
-              "them does, and other cages to choose from.")},
+         {std::pair{"entries",
+                    tr("The fractals in the open file. The canvas shows the one you select here.")},
+          {"collection", tr("Ready-made fractals by theme, and your own folders of fractals.")},
+          {"maps", tr("The maps of the fractal: its code, one map per row.")},
+          {"cage", tr("The control cage in numbers: its vertices, their positions at rest, what moving them "
+                      "does, and other cages to choose from.")},
           {"appearance",
            tr("Colours, brightness and background of the picture. They are saved with the fractal.")},
-          {"analysis", tr("What mathematics knows of this fractal. Point at a name to read what it means.")},
-          {"history", tr("Every step since the file was opened. Choose one to go back to it, or forward.")},
-          {"problems", tr("What was odd in the file, with line and column. It is kept as it is.")}})
-        if (auto* panel = findChild<QDockWidget*>(QLatin1String(id))) panel->setWhatsThis(text);
+          {"analysis", tr("Mathematical properties of this fractal. Point to a name to see what it means.")},
+          {"history", tr("Every step since the file was opened. Select one to go back or forward to it.")},
+          {"problems",
+           tr("Problems found in the file, with line and column. The text in the file is kept unchanged.")}})
+        if (auto* panel = findChild<QDockWidget*>(QLatin1String(id))) {
+            panel->setWhatsThis(text);
+            panel->toggleViewAction()->setWhatsThis(panel->toggleViewAction()->statusTip() +
+                                                    QStringLiteral(". ") + text);
+        }
 }
 
 // Dialogs explain themselves before they are seen.
 void MainWindow::childEvent(QChildEvent* event) {
-    QMainWindow::childEvent(event);
+    SessionWindow::childEvent(event);
     if (!event->polished() || !event->child()->isWidgetType()) return;
-    if (auto* widget = static_cast<QWidget*>(event->child()); widget->isWindow()) view::explainByTips(widget);
+    if (auto* widget = static_cast<QWidget*>(event->child()); widget->isWindow()) {
+        view::explainByTips(widget);
+        view::makeNamesDraggable(widget);
+    }
+}
+
+void MainWindow::createConstructionBar() {
+    auto* bar = new QToolBar(tr("How It Is Built"), this);
+    bar->setObjectName(QStringLiteral("arising"));
+    bar->setMovable(false);
+    bar->addWidget(new view::ConstructionBar(m_construction));
+    addToolBar(Qt::BottomToolBarArea, bar);
+    bar->hide();
+    QAction* shown = bar->toggleViewAction();
+    shown->setText(tr("&How It Is Built"));
+    shown->setIcon(view::icon(QStringLiteral("arising")));
+    shown->setShortcut(QKeySequence(tr("W")));
+    shown->setStatusTip(
+        tr("Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game"));
+    m_viewMenu->addShared(shown);
+    m_viewMenu->addToolBarGroup({shown});
+    connect(bar, &QToolBar::visibilityChanged, this, [this, bar](bool visible) {
+        if (!visible) takeFocusFrom(bar);
+    });
+    connect(shown, &QAction::toggled, m_construction, [this](bool on) {
+        if (!on) m_construction->setMode(view::Construction::Mode::Density);
+    });
+}
+
+void MainWindow::createOptionsBar() {
+    m_optionsBar = new QToolBar(tr("Tool Options"), this);
+    m_optionsBar->setObjectName(QStringLiteral("tool-options"));
+    m_optionsBar->setMovable(false);
+    auto* options = new view::ToolOptionsBar(&m_document, m_canvas);
+    m_optionsBar->addWidget(options);
+    addToolBarBreak(Qt::BottomToolBarArea); // side by side the two bars would widen a small window
+    addToolBar(Qt::BottomToolBarArea, m_optionsBar);
+    connect(m_stage, &Stage::switched, options, [this, options] {
+        if (m_stage->showsSpace())
+            m_canvas->setTool(view::CanvasView::Tool::Cage); // the others are of the plane
+        options->setSpace(m_stage->showsSpace());
+    });
+    QAction* shown = m_optionsBar->toggleViewAction();
+    shown->setStatusTip(tr("Show the options of the tool under the canvas"));
+    shown->setToolTip(shown->statusTip());
+    shown->setWhatsThis(
+        tr("A bar that keeps its place: it shows the options of the tool that is chosen, or how "
+           "the tool is used."));
+}
+
+void MainWindow::createToolBar() {
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    bar->setIconSize({22, 22});
+    for (const ActionMenu* menu : m_menus)
+        for (const QList<QAction*>& group : menu->toolBarGroups()) {
+            if (!bar->actions().isEmpty()) bar->addSeparator();
+            bar->addActions(group);
+        }
+    for (auto* button : bar->findChildren<QToolButton*>())
+        button->setFocusPolicy(Qt::TabFocus);
+    m_viewMenu->panels()->addSeparator();
+    m_viewMenu->panels()->addAction(bar->toggleViewAction());
+    m_viewMenu->panels()->addAction(m_optionsBar->toggleViewAction());
 }
 
 void MainWindow::connectDocument() {
@@ -224,18 +329,25 @@ void MainWindow::connectDocument() {
         QList<document::EntryId> flames;
         for (const document::Entry& entry : m_document.file().entries)
             flames << entry.id;
-        FlameCard::offer(this, flames);
+        FlameBanner::offer(this, m_document, flames);
     });
-    connect(m_canvas, &view::CanvasView::message, this, &MainWindow::say);
+    connect(m_canvas, &view::CanvasView::message, m_messages, &WindowMessages::say);
     connect(&m_recovery, &Recovery::cannotKeep, this,
-            [this](const QString& sentence) { fail(tr("No recovery"), sentence); });
+            [this](const QString& sentence) { m_messages->fail(tr("Recovery Unavailable"), sentence); });
+    connect(&m_recovery, &Recovery::lateChanged, m_status, &StatusLine::showRecovery);
     connect(m_canvas, &view::CanvasView::pointerMoved, m_status, &StatusLine::showPointer);
     connect(m_canvas, &view::CanvasView::pointerLeft, m_status, &StatusLine::clearPointer);
+    const view::SpaceView* space = m_stage->space();
+    connect(space, &view::SpaceView::pointerMoved, m_status, &StatusLine::showSpacePointer);
+    connect(space, &view::SpaceView::pointerLeft, m_status, &StatusLine::clearPointer);
+    connect(m_solid, &view::SolidBridge::frameChanged, m_status, [this] {
+        if (m_solid->frame()) m_status->showTime(m_solid->frame()->milliseconds);
+    });
     connect(m_bridge, &view::RenderBridge::frameChanged, m_status, [this] {
         if (m_bridge->frame()) m_status->showFrame(*m_bridge->frame());
     });
-    connect(m_arising, &view::Arising::trailChanged, m_canvas,
-            [this] { m_canvas->showTrail(m_arising->trail()); });
+    connect(m_construction, &view::Construction::trailChanged, m_canvas,
+            [this] { m_canvas->showTrail(m_construction->trail()); });
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
         m_canvas->showOutlines(analysis ? analysis->shapes : std::vector<document::OutlineShape>());
@@ -255,18 +367,29 @@ void MainWindow::openFirstPicture() {
     const QString seen = QStringLiteral("hints/firstDrag");
     if (!view::stored(seen, false).toBool()) {
         m_canvas->setHint(tr(
-            "Take the maple by a corner and pull. Or press D and define another triangle by three clicks."));
+            "Drag a corner of the triangle. Or press D and click three points to define another triangle."));
         connect(m_canvas, &view::CanvasView::hintDismissed, this, [seen] { view::store(seen, true); });
     }
 }
 
 bool MainWindow::openPath(const QString& path) {
-    if (const io::Failure failure = m_file.open(path)) {
-        fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
-        return false;
-    }
-    reportOpened();
-    return true;
+    return m_fileCommands->open(path);
+}
+
+void MainWindow::openRecent(const QString& path) {
+    m_fileCommands->openRecent(path);
+}
+
+void MainWindow::chooseAndOpen() {
+    m_fileCommands->chooseAndOpen();
+}
+
+void MainWindow::addRandom() {
+    m_editMenu->addRandom();
+}
+
+void MainWindow::setQuality(std::uint64_t samples) {
+    m_bridge->setQuality(samples);
 }
 
 void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
@@ -280,15 +403,15 @@ void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
 
 void MainWindow::openRecovered(const document::Abandoned& abandoned) {
     const std::optional<io::Failure> recovered = m_file.recover(abandoned.snapshot);
-    m_canvas->fit();
+    m_stage->fit();
     if (!recovered)
-        return say(
-            tr("%1 was not recovered. It is offered again at the next start.").arg(abandoned.snapshot.title));
+        return m_messages->say(tr("%1 was not recovered. Barycage will offer it again at the next start.")
+                                   .arg(abandoned.snapshot.title));
     m_recovery.takeOver(abandoned);
-    say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
+    m_messages->say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
     if (const io::Failure& failure = *recovered)
-        fail(tr("%1 could not be opened").arg(QFileInfo(abandoned.snapshot.path).fileName()),
-             *failure + u' ' + tr("The unsaved work is here all the same."));
+        m_messages->fail(tr("%1 could not be opened").arg(QFileInfo(abandoned.snapshot.path).fileName()),
+                         *failure + u' ' + tr("Your unsaved work was recovered nevertheless."));
 }
 
 void MainWindow::showCollection() {
@@ -298,149 +421,24 @@ void MainWindow::showCollection() {
     if (auto* search = dock->findChild<QLineEdit*>()) search->setFocus();
 }
 
-void MainWindow::reportOpened() {
-    qsizetype broken = 0;
-    qsizetype bent = 0;
-    for (const document::Entry& entry : m_document.file().entries) {
-        if (document::dimension(*entry.fractal) == 0)
-            ++broken;
-        else if (!entry.problems.isEmpty())
-            ++bent;
-    }
-    QString sentence = tr("%n entries", nullptr, int(m_document.file().entries.size()));
-    if (broken > 0)
-        sentence += tr(", %n of them could not be read and are kept as they are", nullptr, int(broken));
-    if (bent > 0) sentence += tr(", %n read with a remark", nullptr, int(bent));
-    say(sentence + u'.');
-}
-
-void MainWindow::chooseAndOpen() {
-    if (!maySpoil()) return;
-    const QString folder = m_file.path().isEmpty() ? QString() : QFileInfo(m_file.path()).path();
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open"), folder, fileFilter());
-    if (!path.isEmpty()) openPath(path);
-}
-
-void MainWindow::openRecent(const QString& path) {
-    if (maySpoil()) openPath(path);
-}
-
-bool MainWindow::maySpoil() {
-    m_canvas->cancelGesture();
-    if (!m_document.isModified()) return true;
-    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
-                    tr("“%1” has changes that are not saved.").arg(m_file.name()),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-    box.setInformativeText(tr("Do you want to save them?"));
-    box.setDefaultButton(QMessageBox::Save);
-    switch (box.exec()) {
-    case QMessageBox::Save:
-        return save();
-    case QMessageBox::Discard:
-        return true;
-    default:
-        return false;
-    }
-}
-
-bool MainWindow::save() {
-    if (m_file.path().isEmpty()) return saveAs();
-    const std::optional<bool> isChanged = m_file.changedOnDisk();
-    if (!isChanged) return false;
-    if (*isChanged) {
-        QMessageBox box(
-            QMessageBox::Warning, tr("Changed on disk"),
-            tr("“%1” was changed by another program since it was opened here.").arg(m_file.name()),
-            QMessageBox::Cancel, this);
-        box.setInformativeText(tr("Saving replaces what the other program wrote."));
-        QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
-        QPushButton* elsewhere = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
-        box.exec();
-        if (box.clickedButton() == elsewhere) return saveAs();
-        if (box.clickedButton() != replace) return false;
-    }
-    if (const io::Failure failure = m_file.save()) {
-        fail(tr("%1 was not saved").arg(m_file.name()), *failure);
-        return false;
-    }
-    say(tr("Saved %1.").arg(m_file.name()));
-    return true;
-}
-
-bool MainWindow::saveAs() {
-    const QString suggestion =
-        m_file.path().isEmpty() ? m_document.fractal().name + QStringLiteral(".ifs") : m_file.path();
-    const QString path = view::chooseFileToSave(this, tr("Save As"), suggestion,
-                                                tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
-    if (path.isEmpty()) return false;
-    if (const io::Failure failure = m_file.saveAs(path)) {
-        fail(tr("%1 was not saved").arg(QFileInfo(path).fileName()), *failure);
-        return false;
-    }
-    say(tr("Saved %1.").arg(m_file.name()));
-    return true;
-}
-
-void MainWindow::revert() {
-    if (m_document.isModified()) {
-        const auto answer = QMessageBox::question(
-            this, tr("Revert"),
-            tr("Go back to “%1” as it is on disk? The changes made since then are lost.").arg(m_file.name()),
-            QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
-        if (answer != QMessageBox::Discard) return;
-    }
-    if (const io::Failure failure = m_file.revert())
-        fail(tr("%1 could not be read again").arg(m_file.name()), *failure);
-}
-
-void MainWindow::fillRecent() {
-    m_recentMenu->clear();
-    for (const QString& path : recent_files::list()) {
-        QAction* action =
-            m_recentMenu->addAction(QFileInfo(path).fileName().replace(u'&', QLatin1String("&&")), this,
-                                    [this, path] { openRecent(path); });
-        action->setStatusTip(path);
-    }
-    if (m_recentMenu->isEmpty()) m_recentMenu->addAction(tr("No recent files"))->setEnabled(false);
-    m_recentMenu->addSeparator();
-    m_recentMenu->addAction(tr("Clear this list"), this, [] { recent_files::clear(); });
-}
-
 void MainWindow::updateTitle() {
-    setWindowTitle(tr("%1[*] — %2", "file, entry").arg(m_file.name(), m_document.fractal().name));
+    setWindowTitle(tr("%1[*] — %2", "file, entry")
+                       .arg(view::titleText(m_file.name()), view::titleText(m_document.fractal().name)));
     setWindowFilePath(m_file.path());
     setWindowModified(m_document.isModified());
 }
 
-void MainWindow::say(const QString& sentence) {
-    m_status->showMessage(sentence, 8000);
-}
-
-void MainWindow::fail(const QString& title, const QString& sentence) {
-    auto* box = new QMessageBox(QMessageBox::Critical, QApplication::applicationDisplayName(), title + u'.',
-                                QMessageBox::Ok, this);
-    box->setInformativeText(sentence);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    // One after the other: of two that are open, keys would reach neither.
-    connect(box, &QMessageBox::finished, this, [this, box] {
-        m_failures.removeOne(box);
-        if (!m_failures.isEmpty()) m_failures.first()->open();
-    });
-    m_failures << box;
-    if (m_failures.size() == 1) box->open();
-}
-
 void MainWindow::takeFocusFrom(const QWidget* hidden) {
     const QWidget* focused = QApplication::focusWidget();
-    if (focused && hidden->isAncestorOf(focused)) m_canvas->setFocus();
+    if (focused && hidden->isAncestorOf(focused)) m_stage->takeFocus();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_file.isBusy() || !maySpoil()) {
+    if (m_file.isBusy() || !m_fileCommands->maybeSave()) {
         event->ignore();
         return;
     }
-    const bool presents = m_presentation->isChecked();
+    const bool presents = m_viewMenu->presentation()->isChecked();
     view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
     view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
     session::remember();
@@ -455,64 +453,65 @@ void MainWindow::restoreLayout() {
         {int(260 * larger), int(430 * larger)}, Qt::Horizontal);
     if (!restoreGeometry(view::stored(QStringLiteral("window/geometry")).toByteArray()))
         resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
-    if (const QWidget* other = QApplication::activeWindow(); other && other->pos() == pos())
-        move(pos() + QPoint(cascade, cascade)); // both are to be seen
+    // Both are to be seen. Of a window that is not shown yet only the inside is known, not the frame.
+    if (const QWidget* other = QApplication::activeWindow();
+        other && other->geometry().topLeft() == geometry().topLeft())
+        setGeometry(geometry().translated(cascade, cascade));
     restoreState(view::stored(QStringLiteral("window/state")).toByteArray());
-    if (!toolBarBreak(m_branchBar)) insertToolBarBreak(m_branchBar); // as earlier versions left it
+    if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }
 
 // The desktop, too, may fill the screen with the window.
 void MainWindow::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::WindowStateChange && m_fullScreen) m_fullScreen->setChecked(isFullScreen());
+    SessionWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange && m_viewMenu)
+        m_viewMenu->fullScreen()->setChecked(isFullScreen());
 }
 
 void MainWindow::present(bool on) {
-    const auto bars = {findChild<QToolBar*>(QStringLiteral("arising")), m_branchBar};
-    QList<bool> shown;
-    for (const QToolBar* bar : bars)
-        shown << !bar->isHidden();
+    auto* construction = findChild<QToolBar*>(QStringLiteral("arising"));
+    const bool isBuilding = !construction->isHidden();
     if (on) {
         m_before = {saveGeometry(), saveState(), isFullScreen()};
         for (auto* panel : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
             panel->hide();
         findChild<QToolBar*>(QStringLiteral("tools"))->hide();
-        m_canvas->setFocus();
+        m_optionsBar->hide();
+        m_stage->takeFocus();
     }
     menuBar()->setVisible(!on);
     statusBar()->setVisible(!on);
     setWindowState(windowState().setFlag(Qt::WindowFullScreen, on || m_before.fullScreen));
     if (!on) {
         restoreState(m_before.layout);
-        for (QToolBar* bar : bars)
-            bar->setVisible(shown.takeFirst());
+        construction->setVisible(isBuilding);
     }
-    m_canvas->setHint(on ? tr("Esc brings menus and panels back.") : QString());
+    m_canvas->setHint(on ? tr("Press Esc to bring back the menus and panels.") : QString());
 }
 
 // Whatever has the focus takes it first.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && m_presentation->isChecked())
-        m_presentation->setChecked(false);
+    if (event->key() == Qt::Key_Escape && m_viewMenu->presentation()->isChecked())
+        m_viewMenu->presentation()->setChecked(false);
     else if (event->key() == Qt::Key_F6)
-        m_canvas->setFocus(Qt::OtherFocusReason); // which leaves it by the same key
+        walkFocus(*this, event->modifiers().testFlag(Qt::ShiftModifier) ? -1 : 1);
     else
-        QMainWindow::keyPressEvent(event);
+        SessionWindow::keyPressEvent(event);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
-    QMainWindow::showEvent(event);
+    SessionWindow::showEvent(event);
     makeRoomForPicture();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
+    SessionWindow::resizeEvent(event);
     if (width() < event->oldSize().width()) makeRoomForPicture();
 }
 
 // In a window that is made narrow the panels yield, so that half of it is left to the picture.
 void MainWindow::makeRoomForPicture() {
-    const int missing = width() / 2 - m_canvas->width();
+    const int missing = width() / 2 - m_stage->width();
     if (missing <= 0) return;
     QList<QDockWidget*> beside;
     int together = 0;
@@ -545,7 +544,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     QMetaObject::invokeMethod(
         this,
         [this, paths] {
-            if (maySpoil()) openEach(paths, this);
+            if (m_fileCommands->maybeSave()) openEach(paths, this);
         },
         Qt::QueuedConnection);
 }

@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "analysis_bridge.h"
-#include "arising.h"
+#include "bridges/analysis_bridge.h"
+#include "bridges/construction.h"
+#include "bridges/render_bridge.h"
+#include "bridges/solid_bridge.h"
 #include "canvas/canvas_view.h"
-#include "dialogs/mutate_dialog.h"
 #include "document/document.h"
-#include "io/save_file.h"
 #include "open_file.h"
 #include "recovery.h"
-#include "render_bridge.h"
+#include "session.h"
 
-#include <QKeySequence>
-#include <QMainWindow>
-
-#include <functional>
-
-class QActionGroup;
-class QMenu;
-class QMessageBox;
+class ActionMenu;
+class EditMenu;
+class FileCommands;
+class QDockWidget;
 class QToolBar;
+class Stage;
 class StatusLine;
+class ViewMenu;
+class WindowMessages;
 
 // A document, its canvas and its panels. Owns them all; deletes itself when closed.
-class MainWindow : public QMainWindow {
+class MainWindow : public SessionWindow {
     Q_OBJECT
 
 public:
@@ -42,7 +41,8 @@ public:
     void addRandom();      // picked out of many
 
     document::Document& document() { return m_document; }
-    QString path() const { return m_file.path(); } // empty while the document has no file
+    QString path() const override { return m_file.path(); }
+    void setQuality(std::uint64_t samples) override;
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -55,71 +55,41 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    void createMenus();
     void createPanels();
     void explainPanels();
-    void createFileActions();
-    void createEditActions();
-    void showPreferences();
-    void pickFrom(view::MutateDialog::Source source);
-    void createCageActions();
-    void createViewActions();
-    void createHelpActions();
-    QAction* createArisingBar();
-    void createBranchBar();
+    void createConstructionBar();
+    void createOptionsBar();
     void createToolBar();
     void connectDocument();
-
-    // An action with its icon ("" for none), shortcut and status tip, in a menu and in the window.
-    QAction* action(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
-                    const QString& tip);
-    QAction* command(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
-                     const QString& tip, const std::function<void()>& operation);
-    QAction* toggle(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut,
-                    const QString& tip, const QString& setting, bool initially,
-                    const std::function<void(bool)>& set);
-    // Where it would do nothing, it is disabled, and its tips and its key say why.
-    void possibleUnless(QAction* action, QString (*obstacle)(const document::Fractal&));
     QDockWidget* dock(QWidget* panel, const QString& title, const QString& id, Qt::DockWidgetArea area);
 
-    bool maySpoil(); // asks about unsaved changes; false: the user wants to stay
-    bool save();
-    bool saveAs();
-    void revert();
-    void reportOpened();
-    void fillRecent();
     void updateTitle();
-    void say(const QString& sentence); // in the status bar, for a few seconds
-    void fail(const QString& title, const QString& sentence);
     void restoreLayout();
     void takeFocusFrom(const QWidget* hidden); // so that it does not go to any other field
     void makeRoomForPicture();
-    void present(bool on); // the canvas alone on the screen, with the bar of its tool
+    void present(bool on); // the canvas alone on the screen
 
     document::Document m_document;
     OpenFile m_file;
     Recovery m_recovery;
     view::RenderBridge* m_bridge;
+    view::SolidBridge* m_solid;
     view::AnalysisBridge* m_analysis;
-    view::Arising* m_arising;
-    view::CanvasView* m_canvas;
+    view::Construction* m_construction;
+    Stage* m_stage;
+    view::CanvasView* m_canvas; // of the plane
     StatusLine* m_status;
+    WindowMessages* m_messages;
+    FileCommands* m_fileCommands;
 
-    QMenu* m_fileMenu = nullptr;
-    QMenu* m_recentMenu = nullptr;
-    QMenu* m_editMenu = nullptr;
-    QMenu* m_cageMenu = nullptr;
-    QMenu* m_viewMenu = nullptr;
-    QMenu* m_panelMenu = nullptr;
-    QMenu* m_helpMenu = nullptr;
-    QActionGroup* m_tools = nullptr;
-    QAction* m_fullScreen = nullptr;
-    QAction* m_presentation = nullptr;
+    EditMenu* m_editMenu = nullptr;
+    ViewMenu* m_viewMenu = nullptr;
+    QList<ActionMenu*> m_menus;
     struct {
         QByteArray geometry;
         QByteArray layout; // of panels and bars
         bool fullScreen = false;
     } m_before;                       // the presentation
-    QToolBar* m_branchBar = nullptr;  // under the canvas while maps or branches are dragged
-    QList<QAction*> m_toolBarActions; // a null pointer is a separator
-    QList<QMessageBox*> m_failures;   // the first one is seen
+    QToolBar* m_optionsBar = nullptr; // under the canvas
 };

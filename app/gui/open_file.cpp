@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "open_file.h"
 
-#include "dialogs/wait_for.h"
-#include "io/background.h"
+#include "document/fractal_geometry.h"
 #include "io/collection_reader.h"
-#include "io/fractint_reader.h"
-#include "io/fractint_writer.h"
+#include "io/file/background.h"
+#include "io/file/hard_links.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/fractint/fractint_writer.h"
 #include "recent_files.h"
+#include "widgets/wait_for.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>
@@ -31,6 +33,7 @@ bool isSpecial(const QString& path) {
 }
 
 struct Reading {
+    bool isSpecial = false; // and not read
     io::Loaded loaded;
     io::Collection collection; // when there is no failure
     QByteArray digest;
@@ -38,8 +41,9 @@ struct Reading {
 
 QFuture<Reading> readBeside(const QString& path) {
     return io::inBackground<Reading>([path](QPromise<Reading>& promise) {
-        Reading reading{io::loadFile(path), {}, {}};
-        if (!reading.loaded.failure) {
+        Reading reading{isSpecial(path), {}, {}, {}};
+        if (!reading.isSpecial) reading.loaded = io::loadFile(path);
+        if (!reading.isSpecial && !reading.loaded.failure) {
             reading.collection = io::readCollection(reading.loaded.bytes, path);
             reading.digest = digestOf(reading.loaded.bytes);
             // What showing the first entry takes is remembered.
@@ -58,6 +62,7 @@ struct Writing {
     io::Failure failure;
     document::FractalFile file; // as it reads when it is opened again
     QByteArray digest;
+    int otherNames = 0; // of the file that was there
 };
 
 QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const document::FractalFile& file,
@@ -67,6 +72,7 @@ QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const documen
         const QByteArray bytes = io::writeFractint(file);
         writing->file = io::readFractint(bytes, QFileInfo(path).completeBaseName());
         writing->digest = digestOf(bytes);
+        writing->otherNames = io::otherNames(path);
         io::NewFile target(path);
         for (qsizetype at = 0; at < bytes.size() && !target.failure(); at += piece) {
             if (promise.isCanceled()) return;
@@ -74,6 +80,14 @@ QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const documen
         }
         if (!writing->isDecided.exchange(true)) writing->failure = target.commit();
     }));
+}
+
+OpenFile::OnDisk now(const QString& path, const QByteArray& known) {
+    using enum OpenFile::OnDisk;
+    if (!QFileInfo::exists(path)) return Gone;
+    if (isSpecial(path)) return Changed;
+    const io::Loaded loaded = io::loadFile(path);
+    return loaded.failure || digestOf(loaded.bytes) != known ? Changed : Same;
 }
 
 // Entries of one name are one entry: those that nobody touched are not shown as changed.
@@ -108,17 +122,17 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
 io::Failure OpenFile::open(const QString& path) {
     const QScopedValueRollback<bool> busy(m_isBusy, true);
     const auto file = QFileInfo(path).fileName();
-    if (isSpecial(path)) return tr("“%1” is not an ordinary file and cannot be opened.").arg(file);
     QFuture<Reading> result = readBeside(path);
     if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(file), m_window))
         return tr("Reading “%1” was cancelled.").arg(file);
-    auto [loaded, collection, digest] = result.takeResult();
+    auto [isSpecial, loaded, collection, digest] = result.takeResult();
+    if (isSpecial) return tr("“%1” is not an ordinary file and cannot be opened.").arg(file);
     if (loaded.failure) return loaded.failure;
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;
     document::FractalFile before = m_document->file();
     m_document->setFile(std::move(collection.file));
-    io::letGo(std::move(before));
+    io::freeInBackground(std::move(before));
     // What was taken out of another format has no .ifs file to be saved to yet.
     if (collection.format == QLatin1String("fractint"))
         remember(path, digest);
@@ -152,6 +166,7 @@ std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot)
     if (!snapshot.path.isEmpty()) {
         m_path = snapshot.path;
         m_digest = snapshot.base; // not what somebody else may have written since
+        m_isMissing = failure.has_value();
         emit pathChanged();
     }
     return failure;
@@ -169,16 +184,16 @@ io::Failure OpenFile::revert() {
     return open(m_path);
 }
 
-std::optional<bool> OpenFile::changedOnDisk() {
-    if (m_path.isEmpty() || !QFileInfo::exists(m_path)) return false;
-    if (isSpecial(m_path)) return true;
+std::optional<OpenFile::OnDisk> OpenFile::onDisk() {
+    if (m_path.isEmpty()) return OnDisk::Same;
     const QScopedValueRollback<bool> busy(m_isBusy, true);
-    QFuture<bool> result = io::inBackground<bool>([path = m_path, known = m_digest](QPromise<bool>& promise) {
-        const io::Loaded now = io::loadFile(path);
-        promise.addResult(now.failure || digestOf(now.bytes) != known);
-    });
+    QFuture<OnDisk> result =
+        io::inBackground<OnDisk>([path = m_path, known = m_digest](QPromise<OnDisk>& promise) {
+            promise.addResult(now(path, known));
+        });
     if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(name()), m_window)) return std::nullopt;
-    return result.takeResult();
+    const OnDisk found = result.takeResult();
+    return found == OnDisk::Gone && m_isMissing ? OnDisk::Same : found;
 }
 
 io::Failure OpenFile::write(const QString& path) {
@@ -189,11 +204,12 @@ io::Failure OpenFile::write(const QString& path) {
     while (
         !view::waitFor(work, tr("Saving “%1”…").arg(file), m_window)) // in the end it is cancelled, or saved
         if (!writing->isDecided.exchange(true))
-            return tr("Saving “%1” was cancelled. The file on the disk is as it was.").arg(file);
+            return tr("Saving “%1” was cancelled. The file on disk is unchanged.").arg(file);
     work.waitForFinished(); // throws what went wrong besides
     if (writing->failure) return writing->failure;
+    m_otherNames = writing->otherNames;
     m_document->markSaved(writing->file);
-    io::letGo(std::move(writing->file));
+    io::freeInBackground(std::move(writing->file));
     remember(path, writing->digest);
     recent_files::add(path);
     return std::nullopt;
@@ -202,5 +218,6 @@ io::Failure OpenFile::write(const QString& path) {
 void OpenFile::remember(const QString& path, const QByteArray& digest) {
     m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // it outlives this folder
     m_digest = digest;
+    m_isMissing = false;
     emit pathChanged();
 }

@@ -3,7 +3,7 @@
 
 #include "document/document.h"
 #include "document/journal.h"
-#include "io/save_file.h"
+#include "io/file/save_file.h"
 
 #include <QByteArray>
 #include <QObject>
@@ -37,9 +37,13 @@ public:
     io::Failure revert();
 
     QByteArray digest() const { return m_digest; } // of the bytes that were read or written here
-    // Whether the bytes at path() are others now, or cannot be read; nullopt when the user does not wait for
+    // What has become of the file at path(): `Changed` when it holds other bytes or cannot be read, `Gone`
+    // when there is none any more and the user has not been told so. nullopt when the user does not wait for
     // it.
-    std::optional<bool> changedOnDisk();
+    enum class OnDisk { Same, Changed, Gone };
+    std::optional<OnDisk> onDisk();
+    // Hard links of the file that was there before the last save, which go on leading to the old contents.
+    int otherNames() const { return m_otherNames; }
 
 signals:
     void pathChanged();
@@ -56,4 +60,6 @@ private:
     bool m_isBusy = false;
     QString m_path;
     QByteArray m_digest;
+    bool m_isMissing = false; // it was not there to be read, and the user knows
+    int m_otherNames = 0;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recent_files.h"
 
-#include "settings.h"
+#include "desktop/settings.h"
+#include "io/file/slow_disk.h"
 
 #include <QFileInfo>
 
@@ -18,9 +19,7 @@ QString key() {
 } // namespace
 
 QStringList list() {
-    QStringList paths = view::stored(key()).toStringList();
-    paths.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
-    return paths;
+    return io::withoutGone(view::stored(key()).toStringList());
 }
 
 void add(const QString& path) {

@@ -6,7 +6,7 @@
 // The last files opened or saved, newest first, kept between runs and shared by all windows.
 namespace recent_files {
 
-QStringList list(); // those that still exist
+QStringList list(); // without those that are known to be gone; a slow drive is not waited for
 void add(const QString& path);
 void clear();
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "recovery.h"
 
-#include "dialogs/wait_for.h"
-#include "io/background.h"
-#include "io/fractint_writer.h"
+#include "io/file/background.h"
+#include "io/fractint/fractint_writer.h"
+#include "widgets/wait_for.h"
 
 #include <QDir>
 #include <QMessageBox>
@@ -19,13 +19,22 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
     : QObject(parent), m_document(document), m_file(file), m_journal(folder()) {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] {
-        if (m_writing > 0)
-            m_isLate = true; // the disk is slow: the newest state is kept next, and none between
+        if (!m_writing.isEmpty())
+            m_isAgain = true; // the disk is slow: the newest state is kept next, and none between
         else
             keepNow();
     });
-    connect(document, &document::Document::changed, this, &Recovery::keepSoon);
+    m_watch.setSingleShot(true);
+    connect(&m_watch, &QTimer::timeout, this, &Recovery::watch);
+    connect(document, &document::Document::changed, this, [this] {
+        const Time now = std::chrono::steady_clock::now();
+        m_oldest = m_wasModified ? std::min(m_oldest, now) : now;
+        m_wasModified = m_document->isModified();
+        keepSoon();
+        watch();
+    });
     connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
+        m_wasModified = !clean;
         if (clean) discard();
     });
     m_writer.setMaxThreadCount(1);
@@ -48,7 +57,7 @@ void Recovery::keepNow() {
                                 QDateTime::currentDateTimeUtc(),
                                 {},
                                 m_file->digest()};
-    ++m_writing;
+    m_writing << std::exchange(m_oldest, never);
     m_writer.start([this, snapshot, file = m_document->file(), old = m_takenOver]() mutable {
         const auto began = std::chrono::steady_clock::now();
         snapshot.bytes = io::writeFractint(file);
@@ -56,13 +65,33 @@ void Recovery::keepNow() {
         if (kept && old) document::forget(*old);
         const auto took = std::chrono::steady_clock::now() - began;
         QMetaObject::invokeMethod(this, [this, kept, took] {
-            --m_writing;
-            if (kept) m_takenOver.reset();
             m_lastTook = std::chrono::duration_cast<std::chrono::milliseconds>(took);
-            report(kept);
-            if (std::exchange(m_isLate, false)) keepNow();
+            finish(kept);
         });
     });
+}
+
+void Recovery::finish(bool kept) {
+    const Time oldest = m_writing.takeFirst();
+    if (kept)
+        m_takenOver.reset();
+    else
+        m_oldest = std::min(m_oldest, oldest);
+    report(kept);
+    if (std::exchange(m_isAgain, false)) keepNow();
+    watch();
+}
+
+void Recovery::watch() {
+    constexpr auto promised = 2s;
+    const Time oldest = m_writing.isEmpty() ? m_oldest : std::min(m_oldest, m_writing.first());
+    const auto left = oldest == never ? promised : promised - (std::chrono::steady_clock::now() - oldest);
+    const bool isLate = left <= 0s && m_document->isModified();
+    if (left > 0s && oldest != never)
+        m_watch.start(std::chrono::ceil<std::chrono::milliseconds>(left));
+    else
+        m_watch.stop();
+    if (std::exchange(m_isLate, isLate) != isLate) emit lateChanged(isLate);
 }
 
 void Recovery::takeOver(const document::Abandoned& abandoned) {
@@ -79,14 +108,16 @@ void Recovery::giveUp() {
 void Recovery::report(bool kept) {
     if (!kept && m_document->isModified()) keepSoon(); // until it works
     if (std::exchange(m_kept, kept) && !kept)
-        emit cannotKeep(
-            tr("Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the "
-               "disk is full. Save often.")
-                .arg(QDir::toNativeSeparators(folder())));
+        emit cannotKeep(tr("Unsaved work cannot be kept for recovery: the folder “%1” is not writable, or "
+                           "the disk is full. Save often.")
+                            .arg(QDir::toNativeSeparators(folder())));
 }
 
 void Recovery::discard() {
     m_timer.stop();
+    m_oldest = never;
+    m_writing.fill(never);
+    watch();
     m_writer.start([this, old = std::exchange(m_takenOver, std::nullopt)] {
         m_journal.discard();
         if (old) document::forget(*old);
@@ -104,7 +135,7 @@ void Recovery::reportDamaged(QStringList paths) {
         path = QDir::toNativeSeparators(path);
     QMessageBox box(
         QMessageBox::Warning, tr("Unsaved work was found"),
-        tr("Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:"));
+        tr("The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:"));
     box.setInformativeText(paths.join(u'\n'));
     box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     box.exec();
@@ -130,7 +161,7 @@ QList<document::Abandoned> Recovery::ask() {
                      .arg(abandoned.snapshot.title,
                           abandoned.snapshot.when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
     QMessageBox box(QMessageBox::Question, tr("Unsaved work was found"),
-                    tr("Barycage ended last time before this work was saved:"));
+                    tr("The last time you used Barycage, it ended before this work was saved:"));
     box.setInformativeText(lines.join(u'\n'));
     QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
     QPushButton* forget = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);

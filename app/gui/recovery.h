@@ -4,6 +4,7 @@
 #include "document/journal.h"
 #include "open_file.h"
 
+#include <QList>
 #include <QObject>
 #include <QThreadPool>
 #include <QTimer>
@@ -11,8 +12,8 @@
 #include <chrono>
 #include <optional>
 
-// Keeps a window's unsaved work in a journal, at most two seconds behind if the disk is fast enough, until it
-// is saved or given up.
+// Keeps a window's unsaved work in a journal, at most two seconds behind, until it is saved or given up. When
+// the disk is too slow for that, or full, or the file too large, it says so.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -33,12 +34,18 @@ public:
 
 signals:
     void cannotKeep(const QString& sentence); // once, until it is possible again
+    void lateChanged(bool isLate);            // work is unsaved for two seconds and not in the journal yet
 
 private:
+    using Time = std::chrono::steady_clock::time_point;
+    static constexpr Time never = Time::max();
+
     void keepSoon();
     void keepNow(); // without waiting for the next change. Disks may be slow: another thread writes
     void discard();
+    void finish(bool kept); // the first of those that are being written
     void report(bool kept);
+    void watch();
     static void reportDamaged(QStringList paths);
 
     document::Document* m_document;
@@ -46,8 +53,12 @@ private:
     document::Journal m_journal; // used by the thread alone
     QThreadPool m_writer;        // of one thread, so that all happens in its order
     QTimer m_timer;
-    bool m_kept = true; // the last time
-    int m_writing = 0;  // snapshots on their way to the disk
+    bool m_kept = true;         // the last time
+    bool m_wasModified = false; // after the change before
+    Time m_oldest = never;      // change that is in no snapshot
+    QList<Time> m_writing;      // the same of each snapshot on its way to the disk
+    bool m_isAgain = false;     // another is to follow
+    QTimer m_watch;             // for the moment at which the oldest change is late
     bool m_isLate = false;
     bool m_isGivenUp = false;
     std::optional<document::Abandoned> m_takenOver;

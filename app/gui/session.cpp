@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "session.h"
 
-#include "main_window.h"
-#include "settings.h"
+#include "desktop/settings.h"
+#include "io/file/slow_disk.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -15,7 +15,7 @@ const QString key = QStringLiteral("session/files");
 
 QStringList shown() {
     QStringList paths;
-    for (const MainWindow* window : windows())
+    for (const SessionWindow* window : windows())
         if (window->isVisible() && !window->path().isEmpty())
             paths << QFileInfo(window->path()).absoluteFilePath();
     return paths;
@@ -23,28 +23,26 @@ QStringList shown() {
 
 } // namespace
 
-QList<MainWindow*> windows() {
-    QList<MainWindow*> found;
+QList<SessionWindow*> windows() {
+    QList<SessionWindow*> found;
     for (QWidget* widget : QApplication::topLevelWidgets())
-        if (auto* window = qobject_cast<MainWindow*>(widget)) found << window;
+        if (auto* window = qobject_cast<SessionWindow*>(widget)) found << window;
     return found;
 }
 
 QStringList files() {
-    QStringList paths = view::stored(key).toStringList();
-    paths.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
-    return paths;
+    return io::withoutGone(view::stored(key).toStringList());
 }
 
 void remember() {
-    // Also while others are open: if the program ends without a farewell, this is the best that is known.
+    // Also while other windows are open: the program may be killed before they close.
     view::store(key, shown());
 }
 
 void quit() {
     const QStringList paths = shown();
     QApplication::closeAllWindows();
-    for (const MainWindow* window : windows())
+    for (const SessionWindow* window : windows())
         if (window->isVisible()) return;
     view::store(key, paths);
 }

@@ -2,19 +2,30 @@
 #pragma once
 
 #include <QList>
+#include <QMainWindow>
 #include <QStringList>
 
-class MainWindow;
+#include <cstdint>
 
-// The windows of this run, and the files they showed when it ended.
+// A window of the program, with a file of its own: what the others need to know of it.
+class SessionWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    using QMainWindow::QMainWindow;
+    virtual QString path() const = 0;                   // empty while it has no file
+    virtual void setQuality(std::uint64_t samples) = 0; // of a picture at rest
+};
+
+// The windows of this run, and the files that were open at its end.
 namespace session {
 
-QList<MainWindow*> windows();
-QStringList files(); // of the last run, those that still exist
+QList<SessionWindow*> windows();
+QStringList files(); // of the last run, without those that are known to be gone
 
-// While the last window closes: its file is what the next run begins with.
+// Stores the files of the open windows for the next run. Call it while a window closes.
 void remember();
-// Closes all windows, each asking first; when none stayed, their files are what the next run begins with.
+// Closes all windows, each of which may ask first. When all have closed, stores the files they had.
 void quit();
 
 } // namespace session

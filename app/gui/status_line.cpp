@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "status_line.h"
 
+#include "canvas/geometry/coordinate_text.h"
 #include "document/addresses.h"
-#include "ifs/attractor_existence.h"
+#include "document/fractal_geometry.h"
+#include "ifs/existence/attractor_existence.h"
+#include "widgets/elided_label.h"
+#include "widgets/number_text.h"
 
+#include <QAccessible>
 #include <QFontDatabase>
 #include <QLabel>
-#include <QLocale>
-#include <QPainter>
-#include <QStyle>
 
 #include <algorithm>
 #include <chrono>
@@ -30,7 +32,7 @@ QLabel* selectable(QLabel* label) {
 }
 
 // Fixed decimals, so that digits stay in place while the pointer moves.
-QString fixed(double value, int decimals = 4) {
+QString fixed(double value, int decimals) {
     const double unit = std::pow(10, -decimals);
     return QString::number(std::abs(value) < unit / 2 ? 0 : value, 'f', decimals); // no −0
 }
@@ -40,20 +42,8 @@ QString count(std::uint64_t samples) {
     if (samples >= 1'000'000)
         return StatusLine::tr("%1 M points").arg(double(samples) / 1e6, 0, 'f', samples < 10'000'000 ? 1 : 0);
     if (samples == 1) return StatusLine::tr("1 point");
-    return StatusLine::tr("%1 points").arg(QLocale::c().toString(qulonglong(samples)));
+    return StatusLine::tr("%1 points").arg(view::groupedNumber(double(samples)));
 }
-
-// One line that ends in dots where there is no room for all of it.
-class ReadOut : public QLabel {
-protected:
-    void paintEvent(QPaintEvent* /*event*/) override {
-        QPainter painter(this);
-        const QRect room = contentsRect();
-        style()->drawItemText(&painter, room, int(alignment()), palette(), isEnabled(),
-                              fontMetrics().elidedText(text(), Qt::ElideRight, room.width()),
-                              foregroundRole());
-    }
-};
 
 QString verdictText(const ifs::Existence& existence) {
     const QString factor = QString::number(existence.contractivity, 'f', 4);
@@ -61,9 +51,11 @@ QString verdictText(const ifs::Existence& existence) {
     case ifs::Verdict::Hyperbolic:
         return StatusLine::tr("hyperbolic, s = %1").arg(factor);
     case ifs::Verdict::EventuallyContractive:
-        return StatusLine::tr("eventually contractive, γ = %1 (words of %2 maps)")
-            .arg(factor)
-            .arg(existence.wordLength);
+        if (existence.norm == ifs::NormKind::Ellipsoidal)
+            return StatusLine::tr("contractive in an ellipsoidal norm, γ = %1").arg(factor);
+        if (existence.norm == ifs::NormKind::Polytope)
+            return StatusLine::tr("contractive in a polytope norm, γ = %1").arg(factor);
+        return StatusLine::tr("any %1 maps in a row contract, γ = %2").arg(existence.wordLength).arg(factor);
     case ifs::Verdict::None: {
         QStringList word;
         for (int symbol : existence.witness)
@@ -75,7 +67,7 @@ QString verdictText(const ifs::Existence& existence) {
     case ifs::Verdict::Undecided:
         return StatusLine::tr("existence of an attractor undecided");
     case ifs::Verdict::Empty:
-        return StatusLine::tr("no map takes part");
+        return StatusLine::tr("no map is active");
     }
     return {};
 }
@@ -84,12 +76,17 @@ QString verdictText(const ifs::Existence& existence) {
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent),
-      m_pointer(explained(
-          new ReadOut, tr("Pointer position"),
-          tr("World and barycentric coordinates of the pointer; the address of the point of the attractor "
-             "under it, outermost map first, and the fixed point of its branch"))),
-      m_verdict(explained(selectable(new QLabel), tr("Verdict"),
-                          tr("Whether the system has an attractor, and the factor by which it contracts"))),
+      m_pointer(
+          explained(new view::ElidedLabel, tr("Pointer position"),
+                    tr("Plane and barycentric coordinates of the pointer; the address of the point of the "
+                       "attractor under it, outermost map first, and the fixed point of its branch"))),
+      m_recovery(explained(
+          new QLabel(tr("latest changes not yet kept for recovery")),
+          tr("latest changes not yet kept for recovery"),
+          tr("A crash would lose your latest changes: keeping them takes longer than two seconds, because "
+             "the disk is slow or full or the file is very large. Save what you do not want to lose."))),
+      m_verdict(explained(selectable(new QLabel), tr("Existence of an attractor"),
+                          tr("Whether the system has an attractor, and its contraction factor"))),
       m_frame(explained(selectable(new QLabel), tr("Picture"),
                         tr("Points drawn so far and the time of the last pass"))) {
     QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -99,8 +96,9 @@ StatusLine::StatusLine(QWidget* parent)
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
     m_frame->setContentsMargins(12, 0, 0, 0);
-    m_pointer->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long address needs no window
     addWidget(m_pointer, 1);
+    m_recovery->hide();
+    addPermanentWidget(m_recovery);
     addPermanentWidget(m_verdict);
     addPermanentWidget(m_frame);
     connect(this, &QStatusBar::messageChanged, this, [this] { m_toRead.setRemainingTime(toRead); });
@@ -108,7 +106,8 @@ StatusLine::StatusLine(QWidget* parent)
 
 void StatusLine::showPointer(const view::PointerPosition& position) {
     if (m_toRead.hasExpired()) clearMessage(); // what was said gives way once it could be read
-    QString text = QStringLiteral("x %1  y %2").arg(fixed(position.world.x()), fixed(position.world.y()));
+    const view::CoordinateText x(position.camera, 0), y(position.camera, 1);
+    QString text = QStringLiteral("x %1  y %2").arg(x.text(position.world.x()), y.text(position.world.y()));
     if (position.barycentric) {
         QStringList coordinates;
         for (double coordinate : *position.barycentric)
@@ -121,8 +120,28 @@ void StatusLine::showPointer(const view::PointerPosition& position) {
             text +=
                 tr("  fixed point of %1 (%2, %3)")
                     .arg(document::addressText(position.address, position.fixedLength).remove(u'…').trimmed(),
-                         fixed(position.fixedPoint->x()), fixed(position.fixedPoint->y()));
+                         x.text(position.fixedPoint->x()), y.text(position.fixedPoint->y()));
     }
+    m_pointer->setText(text);
+}
+
+void StatusLine::showSpacePointer(const view::SpacePosition& position) {
+    if (m_toRead.hasExpired()) clearMessage();
+    const ifs::Vector<3>& at = position.world;
+    // As many decimals as tell neighbouring pixels apart.
+    const int decimals = std::clamp(int(std::ceil(-std::log10(position.unitsPerPixel))) + 1, 0, 15);
+    QString text = QStringLiteral("x %1  y %2  z %3")
+                       .arg(fixed(at.x(), decimals), fixed(at.y(), decimals), fixed(at.z(), decimals));
+    if (position.barycentric) {
+        QStringList coordinates;
+        for (double coordinate : *position.barycentric)
+            coordinates << fixed(coordinate, 3);
+        text += tr("  barycentric (%1)").arg(coordinates.join(QStringLiteral(", ")));
+    }
+    if (position.onAttractor) text += tr("  depth %1").arg(fixed(position.depth, decimals));
+    const QString axis(QChar(u'X' + position.lock.axis));
+    if (position.lock.kind == view::AxisLock::Kind::Axis) text += tr("  along %1").arg(axis);
+    if (position.lock.kind == view::AxisLock::Kind::Plane) text += tr("  across %1").arg(axis);
     m_pointer->setText(text);
 }
 
@@ -135,14 +154,25 @@ void StatusLine::showVerdict(const document::Fractal& fractal) {
     if (const auto* plane = document::system2(fractal)) // as displayed, which is what the analysis speaks of
         m_verdict->setText(verdictText(
             ifs::classify<2>(ifs::activeMaps(document::effectiveSystem(fractal).value_or(*plane)).maps)));
-    else if (document::dimension(fractal) == 3)
-        m_verdict->setText(tr("3D: not yet shown"));
+    else if (const auto* space = document::system3(fractal))
+        m_verdict->setText(verdictText(ifs::classify<3>(ifs::activeMaps(*space).maps)));
     else
         m_verdict->setText(tr("this entry could not be read"));
+}
+
+void StatusLine::showTime(double milliseconds) {
+    m_frame->setText(tr("%1 ms").arg(milliseconds, 0, 'f', 1));
 }
 
 void StatusLine::showFrame(const attractor::Frame& frame) {
     const QString time = tr("%1 ms").arg(frame.milliseconds, 0, 'f', 1);
     m_frame->setText(frame.samples > 0 ? tr("%1 · %2").arg(count(frame.samples), time) : time);
     m_frame->setMinimumWidth(std::max(m_frame->minimumWidth(), m_frame->sizeHint().width()));
+}
+
+void StatusLine::showRecovery(bool isLate) {
+    m_recovery->setVisible(isLate);
+    if (!isLate) return;
+    QAccessibleEvent event(m_recovery, QAccessible::Alert);
+    QAccessible::updateAccessibility(&event);
 }

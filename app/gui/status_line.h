@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "attractor/renderer.h"
+#include "attractor/render/renderer.h"
 #include "canvas/canvas_view.h"
 #include "document/fractal.h"
+#include "space/space_input.h"
 
 #include <QDeadlineTimer>
 #include <QStatusBar>
 
 class QLabel;
 
-// One quiet line: where the pointer is or what was just said, whether there is an attractor, what was drawn.
+// One quiet line: where the pointer is or what was just said, whether there is an attractor, what was drawn;
+// and that unsaved work is not kept for recovery yet, when that takes too long.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -18,12 +20,16 @@ public:
     explicit StatusLine(QWidget* parent = nullptr);
 
     void showPointer(const view::PointerPosition& position);
+    void showSpacePointer(const view::SpacePosition& position);
     void clearPointer();
     void showVerdict(const document::Fractal& fractal);
+    void showTime(double milliseconds); // of a picture without points
     void showFrame(const attractor::Frame& frame);
+    void showRecovery(bool isLate); // nothing while it is in time
 
 private:
     QLabel* m_pointer;
+    QLabel* m_recovery;
     QLabel* m_verdict;
     QLabel* m_frame;
     QDeadlineTimer m_toRead; // what was said last

@@ -2,8 +2,8 @@
 #include "tour.h"
 
 #include "canvas/canvas_view.h"
-#include "panels/maps_panel.h"
-#include "settings.h"
+#include "desktop/settings.h"
+#include "panels/maps/maps_panel.h"
 
 #include <QDockWidget>
 #include <QEvent>
@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include <algorithm>
 #include <iterator>
 
 namespace {
@@ -32,40 +33,38 @@ struct Step {
 constexpr Step steps[] = {
     {"maps", QT_TRANSLATE_NOOP("Tour", "Contraction"),
      QT_TRANSLATE_NOOP("Tour",
-                       "Every row of this table is a map that makes a smaller copy of the whole, and the "
-                       "picture is all copies together. Double-click a number and type another: the copy "
-                       "moves as you type. ‖A‖ is the most by which a map stretches. While it is less than "
-                       "1, the map contracts. Ctrl+Z takes everything back."),
+                       "Each row of this table is a map that makes a smaller copy of the whole; the picture "
+                       "is all the copies together. Double-click a number and type another: the copy moves "
+                       "as you type. ‖A‖ is the largest factor by which a map stretches distances. As long "
+                       "as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes."),
      view::MapsModel::Contraction},
     {"maps", QT_TRANSLATE_NOOP("Tour", "Fixed point"),
      QT_TRANSLATE_NOOP(
          "Tour",
-         "A map that contracts leaves exactly one point where it is: its fixed point. Switch "
-         "off all maps but two by the boxes on the left of the table, and see how little is left of the "
-         "picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings "
-         "the maps back."),
+         "A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but "
+         "two with the check boxes on the left of the table, and see how little of the picture is left. With "
+         "a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back."),
      view::MapsModel::Enabled},
     {"arising", QT_TRANSLATE_NOOP("Tour", "Chaos game"),
-     QT_TRANSLATE_NOOP("Tour",
-                       "Press Chaos Game and then the triangle that starts it. One point jumps about, each "
-                       "time by a map drawn at random, and leaves a dot where it lands. Let it go faster: "
-                       "whatever the dice say, the dots fill the same picture, the attractor.")},
+     QT_TRANSLATE_NOOP("Tour", "Press Chaos Game, then Play. A single point jumps around, each time by a map "
+                               "chosen at random, and leaves a dot where it lands. Make it faster: whatever "
+                               "the dice say, the dots fill the same picture, the attractor.")},
     {"appearance", QT_TRANSLATE_NOOP("Tour", "Address"),
      QT_TRANSLATE_NOOP("Tour",
-                       "The map that made the last jump to a point, the one before it, and so on: these "
+                       "The map of the last jump to a point, the map of the jump before it, and so on: these "
                        "numbers are the address of the point. Choose Colour by: Address. Points whose "
-                       "addresses begin alike lie close together, and now they look alike.")},
+                       "addresses begin alike are close together, and now they look alike.")},
     {"", QT_TRANSLATE_NOOP("Tour", "Barycentric coordinates"),
-     QT_TRANSLATE_NOOP("Tour",
-                       "Every point of the picture is a weighted mean of the three corners of the triangle. "
-                       "Take a corner and pull: the points keep their weights, and the whole fractal "
-                       "follows. Squeeze the triangle flat and open it again: nothing is lost. The weights "
-                       "at the pointer stand at the bottom of the window.")},
+     QT_TRANSLATE_NOOP(
+         "Tour",
+         "Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: "
+         "the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open "
+         "it again: nothing is lost. The weights under the pointer are shown in the status bar.")},
     {"analysis", QT_TRANSLATE_NOOP("Tour", "Dimension"),
      QT_TRANSLATE_NOOP("Tour",
-                       "How much of the plane does the attractor fill? The dimension of a curve is 1, that "
-                       "of an area is 2, and most attractors lie between the two. Change a map and look "
-                       "here again. That was the tour; the user guide under Help tells the rest.")},
+                       "How much of the plane does the attractor fill? A curve has dimension 1, an area has "
+                       "dimension 2, and most attractors are in between. Change a map and look here again. "
+                       "This is the end of the tour; the user guide in the Help menu tells you more.")},
 };
 constexpr int stepCount = int(std::size(steps));
 
@@ -106,9 +105,9 @@ bool Tour::offer(QMainWindow* window) {
 }
 
 Tour::Tour(QMainWindow* host)
-    : Card(host),
+    : MessageBanner(host),
       m_mark(new Mark(host)),
-      m_place(new QLabel(this)),
+      m_progress(new QLabel(this)),
       m_title(createTitle()),
       m_text(new QLabel(this)),
       m_back(new QPushButton(tr("&Back"), this)),
@@ -117,11 +116,11 @@ Tour::Tour(QMainWindow* host)
     setObjectName(QStringLiteral("tour"));
     setAccessibleName(tr("Tour"));
     m_text->setWordWrap(true);
-    m_place->setForegroundRole(QPalette::PlaceholderText);
+    m_progress->setForegroundRole(QPalette::PlaceholderText);
 
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
-    head->addWidget(m_place);
+    head->addWidget(m_progress);
     QBoxLayout* buttons = createButtons();
     buttons->addWidget(m_close);
     buttons->addStretch();
@@ -156,6 +155,22 @@ void Tour::leaveStep() {
     m_barWasHidden = false;
 }
 
+// That of the longest step, so that the buttons stay under the pointer.
+void Tour::keepSize(bool asking) {
+    const auto widthOf = [this](const QString& text) {
+        return m_next->fontMetrics().horizontalAdvance(text);
+    };
+    m_next->setMinimumWidth(std::max(widthOf(tr("&Next")), widthOf(tr("&Done"))) + 2 * margin);
+    int tallest = 0;
+    const QRect column(0, 0, maxWidth - 2 * margin, 10'000);
+    for (const Step& each : steps) {
+        const QRect needed = m_text->fontMetrics().boundingRect(column, Qt::TextWordWrap, tr(each.text));
+        tallest = std::max(tallest, needed.height());
+    }
+    m_text->setMinimumHeight(asking ? 0 : tallest + m_text->fontMetrics().lineSpacing());
+    m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+}
+
 void Tour::showStep(int step) {
     leaveStep();
     m_step = step;
@@ -163,9 +178,8 @@ void Tour::showStep(int step) {
     const bool asking = step < 0;
     if (asking) {
         m_title->setText(tr("New here?"));
-        m_text->setText(
-            tr("Six short steps show what an attractor is, by pulling on one. You can take the tour "
-               "later, too: it is in the Help menu."));
+        m_text->setText(tr("Six short steps show you what an attractor is while you drag one. You can also "
+                           "take the tour later: it is in the Help menu."));
     } else {
         const Step& now = steps[step];
         m_title->setText(tr(now.title));
@@ -180,17 +194,19 @@ void Tour::showStep(int step) {
             bar->show();
             m_target = bar;
         } else if (auto* canvas = host()->findChild<view::CanvasView*>()) {
-            canvas->setOverlaysVisible(true);
+            canvas->options().setOverlaysVisible(true);
             canvas->setTool(view::CanvasView::Tool::Cage);
             m_target = canvas;
         }
     }
+    if (auto* canvas = host()->findChild<view::CanvasView*>(); canvas && !asking) canvas->dismissHint();
     if (m_target) follow(m_target);
     if (auto* canvas = host()->findChild<view::CanvasView*>(); canvas && asking) follow(canvas->viewport());
     if (auto* maps = host()->findChild<view::MapsPanel*>(); maps && !asking && steps[step].column >= 0)
         QTimer::singleShot(0, maps, [maps, step] { maps->reveal(steps[step].column); });
-    m_place->setText(asking ? QString() : tr("%1 of %2").arg(step + 1).arg(stepCount));
+    m_progress->setText(asking ? QString() : tr("%1 of %2").arg(step + 1).arg(stepCount));
     m_back->setVisible(step > 0);
+    keepSize(asking);
     m_next->setText(asking ? tr("&Start the Tour") : step + 1 == stepCount ? tr("&Done") : tr("&Next"));
     m_next->setDefault(true);
     m_next->setFocus(); // so that Return goes on
@@ -203,19 +219,14 @@ void Tour::showStep(int step) {
 // Who begins on his own does not want to be asked any more.
 bool Tour::eventFilter(QObject* watched, QEvent* event) {
     if (m_step < 0 && event->type() == QEvent::MouseButtonPress) close();
-    return Card::eventFilter(watched, event);
+    return MessageBanner::eventFilter(watched, event);
 }
 
-// On the canvas, at the side of the target; in its upper left corner where the target is the canvas.
-QPoint Tour::corner() {
-    if (!m_target) return Card::corner();
+// In one place and of one height for all steps, so that the buttons stay under the pointer.
+QPoint Tour::topLeft() {
+    if (!m_target) return MessageBanner::topLeft();
     const QRect pointed(m_target->mapTo(host(), QPoint()), m_target->size());
     m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(host()->rect()));
     m_mark->raise();
-    const QRect room = this->room();
-    QPoint corner = room.topLeft() + QPoint(margin, margin);
-    if (pointed.left() >= room.right()) corner.setX(room.right() - margin - width());
-    if (pointed.top() >= room.bottom() || m_target == host()->centralWidget())
-        corner.setY(room.bottom() - noteRoom - height());
-    return corner;
+    return canvasRect().topRight() + QPoint(-margin - width(), margin);
 }

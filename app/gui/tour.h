@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "card.h"
+#include "message_banner.h"
 
 #include <QPointer>
 
 class QPushButton;
 
-// Six short steps through the window itself: a card that says what to do, a frame around where to do it.
-// Nothing is locked meanwhile. Deletes itself when closed; what the tour opened is then as before.
-class Tour : public Card {
+// Six short steps through the window itself: a banner that says what to do and a frame around the place to do
+// it. Nothing is locked meanwhile. Deletes itself when closed; what the tour opened is then as before.
+class Tour : public MessageBanner {
     Q_OBJECT
 
 public:
@@ -22,7 +22,7 @@ public:
     QWidget* target() const { return m_target; }
 
 protected:
-    QPoint corner() override;
+    QPoint topLeft() override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -30,13 +30,14 @@ private:
     ~Tour() override;
 
     void showStep(int step);
+    void keepSize(bool asking);
     void leaveStep();
 
     QPointer<QWidget> m_mark; // the frame around the target
     QPointer<QWidget> m_target;
     int m_step = -1;
     bool m_barWasHidden = false;
-    QLabel* m_place;
+    QLabel* m_progress;
     QLabel* m_title;
     QLabel* m_text;
     QPushButton* m_back;

@@ -2,10 +2,10 @@
 #include "welcome.h"
 
 #include "canvas/canvas_view.h"
-#include "icon.h"
 #include "main_window.h"
-#include "plain_tip.h"
 #include "recent_files.h"
+#include "widgets/icon.h"
+#include "widgets/tooltip_text.h"
 
 #include <QAction>
 #include <QCommandLinkButton>
@@ -19,7 +19,7 @@
 
 namespace {
 
-constexpr qsizetype mostFiles = 4;
+constexpr qsizetype maxFiles = 4;
 
 QString folderOf(const QString& path) {
     QString folder = QFileInfo(path).absolutePath();
@@ -31,29 +31,30 @@ QString folderOf(const QString& path) {
 } // namespace
 
 void Welcome::offer(MainWindow* window) {
-    auto* card = new Welcome(window);
-    card->appear(recent_files::list().isEmpty() ? tr("A file, or the collection.")
-                                                : tr("The last files, and the collection."));
+    auto* banner = new Welcome(window);
+    banner->appear(recent_files::list().isEmpty() ? tr("A file or the collection.")
+                                                  : tr("Recent files and the collection."));
 }
 
-Welcome::Welcome(MainWindow* host) : Card(host) {
+Welcome::Welcome(MainWindow* host) : MessageBanner(host) {
     setObjectName(QStringLiteral("welcome"));
     setAccessibleName(tr("Welcome"));
     QLabel* title = createTitle();
-    title->setText(recent_files::list().isEmpty() ? tr("Begin with") : tr("Go on with"));
+    title->setText(recent_files::list().isEmpty() ? tr("Start with") : tr("Continue with"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(margin, margin - 2, margin, margin - 2);
     layout->setSpacing(0);
     layout->addWidget(title);
     layout->addSpacing(4);
     constexpr int besideText = 2 * margin + 48;
-    for (const QString& path : recent_files::list().mid(0, mostFiles)) {
+    for (const QString& path : recent_files::list().mid(0, maxFiles)) {
         const QString folder =
-            fontMetrics().elidedText(folderOf(path), Qt::ElideMiddle, cardWidth - besideText);
+            fontMetrics().elidedText(folderOf(path), Qt::ElideMiddle, maxWidth - besideText);
         auto* file = new QCommandLinkButton(QFileInfo(path).fileName().replace(u'&', QStringLiteral("&&")),
                                             folder, this);
         file->setIcon(view::icon(QStringLiteral("open")));
-        file->setToolTip(view::plainTip(QDir::toNativeSeparators(path)));
+        file->setToolTip(view::tooltipText(QDir::toNativeSeparators(path)));
+        file->setAccessibleDescription(QDir::toNativeSeparators(path)); // which is the tool tip otherwise
         connect(file, &QPushButton::clicked, host, [host, path] { host->openRecent(path); });
         layout->addWidget(file);
     }
@@ -88,5 +89,5 @@ Welcome::Welcome(MainWindow* host) : Card(host) {
 
 bool Welcome::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonPress) close();
-    return Card::eventFilter(watched, event);
+    return MessageBanner::eventFilter(watched, event);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "card.h"
+#include "message_banner.h"
 
 class MainWindow;
 
 // What one may want to go on with, in a window that opened nothing: the last files, another file, the
 // collection. Goes away with the first thing done: a command, a tool, another panel, a press on the picture.
-class Welcome : public Card {
+class Welcome : public MessageBanner {
     Q_OBJECT
 
 public:

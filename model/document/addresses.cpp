@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "document/addresses.h"
+#include "document/fractal_geometry.h"
 
-#include "ifs/address_search.h"
-#include "ifs/map_handles.h"
+#include "ifs/cage/map_handles.h"
+#include "ifs/extent/address_search.h"
 
 #include <QStringList>
 
@@ -29,7 +30,7 @@ ifs::Word Addresses::at(const ifs::Vector<2>& displayed, double pixel) const {
     const auto back = ifs::inverse(ifs::firstOrder(m_placement, *point));
     if (!back) return {};
     const double inCode = pixel * ifs::spectralNorm<2>(back->linear);
-    std::vector<ifs::Sought> sought;
+    std::vector<ifs::AddressQuery> sought;
     for (std::size_t k = 0; k < m_pieces.size(); ++k)
         if (const auto& unmoved = m_unmoved[k])
             sought.push_back({(*unmoved)(*point), ifs::spectralNorm<2>(unmoved->linear), m_pieces[k].word});

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "document/fractal.h"
-#include "ifs/branch.h"
+#include "ifs/system/branch.h"
 
 #include <memory>
 #include <optional>
 
 namespace document {
 
-// Addresses of the points of what is displayed. Words name maps by their places in the system, outermost
+// Addresses of the points of what is displayed. Words name maps by their indices in the system, outermost
 // first.
 class Addresses {
 public:

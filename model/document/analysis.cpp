@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "document/analysis.h"
+#include "document/fractal_geometry.h"
 
-#include "ifs/dimension.h"
+#include "ifs/dimension/dimension.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace document {
 
@@ -15,7 +17,7 @@ namespace {
 
 using ifs::Polygon;
 
-constexpr std::size_t mostCylinders = 4096;
+constexpr std::size_t maxCylinders = 4096;
 
 // The ellipse on which an even mass has the same mean and covariance: {x : (x − m)ᵀ C⁻¹ (x − m) ≤ 4}.
 Polygon ellipse(const ifs::Moments<2>& moments) {
@@ -39,7 +41,7 @@ void addCylinders(std::vector<OutlineShape>& shapes, const ifs::Facts<2>& facts,
     const Polygon hull = ifs::convexHull(facts.hull->vertices, 1e-3 * std::sqrt(facts.hull->area));
     shapes.push_back({Outline::Cylinders, hull, {}});
     std::size_t first = 0;
-    for (int k = 0; k < depth && (shapes.size() - first) * maps.size() <= mostCylinders; ++k) {
+    for (int k = 0; k < depth && (shapes.size() - first) * maps.size() <= maxCylinders; ++k) {
         const std::size_t end = shapes.size();
         for (std::size_t i = 0; i < maps.size(); ++i)
             for (std::size_t shorter = first; shorter < end; ++shorter) {
@@ -94,7 +96,23 @@ Polygon bent(const Polygon& polygon, const ifs::Placement& placement) {
 
 } // namespace
 
+Analysis Analyser::begunInSpace(const AnalysisRequest& request) {
+    const Shape<3>& shape = *space(*request.fractal);
+    if (!m_solidCode || m_solidSystem != shape.system) {
+        m_solidCode = ifs::geometricFacts(shape.system);
+        m_solidSystem = shape.system;
+        m_hasSolidInvariants = false;
+    }
+    Analysis analysis;
+    analysis.revision = request.revision;
+    analysis.isOfCode = shape.cage && ifs::bends(*shape.cage);
+    const bool isMoved = shape.cage && !analysis.isOfCode && shape.cage->rest != shape.cage->current;
+    analysis.solid = isMoved ? ifs::moved(ifs::displayMap(*shape.cage), *m_solidCode) : *m_solidCode;
+    return analysis;
+}
+
 Analysis Analyser::begun(const AnalysisRequest& request) {
+    if (space(*request.fractal)) return begunInSpace(request);
     const Fractal& fractal = *request.fractal;
     const System2& system = *system2(fractal);
     if (!m_code || m_system != system) {
@@ -120,15 +138,28 @@ Analysis Analyser::begun(const AnalysisRequest& request) {
     return analysis;
 }
 
+std::optional<Analysis> Analyser::completedInSpace(Analysis analysis, const std::stop_token& stop) {
+    if (!m_hasSolidInvariants) m_solidCode->invariants = ifs::invariantsOf(*m_solidCode);
+    m_hasSolidInvariants = true;
+    if (stop.stop_requested()) return std::nullopt;
+    if (!analysis.solid->active.maps.empty()) analysis.solid->invariants = m_solidCode->invariants;
+    analysis.isComplete = true;
+    return analysis;
+}
+
 std::optional<Analysis> Analyser::completed(Analysis analysis, const std::stop_token& stop) {
+    if (analysis.solid) return completedInSpace(std::move(analysis), stop);
     if (!m_hasDimension) {
         m_code->affinityDimension = ifs::affinityDimension(m_code->active.maps, stop);
         if (stop.stop_requested()) return std::nullopt;
         if (auto& dimension = m_code->affinityDimension) dimension = std::min(*dimension, 2.0);
+        m_code->invariants = ifs::invariantsOf(*m_code);
+        if (stop.stop_requested()) return std::nullopt;
         m_hasDimension = true;
     }
     if (!analysis.facts.active.maps.empty()) { // the picture is not flat
         analysis.facts.affinityDimension = m_code->affinityDimension;
+        analysis.facts.invariants = m_code->invariants;
         if (m_code->support) analysis.boxCounting = ifs::boxCounting(*m_code->support, m_display, stop);
     }
     if (stop.stop_requested()) return std::nullopt;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "document/fractal.h"
-#include "ifs/box_counting.h"
+#include "ifs/dimension/box_counting.h"
+#include "ifs/extent/polygon.h"
 #include "ifs/facts.h"
-#include "ifs/polygon.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,14 +33,16 @@ struct OutlineShape {
     std::optional<attractor::Rgba> colour; // of the map of a fixed point, of the first map of a cylinder
 };
 
-// What is known of a picture of the plane: of the code's attractor where its cage puts it. Only a cage that
-// bends leaves no system to analyse; then the facts are those of the code, and the shapes are bent with it.
+// What is known of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves
+// no system to analyse; then the facts are those of the code, and the shapes are bent with it. Of a system in
+// space only `solid` is known.
 struct Analysis {
     std::uint64_t revision = 0; // of the request
     bool isOfCode = false;
     ifs::Facts<2> facts;
+    std::optional<ifs::Facts<3>> solid;
     std::vector<ifs::Vector<2>> fixedPoints; // of the active maps that have one
-    std::vector<std::size_t> fixedBy;        // whose they are: places in the system
+    std::vector<std::size_t> fixedBy;        // whose they are: indices into the system
     std::optional<ifs::BoxCounting> boxCounting;
     std::vector<OutlineShape> shapes;
     bool isComplete = false; // false: the affinity dimension and the box counting are still under way
@@ -50,16 +52,22 @@ struct Analysis {
 // cage moves.
 class Analyser {
 public:
-    // What takes a few milliseconds. The fractal must be a system of the plane.
+    // What takes a few milliseconds, in space perhaps a second. The fractal must be a system.
     Analysis begun(const AnalysisRequest& request);
     // The rest of it; nullopt when stopped.
     std::optional<Analysis> completed(Analysis analysis, const std::stop_token& stop);
 
 private:
+    Analysis begunInSpace(const AnalysisRequest& request);
+    std::optional<Analysis> completedInSpace(Analysis analysis, const std::stop_token& stop);
+
     System2 m_system;
     std::optional<ifs::Facts<2>> m_code; // of m_system, the affinity dimension once it has been asked for
     bool m_hasDimension = false;
     ifs::AffineMap<2> m_display; // of what was begun last
+    System3 m_solidSystem;
+    std::optional<ifs::Facts<3>> m_solidCode; // of m_solidSystem
+    bool m_hasSolidInvariants = false;
 };
 
 } // namespace document

@@ -23,7 +23,7 @@ public:
         Now,    // what is under way is abandoned
         InTurn, // one of many: what is under way may finish, unless it takes long
     };
-    // Any thread, never waits. The fractal must be a system of the plane.
+    // Any thread, never waits. The fractal must be a system.
     void submit(AnalysisRequest request, Haste haste);
     void cancel(); // forget what waits and abandon what is under way
 

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "document/document.h"
 
-#include "document/edit_gesture.h"
-#include "document/let_go.h"
+#include "document/free_in_background.h"
 
 #include <QUndoCommand>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace document {
 
 class EditCommand : public QUndoCommand {
 public:
-    EditCommand(Document* document, const QString& text, Document::State before, Document::State after)
-        : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)) {}
+    EditCommand(Document* document, const QString& text, Document::State before, Document::State after,
+                int kind)
+        : QUndoCommand(text),
+          m_document(document),
+          m_before(std::move(before)),
+          m_after(std::move(after)),
+          m_kind(kind) {}
 
     ~EditCommand() override { // two files may be all there is of a hundred thousand entries
         for (Document::State* state : {&m_before, &m_after})
-            if (state->file) letGo(std::move(*state->file));
+            if (state->file) freeInBackground(std::move(*state->file));
     }
     EditCommand(const EditCommand&) = delete;
     EditCommand& operator=(const EditCommand&) = delete;
@@ -26,10 +31,26 @@ public:
     void undo() override { m_document->apply(m_before); }
     void redo() override { m_document->apply(m_after); }
 
+    int id() const override { return m_kind; }
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto& step = *static_cast<const EditCommand*>(next);
+        if (step.m_made - m_made > toJoin || step.m_before.current != m_before.current) return false;
+        m_after = step.m_after;
+        m_made = step.m_made;
+        setText(step.text());
+        setObsolete(*m_after.fractal == *m_before.fractal);
+        return true;
+    }
+
 private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds toJoin{1};
+
     Document* m_document; // owns the stack that owns this
     Document::State m_before;
     Document::State m_after;
+    int m_kind;
+    Clock::time_point m_made = Clock::now();
 };
 
 namespace {
@@ -41,9 +62,7 @@ const Entry& noEntry() {
 
 EntryId firstLoadable(const FractalFile& file) {
     for (const Entry& entry : file.entries)
-        if (dimension(*entry.fractal) == 2) return entry.id;
-    for (const Entry& entry : file.entries)
-        if (dimension(*entry.fractal) == 3) return entry.id;
+        if (dimension(*entry.fractal) != 0) return entry.id;
     return file.entries.isEmpty() ? EntryId::None : file.entries.front().id;
 }
 
@@ -61,12 +80,16 @@ bool entriesDiffer(const FractalFile& a, const FractalFile& b, EntryId except) {
                        });
 }
 
+template <int Dim> bool isHeldAlike(const Shape<Dim>* a, const Shape<Dim>* b) {
+    return a && b ? a->cage == b->cage && a->moved == b->moved : a == b;
+}
+
 } // namespace
 
 Change::Parts difference(const Fractal& a, const Fractal& b) {
     Change::Parts parts;
-    parts.setFlag(Change::System, a.system != b.system);
-    parts.setFlag(Change::Cage, a.cage != b.cage || a.moved != b.moved);
+    parts.setFlag(Change::System, !isSameSystem(a, b));
+    parts.setFlag(Change::Cage, !isHeldAlike(plane(a), plane(b)) || !isHeldAlike(space(a), space(b)));
     parts.setFlag(Change::Appearance, !(a.appearance == b.appearance));
     parts.setFlag(Change::Name,
                   a.name != b.name || a.headerComment != b.headerComment || a.comments != b.comments);
@@ -78,21 +101,26 @@ Document::Document(QObject* parent) : QObject(parent), m_file(fileOf(sierpinskiT
     m_index = 0;
 }
 
+Document::~Document() {
+    endGesture();
+}
+
 const Entry& Document::currentEntry() const {
     return m_index < 0 ? noEntry() : m_file.entries.at(m_index);
 }
 
 bool Document::isModified() const {
-    return !m_undoStack.isClean() || (m_gesture != nullptr && fractal() != m_gesture->before());
+    return !m_undoStack.isClean() || (m_gesture && fractal() != *m_gesture->link->before);
 }
 
 void Document::setFile(FractalFile file, EntryId current) {
-    m_gesture = nullptr;
+    endGesture();
     m_file = std::move(file);
     m_current = indexOf(m_file, current) >= 0 ? current : firstLoadable(m_file);
     m_index = indexOf(m_file, m_current);
     m_undoStack.clear();
     m_undoStack.setClean();
+    m_typedNumbers.clear();
     announce(Change::Everything);
 }
 
@@ -127,7 +155,7 @@ void Document::edit(const QString& text, Fractal after) {
 void Document::editFile(const QString& text, FractalFile after, EntryId current) {
     commitGesture();
     if (indexOf(after, current) < 0) current = m_current;
-    if (indexOf(after, current) < 0) { // the current entry was removed: its place is taken by a neighbour
+    if (indexOf(after, current) < 0) { // the current entry was removed: a neighbour takes over
         const qsizetype last = after.entries.size() - 1;
         current = last < 0 ? EntryId::None : after.entries.at(std::clamp<qsizetype>(m_index, 0, last)).id;
     }
@@ -135,14 +163,14 @@ void Document::editFile(const QString& text, FractalFile after, EntryId current)
     push(text, {m_current, {}, m_file}, {current, {}, std::move(after)});
 }
 
-void Document::push(const QString& text, State before, State after) {
-    m_undoStack.push(new EditCommand(this, text, std::move(before), std::move(after)));
+void Document::push(const QString& text, State before, State after, int kind) {
+    m_undoStack.push(new EditCommand(this, text, std::move(before), std::move(after), kind));
 }
 
 void Document::apply(const State& state) {
     Change::Parts parts;
     const auto before = currentEntry().fractal;
-    if (EditGesture* gesture = std::exchange(m_gesture, nullptr)) parts |= gesture->m_previewed;
+    if (const auto gesture = endGesture()) parts |= gesture->previewed;
     if (state.file) {
         parts.setFlag(Change::Entries, entriesDiffer(m_file, *state.file, state.current));
         m_file = *state.file;
@@ -154,8 +182,7 @@ void Document::apply(const State& state) {
     announce(parts | difference(*before, fractal()));
 }
 
-void Document::show(const std::shared_ptr<const Fractal>& fractal, Live live, Change::Parts alreadyShown) {
-    const Change::Parts parts = alreadyShown | difference(*currentEntry().fractal, *fractal);
+void Document::show(const std::shared_ptr<const Fractal>& fractal, Change::Parts parts, Live live) {
     if (!parts) return;
     m_file.entries[m_index].fractal = fractal;
     announce(parts, live);
@@ -166,8 +193,45 @@ void Document::announce(Change::Parts parts, Live live) {
     emit changed({parts, live == Live::Yes});
 }
 
+EditGesture Document::beginGesture(const QString& text) {
+    commitGesture();
+    const auto link = std::make_shared<EditGesture::Link>(EditGesture::Link{this, currentEntry().fractal});
+    m_gesture = {link, text, {}, -1};
+    return EditGesture(link);
+}
+
+void Document::previewGesture(Fractal fractal) {
+    if (!m_gesture || m_index < 0) return;
+    const auto shown = std::make_shared<const Fractal>(std::move(fractal));
+    const Change::Parts parts = difference(this->fractal(), *shown);
+    m_gesture->previewed |= parts;
+    show(shown, parts, Live::Yes);
+}
+
 void Document::commitGesture() {
-    if (m_gesture != nullptr) m_gesture->commit();
+    if (!m_gesture) return;
+    const auto before = m_gesture->link->before, after = currentEntry().fractal;
+    if (*after == *before) return cancelGesture();
+    // The step's own announcement ends what was live; the gesture stays until then so that nothing is missed.
+    push(m_gesture->text, {m_current, before, {}}, {m_current, after, {}}, m_gesture->kind);
+}
+
+void Document::describeGesture(const QString& text, int kind) {
+    if (!m_gesture) return;
+    m_gesture->text = text;
+    m_gesture->kind = kind;
+}
+
+void Document::cancelGesture() {
+    const auto gesture = endGesture();
+    if (!gesture) return;
+    const auto& before = gesture->link->before;
+    show(before, gesture->previewed | difference(fractal(), *before), Live::No);
+}
+
+std::optional<Document::Gesture> Document::endGesture() {
+    if (m_gesture) m_gesture->link->host = nullptr;
+    return std::exchange(m_gesture, std::nullopt);
 }
 
 void Document::setCageMode(CageMode mode) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/edit_gesture.h"
 #include "document/fractal_file.h"
+#include "document/typed_numbers.h"
 
 #include <QFlags>
 #include <QObject>
@@ -13,8 +15,6 @@
 #include <optional>
 
 namespace document {
-
-class EditGesture;
 
 // What differs from before.
 struct Change {
@@ -45,11 +45,12 @@ enum class CageMode {
 // The open file, the entry being edited, and the history. Lives in the GUI thread.
 // One step of the history holds whole values before and after; undoing an edit shows the entry it belongs to.
 // Undo or redo while a gesture is open drops what the gesture was showing.
-class Document : public QObject {
+class Document : public QObject, private GestureHost {
     Q_OBJECT
 
 public:
     explicit Document(QObject* parent = nullptr); // a new file with a Sierpiński triangle
+    ~Document() override;                         // an open gesture ends with it
 
     const FractalFile& file() const { return m_file; }
     const Entry& currentEntry() const; // of a file without entries: an entry without id and system
@@ -71,6 +72,13 @@ public:
     void edit(const QString& text, Fractal after);
     void editFile(const QString& text, FractalFile after, EntryId current = EntryId::None);
 
+    // A gesture on the current entry, whose step will be described by `text`.
+    // Another one that is open is committed first. It may outlive the document.
+    EditGesture beginGesture(const QString& text);
+
+    TypedNumbers& typedNumbers() { return m_typedNumbers; } // of this session; no part of the file
+    const TypedNumbers& typedNumbers() const { return m_typedNumbers; }
+
     // How the user edits now; no part of the file, no step of the history.
     CageMode cageMode() const { return m_cageMode; }
     void setCageMode(CageMode mode);
@@ -80,7 +88,6 @@ signals:
     void cageModeChanged(document::CageMode mode);
 
 private:
-    friend class EditGesture;
     friend class EditCommand;
     // What a step of the history goes back to: one entry's fractal, or the whole file.
     struct State {
@@ -91,18 +98,31 @@ private:
     enum class Live { No, Yes };
 
     void apply(const State& state);
-    void show(const std::shared_ptr<const Fractal>& fractal, Live live, Change::Parts alreadyShown = {});
+    void show(const std::shared_ptr<const Fractal>& fractal, Change::Parts parts, Live live);
     void announce(Change::Parts parts, Live live = Live::No);
-    void push(const QString& text, State before, State after);
-    void commitGesture();
+    void push(const QString& text, State before, State after, int kind = -1);
+
+    // Nothing happens while no gesture is open.
+    void previewGesture(Fractal fractal) override;
+    void commitGesture() override;
+    void cancelGesture() override;
+    void describeGesture(const QString& text, int kind) override;
+    struct Gesture {
+        std::shared_ptr<EditGesture::Link> link;
+        QString text;
+        Change::Parts previewed; // what listeners have been told was live
+        int kind = -1;           // of steps that become one
+    };
+    std::optional<Gesture> endGesture();
 
     FractalFile m_file;
     EntryId m_current = EntryId::None;
     qsizetype m_index = -1; // of the current entry
     std::uint64_t m_revision = 0;
     QUndoStack m_undoStack;
+    TypedNumbers m_typedNumbers;
     CageMode m_cageMode = CageMode::Place;
-    EditGesture* m_gesture = nullptr; // at most one is open
+    std::optional<Gesture> m_gesture; // the open one
 };
 
 Q_DECLARE_OPERATORS_FOR_FLAGS(Change::Parts)

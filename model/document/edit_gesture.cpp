@@ -5,40 +5,30 @@
 
 namespace document {
 
-EditGesture::EditGesture(Document& document, const QString& text) : m_document(&document), m_text(text) {
-    document.commitGesture();
-    m_before = document.currentEntry().fractal;
-    document.m_gesture = this;
-}
+EditGesture::EditGesture(std::shared_ptr<const Link> link) : m_link(std::move(link)) {}
 
 EditGesture::~EditGesture() {
     cancel();
 }
 
 bool EditGesture::isOpen() const {
-    return m_document && m_document->m_gesture == this;
+    return m_link && m_link->host != nullptr;
 }
 
 void EditGesture::preview(Fractal fractal) {
-    if (!isOpen() || m_document->m_index < 0) return;
-    auto shown = std::make_shared<const Fractal>(std::move(fractal));
-    m_previewed |= difference(m_document->fractal(), *shown);
-    m_document->show(shown, Document::Live::Yes);
+    if (isOpen()) m_link->host->previewGesture(std::move(fractal));
+}
+
+void EditGesture::describe(const QString& text, int kind) {
+    if (isOpen()) m_link->host->describeGesture(text, kind);
 }
 
 void EditGesture::commit() {
-    if (!isOpen()) return;
-    const auto after = m_document->currentEntry().fractal;
-    if (*after == *m_before) return cancel();
-    // The step's own announcement ends what was live; m_gesture stays set until then so that nothing is
-    // missed.
-    m_document->push(m_text, {m_document->m_current, m_before, {}}, {m_document->m_current, after, {}});
+    if (isOpen()) m_link->host->commitGesture();
 }
 
 void EditGesture::cancel() {
-    if (!isOpen()) return;
-    m_document->m_gesture = nullptr;
-    m_document->show(m_before, Document::Live::No, m_previewed);
+    if (isOpen()) m_link->host->cancelGesture();
 }
 
 } // namespace document

@@ -1,36 +1,52 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/document.h"
+#include "document/fractal.h"
 
-#include <QPointer>
+#include <memory>
 
 namespace document {
 
-// A drag, or the typing in one cell: shows values live and leaves one undo step, or none.
-// Opening a gesture while another is open commits the other first.
+// What a gesture asks of the document that began it: one gesture is open at a time.
+class GestureHost {
+public:
+    virtual void previewGesture(Fractal fractal) = 0;
+    virtual void commitGesture() = 0;
+    virtual void cancelGesture() = 0;
+    virtual void describeGesture(const QString& text, int kind) = 0;
+
+protected:
+    ~GestureHost() = default;
+};
+
+// A drag, or the typing in one cell: shows values live and leaves one undo step, or none. Handed out by
+// Document::beginGesture().
 class EditGesture {
 public:
-    EditGesture(Document& document, const QString& text);
+    // What the host and its gesture share.
+    struct Link {
+        GestureHost* host = nullptr; // null once the gesture has ended
+        std::shared_ptr<const Fractal> before;
+    };
+    explicit EditGesture(std::shared_ptr<const Link> link);
     ~EditGesture(); // cancels unless committed
 
+    EditGesture(EditGesture&&) noexcept = default; // the other is not open afterwards
     EditGesture(const EditGesture&) = delete;
     EditGesture& operator=(const EditGesture&) = delete;
 
     bool isOpen() const; // until commit, cancel, undo, or another edit ends it
-    const Fractal& before() const {
-        return *m_before;
-    }                              // as it was when the gesture began; compute every step from it
+    // As it was when the gesture began; compute every step from it.
+    const Fractal& before() const { return *m_link->before; }
+    // The text of the step, now that its values are known. Steps of one `kind` that follow each other within
+    // a second become one step; −1: none of them.
+    void describe(const QString& text, int kind = -1);
     void preview(Fractal fractal); // shown at once, not in the history; ignored once the gesture has ended
     void commit();                 // one step; none when the fractal is as it was
     void cancel();                 // back to the beginning, exactly
 
 private:
-    friend class Document;
-    QPointer<Document> m_document;
-    QString m_text;
-    std::shared_ptr<const Fractal> m_before;
-    Change::Parts m_previewed; // what listeners have been told was live
+    std::shared_ptr<const Link> m_link; // null in a gesture that was moved away
 };
 
 } // namespace document

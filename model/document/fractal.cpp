@@ -5,9 +5,21 @@
 
 namespace document {
 
+namespace {
+
+template <class Value> bool areSame(const Value* a, const Value* b) {
+    return a && b ? *a == *b : a == b;
+}
+
+} // namespace
+
 int dimension(const Fractal& fractal) {
-    if (std::holds_alternative<System2>(fractal.system)) return 2;
-    return std::holds_alternative<System3>(fractal.system) ? 3 : 0;
+    if (plane(fractal)) return 2;
+    return space(fractal) ? 3 : 0;
+}
+
+bool isSameSystem(const Fractal& a, const Fractal& b) {
+    return areSame(system2(a), system2(b)) && areSame(system3(a), system3(b));
 }
 
 Fractal sierpinskiTriangle() {
@@ -18,7 +30,7 @@ Fractal sierpinskiTriangle() {
         ifs::append(system, ifs::affineMap(0.5, 0, 0, 0.5, corner.x(), corner.y()), 1.0 / 3);
     Fractal fractal;
     fractal.name = QStringLiteral("sierpinski");
-    fractal.system = std::move(system);
+    fractal.shape = Shape<2>{std::move(system)};
     return fractal;
 }
 

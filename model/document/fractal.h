@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "attractor/appearance.h"
-#include "attractor/renderer.h"
-#include "ifs/control_cage.h"
-#include "ifs/iterated_function_system.h"
-#include "ifs/support_function.h"
+#include "animation/animation.h"
+#include "attractor/request/appearance.h"
+#include "document/support_cache.h"
+#include "ifs/cage/control_cage.h"
+#include "ifs/system/iterated_function_system.h"
 
 #include <QString>
 #include <QStringList>
 
-#include <memory>
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace document {
 
@@ -20,11 +20,17 @@ using System2 = ifs::IteratedFunctionSystem<2>;
 using System3 = ifs::IteratedFunctionSystem<3>;
 
 // A branch, by the ids of the maps of its address, that is shown elsewhere: ifs::MovedBranch.
-struct MovedBranch {
-    std::vector<ifs::MapId> word;
-    ifs::AffineMap<2> change;
+template <int Dim> using MovedBranch = animation::BranchPose<Dim>;
 
-    friend bool operator==(const MovedBranch&, const MovedBranch&) = default;
+// The code of an entry, by what it is held, and what of it is shown elsewhere.
+template <int Dim> struct Shape {
+    ifs::IteratedFunctionSystem<Dim> system;
+    // nullopt: in the plane, the minimal canonical simplex of the code, at rest
+    std::optional<ifs::ControlCage<Dim>> cage{};
+    std::vector<MovedBranch<Dim>> moved{};                // each word once
+    std::optional<animation::Animation<Dim>> animation{}; // valid: animation::isValid()
+
+    friend bool operator==(const Shape&, const Shape&) = default;
 };
 
 // One entry of a file, as a plain value.
@@ -33,58 +39,54 @@ struct Fractal {
     QString headerComment; // what follows the opening brace, without the semicolon
     QStringList comments;  // the entry's own comment lines in their order, without the semicolon
     // monostate: the entry could not be read; its bytes are kept in its source.
-    std::variant<std::monostate, System2, System3> system;
-    std::optional<ifs::ControlCage<2>> cage; // nullopt: the minimal canonical simplex of the code, at rest
-    std::vector<MovedBranch> moved;          // each word once
+    std::variant<std::monostate, Shape<2>, Shape<3>> shape;
     attractor::Appearance appearance;
+    SupportCache supports{}; // what functions of the fractal remember; takes no part in ==
 
     friend bool operator==(const Fractal&, const Fractal&) = default;
 };
 
-inline const System2* system2(const Fractal& fractal) {
-    return std::get_if<System2>(&fractal.system);
-}
-inline System2* system2(Fractal& fractal) {
-    return std::get_if<System2>(&fractal.system);
-}
 int dimension(const Fractal& fractal); // 2 or 3; 0 for an unreadable entry
 
-// The extent of the code's attractor; nullptr when it has none. Any thread. Those of the last few systems of
-// many maps are remembered: while only the cage moves, the same is asked for again and again.
-std::shared_ptr<const ifs::SupportFunction<2>> supportFunction(const Fractal& fractal);
+// What the entry holds; nullptr where it is of the other dimension or could not be read.
+inline const Shape<2>* plane(const Fractal& fractal) {
+    return std::get_if<Shape<2>>(&fractal.shape);
+}
+inline Shape<2>* plane(Fractal& fractal) {
+    return std::get_if<Shape<2>>(&fractal.shape);
+}
+inline const Shape<3>* space(const Fractal& fractal) {
+    return std::get_if<Shape<3>>(&fractal.shape);
+}
+inline Shape<3>* space(Fractal& fractal) {
+    return std::get_if<Shape<3>>(&fractal.shape);
+}
 
-// The cage in force: the stored one, else the minimal canonical simplex of the code at rest (or, when the
-// code has no attractor, a unit triangle). Costs a certified simplex when none is stored.
-ifs::ControlCage<2> effectiveCage(const Fractal& fractal);
+// Its system alone; nullptr as above.
+inline const System2* system2(const Fractal& fractal) {
+    const Shape<2>* shape = plane(fractal);
+    return shape ? &shape->system : nullptr;
+}
+inline System2* system2(Fractal& fractal) {
+    Shape<2>* shape = plane(fractal);
+    return shape ? &shape->system : nullptr;
+}
+inline const System3* system3(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    return shape ? &shape->system : nullptr;
+}
+inline System3* system3(Fractal& fractal) {
+    Shape<3>* shape = space(fractal);
+    return shape ? &shape->system : nullptr;
+}
+// The stored cage of an entry in the plane; nullptr without one, and as above.
+inline const ifs::ControlCage<2>* cage2(const Fractal& fractal) {
+    const Shape<2>* shape = plane(fractal);
+    return shape && shape->cage ? &*shape->cage : nullptr;
+}
 
-// Coordinates of the code → displayed ones.
-ifs::Placement placement(const Fractal& fractal);
-
-// The branches that are moved, as words over places in the system. Those with a map that is gone are left
-// out.
-std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal);
-
-// The code becomes M∘w∘M⁻¹, and so does what moves its branches; nullopt unless it is a plane system and M
-// can be inverted. The cage stays.
-std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<2>& transformation);
-
-// The code takes up its cage (ifs::bake); nullopt where that cannot be.
-std::optional<Fractal> withCageBaked(const Fractal& fractal);
-
-// The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is flat
-// or bent.
-std::optional<System2> effectiveSystem(const Fractal& fractal);
-
-// The request that draws the fractal through the camera with default quality.
-attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera);
-
-// Certified box of what is displayed (the attractor under its cage), under a bend to a hundredth of its size;
-// nullopt when there is none.
-struct Box {
-    ifs::Vector<2> min;
-    ifs::Vector<2> max;
-};
-std::optional<Box> displayedBox(const Fractal& fractal);
+// Whether the codes are the same, whatever holds them.
+bool isSameSystem(const Fractal& a, const Fractal& b);
 
 Fractal sierpinskiTriangle(); // what File → New starts with
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal.h"
+#include "document/fractal_geometry.h"
 
-#include "attractor/address_cut.h"
+#include "attractor/cut/address_cut.h"
+#include "ifs/extent/extent.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
-#include <mutex>
 #include <utility>
 
 namespace document {
@@ -27,19 +25,20 @@ std::vector<ifs::AffineMap<2>> shownPieces(const Fractal& fractal) {
 
 // Of the words of a fine cut, in the smallest picture that holds the current vertices with room to spare.
 std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& placement) {
-    ifs::Vector<2> low = fractal.cage->current[0];
+    const std::vector<ifs::Vector<2>>& vertices = cage2(fractal)->current;
+    ifs::Vector<2> low = vertices[0];
     ifs::Vector<2> high = low;
-    for (const ifs::Vector<2>& vertex : fractal.cage->current) {
+    for (const ifs::Vector<2>& vertex : vertices) {
         low = low.cwiseMin(vertex);
         high = high.cwiseMax(vertex);
     }
-    const attractor::DrawableSystem system = attractor::drawable(*system2(fractal), movedBranches(fractal));
+    const attractor::PreparedSystem system = attractor::prepared(*system2(fractal), movedBranches(fractal));
     attractor::Camera camera;
     camera.width = camera.height = 1000;
     camera = attractor::fitted(camera, low, high, 0.3);
     attractor::CutSettings settings;
     settings.words = 4096;
-    settings.mostLooks = 1U << 19; // a window waits for the box
+    settings.maxLooks = 1U << 19; // a window waits for the box
     const auto cut = attractor::addressCut(system, attractor::projection(camera, placement, 1), settings);
     if (cut.words.empty()) return std::nullopt;
     ifs::Vector<2> first = ifs::Vector<2>::Constant(camera.width);
@@ -60,67 +59,47 @@ std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& place
 
 std::shared_ptr<const ifs::SupportFunction<2>> supportFunction(const Fractal& fractal) {
     const System2* system = system2(fractal);
-    if (system == nullptr) return nullptr;
-    const auto computed = [&]() -> std::shared_ptr<const ifs::SupportFunction<2>> {
-        auto support = ifs::SupportFunction<2>::of(ifs::activeMaps(*system).maps);
-        return support ? std::make_shared<const ifs::SupportFunction<2>>(*std::move(support)) : nullptr;
-    };
-    constexpr std::size_t few = 256; // maps, for which comparing is hardly worth it
-    if (system->maps.size() <= few) return computed();
-    struct Known {
-        System2 system;
-        std::shared_ptr<const ifs::SupportFunction<2>> support;
-    };
-    static std::mutex mutex;
-    static std::array<Known, 4> newest;
-    const auto known = [&]() -> Known* {
-        const auto found = std::ranges::find(newest, *system, &Known::system);
-        return found == newest.end() ? nullptr : &*found;
-    };
-    {
-        const std::lock_guard lock(mutex);
-        if (const Known* found = known()) return found->support;
-    }
-    const auto support = computed();
-    const std::lock_guard lock(mutex);
-    if (!known()) {
-        std::rotate(newest.begin(), std::prev(newest.end()), newest.end());
-        newest.front() = {*system, support};
-    }
-    return support;
+    return system ? fractal.supports.support(*system) : nullptr;
 }
 
 ifs::Placement placement(const Fractal& fractal) {
-    if (!fractal.cage || !ifs::isValid(*fractal.cage)) return {};
-    if (!ifs::bends(*fractal.cage)) return ifs::displayMap(*fractal.cage);
+    const ifs::ControlCage<2>* cage = cage2(fractal);
+    if (!cage || !ifs::isValid(*cage)) return {};
+    if (!ifs::bends(*cage)) return ifs::displayMap(*cage);
     const auto support = supportFunction(fractal);
     std::vector<ifs::AffineMap<2>> pieces;
-    if (support && !fractal.moved.empty()) pieces = shownPieces(fractal);
-    return {*fractal.cage, ifs::suitableCoordinates(fractal.cage->rest, support.get(), pieces)};
+    if (support && !plane(fractal)->moved.empty()) pieces = shownPieces(fractal);
+    return {*cage, ifs::suitableCoordinates(cage->rest, support.get(), pieces)};
 }
 
-std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal) {
-    std::vector<ifs::MovedBranch<2>> result;
-    const System2* system = system2(fractal);
-    if (system == nullptr) return result;
-    std::vector<std::pair<ifs::MapId, int>> places; // of the maps that are named
-    for (const MovedBranch& branch : fractal.moved)
+template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape) {
+    std::vector<ifs::MovedBranch<Dim>> result;
+    const auto& maps = shape.system.maps;
+    std::vector<std::pair<ifs::MapId, int>> named; // with their indices, −1 for those that are gone
+    for (const MovedBranch<Dim>& branch : shape.moved)
         for (const ifs::MapId id : branch.word)
-            places.emplace_back(id, -1);
-    std::ranges::sort(places);
-    const auto placeOf = [&](ifs::MapId id) {
-        const auto place = std::ranges::lower_bound(places, id, {}, &std::pair<ifs::MapId, int>::first);
-        return place != places.end() && place->first == id ? &place->second : nullptr;
+            named.emplace_back(id, -1);
+    std::ranges::sort(named);
+    const auto indexOf = [&](ifs::MapId id) {
+        const auto found = std::ranges::lower_bound(named, id, {}, &std::pair<ifs::MapId, int>::first);
+        return found != named.end() && found->first == id ? &found->second : nullptr;
     };
-    for (std::size_t place = 0; !places.empty() && place < system->maps.size(); ++place)
-        if (int* known = placeOf(system->maps[place].id)) *known = int(place);
-    for (const auto& [word, change] : fractal.moved) {
-        ifs::MovedBranch<2> branch{{}, change};
+    for (std::size_t index = 0; !named.empty() && index < maps.size(); ++index)
+        if (int* known = indexOf(maps[index].id)) *known = int(index);
+    for (const auto& [word, change] : shape.moved) {
+        ifs::MovedBranch<Dim> branch{{}, change};
         for (const ifs::MapId id : word)
-            if (const int place = *placeOf(id); place >= 0) branch.word.push_back(place);
+            if (const int index = *indexOf(id); index >= 0) branch.word.push_back(index);
         if (branch.word.size() == word.size()) result.push_back(std::move(branch));
     }
     return result;
+}
+template std::vector<ifs::MovedBranch<2>> movedBranches(const Shape<2>&);
+template std::vector<ifs::MovedBranch<3>> movedBranches(const Shape<3>&);
+
+std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal) {
+    const Shape<2>* shape = plane(fractal);
+    return shape ? movedBranches(*shape) : std::vector<ifs::MovedBranch<2>>{};
 }
 
 std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<2>& transformation) {
@@ -128,64 +107,39 @@ std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<2
     auto moved = system ? ifs::conjugate(transformation, *system) : std::nullopt;
     if (!moved) return std::nullopt;
     Fractal result = fractal;
-    result.system = *std::move(moved);
-    for (MovedBranch& branch : result.moved)
+    plane(result)->system = *std::move(moved);
+    for (MovedBranch<2>& branch : plane(result)->moved)
         branch.change = ifs::conjugate(transformation, branch.change).value_or(branch.change);
     return result;
 }
 
-namespace {
-
-// Numbers that rounding has left where there should be none would stand in the table, and in the file.
-void dropRounding(System2& system) {
-    constexpr double rounding = 1e-15;
-    const auto clean = [](auto& numbers, double size) {
-        numbers =
-            numbers.unaryExpr([size](double x) { return std::abs(x) <= rounding * size ? 0 : x; }).eval();
-    };
-    double reach = 0;
-    for (const auto& map : system.maps)
-        reach = std::max(reach, map.map.translation.cwiseAbs().maxCoeff());
-    for (auto& map : system.maps) {
-        clean(map.map.linear, map.map.linear.cwiseAbs().maxCoeff());
-        clean(map.map.translation, reach);
-    }
-}
-
-} // namespace
-
-std::optional<Fractal> withCageBaked(const Fractal& fractal) {
-    if (system2(fractal) == nullptr || !fractal.cage) return std::nullopt;
-    const auto baked = ifs::bake(*system2(fractal), *fractal.cage);
-    auto result = baked ? conjugated(fractal, ifs::displayMap(*fractal.cage)) : std::nullopt;
-    if (!result) return std::nullopt;
-    System2 system = baked->system;
-    dropRounding(system);
-    result->system = std::move(system);
-    result->cage = baked->cage;
-    return result;
-}
-
-ifs::ControlCage<2> effectiveCage(const Fractal& fractal) {
-    if (fractal.cage) return *fractal.cage;
+ifs::ControlCage<2> canonicalCage(const Fractal& fractal) {
     if (const auto support = supportFunction(fractal))
         return ifs::cageAtRest(
             ifs::minimalCanonicalSimplex(*support, relativeTolerance * support->radius()).vertices);
     return ifs::cageAtRest<2>({ifs::Vector<2>(0, 0), ifs::Vector<2>(1, 0), ifs::Vector<2>(0, 1)});
 }
 
+ifs::ControlCage<2> effectiveCage(const Fractal& fractal) {
+    const ifs::ControlCage<2>* stored = cage2(fractal);
+    return stored ? *stored : canonicalCage(fractal);
+}
+
 std::optional<System2> effectiveSystem(const Fractal& fractal) {
     const System2* system = system2(fractal);
     if (system == nullptr) return std::nullopt;
-    if (!fractal.cage || fractal.cage->rest == fractal.cage->current) return *system;
-    if (ifs::bends(*fractal.cage)) return std::nullopt;
-    return ifs::conjugate(ifs::displayMap(*fractal.cage), *system);
+    const ifs::ControlCage<2>* cage = cage2(fractal);
+    if (!cage || cage->rest == cage->current) return *system;
+    if (ifs::bends(*cage)) return std::nullopt;
+    return ifs::conjugate(ifs::displayMap(*cage), *system);
 }
 
 attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera) {
     attractor::RenderRequest request;
-    if (const System2* system = system2(fractal)) request.system = *system;
-    request.cage = fractal.cage;
+    if (const Shape<2>* shape = plane(fractal)) {
+        request.system = shape->system;
+        request.cage = shape->cage;
+    }
     request.moved = movedBranches(fractal);
     request.appearance = fractal.appearance;
     request.camera = camera;
@@ -198,7 +152,7 @@ std::optional<Box> displayedBox(const Fractal& fractal) {
     const ifs::Placement placed = placement(fractal);
     if (placed.bend() != nullptr) return boxOfBend(fractal, placed);
     const std::vector<ifs::AffineMap<2>> pieces =
-        fractal.moved.empty() ? std::vector<ifs::AffineMap<2>>(1) : shownPieces(fractal);
+        plane(fractal)->moved.empty() ? std::vector<ifs::AffineMap<2>>(1) : shownPieces(fractal);
     // h_{M(A)}(u) = h_A(Mᵀu) + ⟨u, t⟩
     const auto extent = [&](const ifs::Vector<2>& u) {
         double farthest = -HUGE_VAL;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/map_handles.h"
+#include "document/fractal_geometry.h"
 
-#include "ifs/map_handles.h"
-#include "ifs/support_function.h"
-#include "ifs/weaving.h"
+#include "ifs/cage/map_handles.h"
+#include "ifs/extent/support_function.h"
+#include "ifs/system/map_interpolation.h"
 
 #include <algorithm>
 #include <utility>
@@ -15,16 +16,17 @@ using ifs::Vector;
 
 namespace {
 
-std::vector<ifs::MapId> idsOf(const System2& system, const ifs::Word& places) {
+std::vector<ifs::MapId> idsOf(const System2& system, const ifs::Word& indices) {
     std::vector<ifs::MapId> word;
-    for (const int place : places)
-        word.push_back(system.maps[std::size_t(place)].id);
+    for (const int index : indices)
+        word.push_back(system.maps[std::size_t(index)].id);
     return word;
 }
 
 AffineMap<2> changeOf(const Fractal& fractal, const std::vector<ifs::MapId>& word) {
-    const auto moved = std::ranges::find(fractal.moved, word, &MovedBranch::word);
-    return moved == fractal.moved.end() ? AffineMap<2>{} : moved->change;
+    const auto& branches = plane(fractal)->moved;
+    const auto moved = std::ranges::find(branches, word, &MovedBranch<2>::word);
+    return moved == branches.end() ? AffineMap<2>{} : moved->change;
 }
 
 // Of the branches around this one.
@@ -45,8 +47,8 @@ MapHandles MapHandles::ofBranch(const std::shared_ptr<const Fractal>& fractal,
                                 const ifs::ControlCage<2>& cage, const ifs::Word& branch) {
     MapHandles handles(fractal, cage);
     AffineMap<2> map;
-    for (const int place : branch)
-        map = map * system2(*fractal)->maps[std::size_t(place)].map;
+    for (const int index : branch)
+        map = map * system2(*fractal)->maps[std::size_t(index)].map;
     const std::vector<ifs::MapId> word = idsOf(*system2(*fractal), branch);
     handles.m_within = changeAround(*fractal, word); // moves it too, and stays as it is
     handles.m_branch = word;
@@ -54,22 +56,22 @@ MapHandles MapHandles::ofBranch(const std::shared_ptr<const Fractal>& fractal,
     return handles;
 }
 
-std::vector<Vector<2>> MapHandles::corners(std::size_t place) const {
+std::vector<Vector<2>> MapHandles::corners(std::size_t index) const {
     std::vector<Vector<2>> result;
     for (const Vector<2>& vertex : m_cage.rest)
-        result.push_back(m_placement(m_within(maps()[place].map(vertex))));
+        result.push_back(m_placement(m_within(maps()[index].map(vertex))));
     return result;
 }
 
-std::vector<Vector<2>> MapHandles::outline(std::size_t place) const {
-    if (!bends()) return corners(place);
+std::vector<Vector<2>> MapHandles::outline(std::size_t index) const {
+    if (!bends()) return corners(index);
     constexpr int parts = 12; // of an edge
     std::vector<Vector<2>> result;
     for (std::size_t i = 0; i < m_cage.rest.size(); ++i) {
         const Vector<2>& from = m_cage.rest[i];
         const Vector<2> edge = m_cage.rest[(i + 1) % m_cage.rest.size()] - from;
         for (int k = 0; k < parts; ++k)
-            result.push_back(m_placement(m_within(maps()[place].map(from + edge * (double(k) / parts)))));
+            result.push_back(m_placement(m_within(maps()[index].map(from + edge * (double(k) / parts)))));
     }
     return result;
 }
@@ -93,89 +95,96 @@ std::vector<Box> MapHandles::boxes() const {
     return result;
 }
 
-bool MapHandles::canBeTaken() const {
+bool MapHandles::canBeMoved() const {
     return (bends() || ifs::isInvertible(m_cage)) && ifs::inverse(m_within) &&
            (m_branch.empty() || ifs::inverse(m_branchMap.front().map));
 }
 
-AffineMap<2> MapHandles::around(std::size_t place) const {
+AffineMap<2> MapHandles::around(std::size_t index) const {
     Vector<2> middle = Vector<2>::Zero();
     for (const Vector<2>& vertex : m_cage.rest)
-        middle += m_within(maps()[place].map(vertex)) / double(m_cage.rest.size());
+        middle += m_within(maps()[index].map(vertex)) / double(m_cage.rest.size());
     return ifs::firstOrder(m_placement, middle) * m_within;
 }
 
 Fractal MapHandles::changed() const {
     Fractal fractal = *m_fractal;
-    if (m_branch.empty()) fractal.cage = m_cage;
+    if (m_branch.empty()) plane(fractal)->cage = m_cage;
     return fractal;
 }
 
-void MapHandles::change(Fractal& fractal, std::size_t place, const AffineMap<2>& change) const {
+void MapHandles::change(Fractal& fractal, std::size_t index, const AffineMap<2>& change) const {
     if (m_branch.empty()) {
-        AffineMap<2>& map = system2(fractal)->maps[place].map;
+        AffineMap<2>& map = system2(fractal)->maps[index].map;
         map = change * map;
         return;
     }
-    const auto moved = std::ranges::find(fractal.moved, m_branch, &MovedBranch::word);
-    if (moved == fractal.moved.end())
-        fractal.moved.push_back({m_branch, change});
+    auto& branches = plane(fractal)->moved;
+    const auto moved = std::ranges::find(branches, m_branch, &MovedBranch<2>::word);
+    if (moved == branches.end())
+        branches.push_back({m_branch, change});
     else
         moved->change = change * moved->change;
 }
 
-void MapHandles::changeDisplayed(Fractal& fractal, std::size_t place, const AffineMap<2>& displayed) const {
-    const auto back = ifs::inverse(around(place));
+void MapHandles::changeDisplayed(Fractal& fractal, std::size_t index, const AffineMap<2>& displayed) const {
+    const auto back = ifs::inverse(around(index));
     if (const auto inCode = back ? ifs::conjugate(*back, displayed) : std::nullopt)
-        change(fractal, place, *inCode);
+        change(fractal, index, *inCode);
 }
 
-Fractal MapHandles::withCornerMoved(std::size_t place, std::size_t corner, const Vector<2>& offset) const {
-    const auto inCode = ifs::inverse(around(place));
+Fractal MapHandles::withCornerMoved(std::size_t index, std::size_t corner, const Vector<2>& offset) const {
+    const auto inCode = ifs::inverse(around(index));
     const auto outOf = ifs::inverse(m_within);
     if (offset.isZero(0) || !inCode || !outOf) return *m_fractal;
-    const Vector<2> held = maps()[place].map(m_cage.rest[corner]);
+    const Vector<2> held = maps()[index].map(m_cage.rest[corner]);
     const Vector<2> seen = m_within(held);
     const auto target = ifs::preimage(m_placement, m_placement(seen) + offset, seen);
     Fractal fractal = changed();
     Vector<2> moved = inCode->linear * offset;
     if (target) moved = outOf->linear * (*target - seen);
-    const AffineMap<2>& map = maps()[place].map;
+    const AffineMap<2>& map = maps()[index].map;
     if (m_branch.empty()) {
-        system2(fractal)->maps[place].map = ifs::withHandleMoved(map, m_cage.rest, corner, moved);
+        system2(fractal)->maps[index].map = ifs::withHandleMoved(map, m_cage.rest, corner, moved);
         return fractal;
     }
     std::vector<Vector<2>> polygon;
     for (const Vector<2>& vertex : m_cage.rest)
         polygon.push_back(map(vertex));
-    change(fractal, place, ifs::withHandleMoved({}, polygon, corner, moved));
+    change(fractal, index, ifs::withHandleMoved({}, polygon, corner, moved));
     return fractal;
 }
 
-Fractal MapHandles::withMapsMoved(std::span<const std::size_t> places, const Vector<2>& offset) const {
-    if (offset.isZero(0)) return *m_fractal;
+Fractal MapHandles::withMapsMoved(std::span<const std::size_t> indices, const Vector<2>& offset) const {
+    return withMapsMoved(indices, std::vector<Vector<2>>(indices.size(), offset));
+}
+
+Fractal MapHandles::withMapsMoved(std::span<const std::size_t> indices,
+                                  std::span<const Vector<2>> offsets) const {
+    const auto isZero = [](const Vector<2>& offset) { return offset.isZero(0); };
+    if (std::ranges::all_of(offsets, isZero)) return *m_fractal;
     Fractal fractal = changed();
-    for (const std::size_t place : places)
-        if (const auto inCode = ifs::inverse(around(place)))
-            change(fractal, place, {ifs::Matrix<2>::Identity(), inCode->linear * offset});
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        if (const auto inCode = ifs::inverse(around(indices[k])); inCode && !isZero(offsets[k]))
+            change(fractal, indices[k], {ifs::Matrix<2>::Identity(), inCode->linear * offsets[k]});
     return fractal;
 }
 
-Fractal MapHandles::withMapsChanged(std::span<const std::size_t> places, const AffineMap<2>& change) const {
+Fractal MapHandles::withMapsChanged(std::span<const std::size_t> indices, const AffineMap<2>& change) const {
     if (change == AffineMap<2>{}) return *m_fractal;
     Fractal fractal = changed();
-    for (const std::size_t place : places)
-        changeDisplayed(fractal, place, change);
+    for (const std::size_t index : indices)
+        changeDisplayed(fractal, index, change);
     return fractal;
 }
 
-Fractal MapHandles::withMapsSwung(std::span<const std::size_t> places, const Vector<2>& root,
+Fractal MapHandles::withMapsSwung(std::span<const std::size_t> indices, const Vector<2>& root,
                                   double angle) const {
     if (angle == 0) return *m_fractal;
     Fractal fractal = changed();
-    for (const std::size_t place : places)
-        changeDisplayed(fractal, place,
-                        ifs::swung({}, m_placement(m_within(maps()[place].map(root))), angle));
+    for (const std::size_t index : indices)
+        changeDisplayed(fractal, index,
+                        ifs::swung({}, m_placement(m_within(maps()[index].map(root))), angle));
     return fractal;
 }
 
@@ -191,25 +200,25 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
     attractor::MapColours& colours = result.appearance.mapColours = {};
     colours.reserve(system.maps.size());
     std::size_t made = 0;
-    const auto keepColour = [&](std::size_t place) { // for the next map
+    const auto keepColour = [&](std::size_t index) { // for the next map
         colours[system.maps[made++].id] =
-            attractor::mapColour(fractal.appearance, before.maps[place].id, place);
+            attractor::mapColour(fractal.appearance, before.maps[index].id, index);
     };
     const auto keepColourOf = [&](int letter) { keepColour(active.index[std::size_t(letter)]); };
     keepColourOf(letters.front());
     for (const auto& [kept, symbol] : ifs::departures(letters, active.maps.size()))
         keepColourOf(kept > 0 ? letters.front() : symbol);
-    for (std::size_t place = 0; place < before.maps.size(); ++place) {
-        if (std::ranges::binary_search(active.index, place)) continue;
-        system.maps.push_back(before.maps[place]);
+    for (std::size_t index = 0; index < before.maps.size(); ++index) {
+        if (std::ranges::binary_search(active.index, index)) continue;
+        system.maps.push_back(before.maps[index]);
         system.maps.back().id = ifs::MapId{std::uint32_t(system.maps.size())};
-        keepColour(place);
+        keepColour(index);
     }
-    result.moved.clear();
+    std::vector<MovedBranch<2>> moved;
     for (const auto& [word, change] : ifs::overMaps<2>(movedBranches(fractal), active.index))
         for (const ifs::Word& over : ifs::overCutSet(word, letters, active.maps.size()))
-            result.moved.push_back({idsOf(system, over), change});
-    result.system = std::move(system);
+            moved.push_back({idsOf(system, over), change});
+    *plane(result) = {std::move(system), plane(fractal)->cage, std::move(moved)};
     return result;
 }
 
@@ -235,17 +244,18 @@ std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>&
 }
 
 bool isMoved(const Fractal& fractal, const ifs::Word& branch) {
-    const System2* system = system2(fractal);
-    return !fractal.moved.empty() && system && std::ranges::all_of(branch, [&](int place) {
-        return std::size_t(place) < system->maps.size();
-    }) && std::ranges::find(fractal.moved, idsOf(*system, branch), &MovedBranch::word) != fractal.moved.end();
+    const Shape<2>* shape = plane(fractal);
+    if (!shape || shape->moved.empty()) return false;
+    const auto isMap = [&](int index) { return std::size_t(index) < shape->system.maps.size(); };
+    return std::ranges::all_of(branch, isMap) &&
+           std::ranges::find(shape->moved, idsOf(shape->system, branch), &MovedBranch<2>::word) !=
+               shape->moved.end();
 }
 
 Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch) {
     if (isMoved(fractal, branch))
-        std::erase_if(fractal.moved, [word = idsOf(*system2(fractal), branch)](const MovedBranch& moved) {
-            return moved.word == word;
-        });
+        std::erase_if(plane(fractal)->moved, [word = idsOf(*system2(fractal), branch)](
+                                                 const MovedBranch<2>& moved) { return moved.word == word; });
     return fractal;
 }
 

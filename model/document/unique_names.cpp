@@ -7,7 +7,7 @@ namespace document {
 
 namespace {
 
-constexpr qsizetype longestName = 18; // bytes that Fractint 19, 20 and Iterated Dynamics compare
+constexpr qsizetype maxName = 18; // bytes that Fractint 19, 20 and Iterated Dynamics compare
 
 QString cutTo(QString name, qsizetype bytes) {
     name.truncate(bytes); // no letter takes less than one
@@ -25,7 +25,7 @@ QString legalName(const QString& name) {
         else if (c.isPrint() || c.isSurrogate())
             legal += QStringLiteral("(){};").contains(c) ? QString() : QString(c);
     }
-    legal = cutTo(legal, longestName);
+    legal = cutTo(legal, maxName);
     if (legal.isEmpty()) return QStringLiteral("fractal");
     const bool isCommentWord = legal.compare(QLatin1String("comment"), Qt::CaseInsensitive) == 0;
     return isCommentWord ? legal + QLatin1Char('_') : legal;
@@ -43,7 +43,7 @@ QString UniqueNames::give(const QString& name) {
     int& number = m_numbers[legal.toCaseFolded()];
     for (number = std::max(number, 2); m_taken.contains(candidate.toCaseFolded()); ++number) {
         const QString suffix = QStringLiteral("_%1").arg(number);
-        candidate = cutTo(legal, longestName - suffix.size()) + suffix;
+        candidate = cutTo(legal, maxName - suffix.size()) + suffix;
     }
     take(candidate);
     return candidate;

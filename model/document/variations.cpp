@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/variations.h"
+#include "document/fractal_geometry.h"
 
-#include "ifs/attractor_existence.h"
-#include "ifs/polygon.h"
+#include "attractor/render/renderer.h"
+#include "ifs/existence/attractor_existence.h"
+#include "ifs/extent/polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +16,9 @@ namespace document {
 namespace {
 
 constexpr int trials = 60;
-constexpr double leastShare = 0.12;  // of the view that is filled
-constexpr double leastAspect = 0.25; // of its box
-constexpr double largestNorm = 0.95;
+constexpr double minShare = 0.12;  // of the view that is filled
+constexpr double minAspect = 0.25; // of its box
+constexpr double maxNorm = 0.95;
 
 // The standard's distributions differ between libraries; this one does not.
 class Chance {
@@ -70,7 +72,7 @@ bool isGood(const Fractal& fractal) {
     const ifs::Existence existence = ifs::classify<2>(active.maps);
     const bool exists = existence.verdict == ifs::Verdict::Hyperbolic ||
                         existence.verdict == ifs::Verdict::EventuallyContractive;
-    return exists && shareOfView(fractal) >= leastShare;
+    return exists && shareOfView(fractal) >= minShare;
 }
 
 void weighByDeterminant(System2& system) {
@@ -103,7 +105,7 @@ System2 varied(System2 system, double strength, Chance& chance) {
         map.linear = rotation(angle) * linearMap(along, across, 0, 0) * map.linear;
         map.linear(0, 1) += 0.15 * strength * chance.normal();
         const double norm = ifs::spectralNorm<2>(map.linear);
-        if (norm > largestNorm) map.linear *= largestNorm / norm;
+        if (norm > maxNorm) map.linear *= maxNorm / norm;
         map.translation += 0.25 * strength * extent * ifs::Vector<2>(chance.normal(), chance.normal());
     }
     if (chance.between(0, 1) < 0.35 * strength && system.maps.size() > 2)
@@ -124,7 +126,7 @@ double shareOfView(const Fractal& fractal) {
     const auto box = displayedBox(fractal);
     if (!box) return 0;
     const ifs::Vector<2> size = box->max - box->min;
-    if (!(size.minCoeff() > leastAspect * size.maxCoeff())) return 0;
+    if (!(size.minCoeff() > minAspect * size.maxCoeff())) return 0;
     attractor::Camera camera;
     camera.width = camera.height = side;
     attractor::RenderRequest request =
@@ -144,8 +146,6 @@ Fractal randomFractal(std::uint64_t seed) {
     Fractal fractal = sierpinskiTriangle();
     fractal.comments.clear();
     fractal.headerComment.clear();
-    fractal.cage.reset();
-    fractal.moved.clear();
     fractal.name = QStringLiteral("random%1").arg(seed % 1'000'000);
     for (int trial = 0; trial < trials; ++trial) {
         System2 system;
@@ -153,20 +153,21 @@ Fractal randomFractal(std::uint64_t seed) {
         for (std::size_t i = 0; i < count; ++i)
             ifs::append(system, randomMap(chance));
         weighByDeterminant(system);
-        fractal.system = system;
+        fractal.shape = Shape<2>{std::move(system)};
         if (isGood(fractal)) return fractal;
     }
-    fractal.system = sierpinskiTriangle().system; // no seed is known to come here
+    fractal.shape = sierpinskiTriangle().shape; // no seed is known to come here
     return fractal;
 }
 
 Fractal variation(const Fractal& fractal, double strength, std::uint64_t seed) {
     Chance chance(seed);
     Fractal result = fractal;
-    if (fractal.cage && fractal.cage->rest == fractal.cage->current) result.cage.reset(); // fits the new one
+    const ifs::ControlCage<2>* cage = cage2(fractal);
+    if (cage && cage->rest == cage->current) plane(result)->cage.reset(); // fits the new one
     double now = std::clamp(strength, 0.0, 1.0);
     for (int trial = 0; trial < trials; ++trial) {
-        result.system = varied(*system2(fractal), now, chance);
+        *system2(result) = varied(*system2(fractal), now, chance);
         if (isGood(result)) return result;
         now *= 0.95; // what is nearer is likelier to be like it
     }

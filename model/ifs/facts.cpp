@@ -1,30 +1,102 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/facts.h"
+#include "ifs/extent/extent.h"
 
-#include "ifs/dimension.h"
-#include "ifs/polygon.h"
+#include "ifs/deadline.h"
+#include "ifs/dimension/dimension.h"
+#include "ifs/dimension/measure.h"
+#include "ifs/extent/polygon.h"
+#include "ifs/processor_clock.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
 namespace ifs {
 
+namespace {
+
+using Time = ProcessorClock::duration;
+
+// Shares out the time that there is, and keeps account of the facts that it did not suffice for.
+class Budget {
+public:
+    Budget(const FactLimits& limits, std::vector<LongFact>& late) : m_perFact(limits.perFact), m_late(late) {
+        if (limits.together) m_end = ProcessorClock::now() + *limits.together;
+    }
+
+    // `find` gets a stop token and returns whether it has finished. What finds no time left is not begun.
+    template <class Find> bool spend(LongFact fact, Find find) {
+        const FactLimits::Time time = available();
+        bool isFound = !time || *time > Time::zero();
+        if (isFound) {
+            const Deadline deadline(time);
+            isFound = find(deadline.token());
+        }
+        if (!isFound) m_late.push_back(fact);
+        return isFound;
+    }
+
+    void leaveOut(std::initializer_list<LongFact> facts) { m_late.insert(m_late.end(), facts); }
+
+private:
+    FactLimits::Time available() const {
+        if (!m_end) return m_perFact;
+        const Time left = *m_end - ProcessorClock::now();
+        return m_perFact ? std::min(*m_perFact, left) : left;
+    }
+
+    FactLimits::Time m_perFact;
+    std::optional<ProcessorClock::time_point> m_end;
+    std::vector<LongFact>& m_late;
+};
+
+template <int Dim>
+bool findExistence(Facts<Dim>& facts, const IteratedFunctionSystem<Dim>& system, Budget& budget) {
+    facts.probabilities = probabilities(system);
+    facts.active = activeMaps(system);
+    facts.mean = mean(facts.active);
+    facts.moments = moments(facts.active);
+    return budget.spend(LongFact::Existence, [&](const std::stop_token&) {
+        facts.existence = classify<Dim>(facts.active.maps);
+        facts.support = SupportFunction<Dim>::of(facts.active.maps);
+        if (facts.support) facts.similarityDimension = similarityDimension<Dim>(facts.active.maps);
+        return true;
+    });
+}
+
+template <int Dim> void findExtents(Facts<Dim>& facts, Budget& budget) {
+    budget.spend(LongFact::Extents, [&](const std::stop_token& stop) {
+        facts.support->outline(stop);
+        if (stop.stop_requested()) return false;
+        facts.box = boundingBox(*facts.support);
+        facts.simplex = minimalCanonicalSimplex(*facts.support);
+        return true;
+    });
+}
+
+// The usual tolerance is a share of the box.
+template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolerance, Budget& budget) {
+    if (!facts.box && !tolerance) return budget.leaveOut({LongFact::Hull});
+    budget.spend(LongFact::Hull, [&](const std::stop_token& stop) {
+        const double wanted = tolerance ? *tolerance : 1e-6 * (facts.box->max - facts.box->min).norm();
+        facts.hull = convexHull(*facts.support, wanted, stop);
+        return facts.hull.has_value();
+    });
+}
+
+} // namespace
+
 template <int Dim>
 Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance) {
     Facts<Dim> facts;
-    facts.probabilities = probabilities(system);
-    facts.active = activeMaps(system);
-    facts.existence = classify<Dim>(facts.active.maps);
-    facts.mean = mean(facts.active);
-    facts.moments = moments(facts.active);
-    facts.support = SupportFunction<Dim>::of(facts.active.maps);
+    Budget unlimited({}, facts.late);
+    findExistence(facts, system, unlimited);
     if (!facts.support) return facts;
-    facts.box = boundingBox(*facts.support);
-    facts.simplex = minimalCanonicalSimplex(*facts.support);
-    facts.similarityDimension = similarityDimension<Dim>(facts.active.maps);
-    const double diagonal = (facts.box->max - facts.box->min).norm();
-    facts.hull = convexHull(*facts.support, hullTolerance.value_or(1e-6 * diagonal));
+    findExtents(facts, unlimited);
+    findHull(facts, hullTolerance, unlimited);
     return facts;
 }
 
@@ -32,9 +104,10 @@ namespace {
 
 // Vertices that have an address become the points that it names. Where two of them meet in one point, or one
 // no longer stands out, the hull does without: what it loses that way counts as error.
-void settleExtremePoints(Facts<2>& facts) {
+bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
     ConvexHull& hull = *facts.hull;
-    const auto found = periodicExtremePoints(*facts.support, hull);
+    const auto found = periodicExtremePoints(*facts.support, hull, stop);
+    if (stop.stop_requested()) return false;
     Polygon points = hull.vertices;
     for (std::size_t k = 0; k < points.size(); ++k)
         if (found[k]) points[k] = found[k]->point;
@@ -51,19 +124,67 @@ void settleExtremePoints(Facts<2>& facts) {
         for (std::size_t k = 0; k < points.size(); ++k)
             if (found[k] && points[k] == vertex) facts.extremePoints.back() = found[k];
     }
+    return true;
+}
+
+template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& result, Budget& budget) {
+    const auto& active = facts.active;
+    if (active.maps.empty() || !std::ranges::all_of(active.maps, isFinite<Dim>)) return;
+    result.entropy = entropy(active.probabilities);
+    result.lyapunovExponent = lyapunovExponent(active);
+    budget.spend(LongFact::JointSpectralRadius, [&](const std::stop_token&) {
+        result.jointSpectralRadius = jointSpectralRadius<Dim>(active.maps, facts.existence);
+        return true;
+    });
+    if (!facts.support) return;
+    result.measureDimension = measureDimension(active);
+    budget.spend(LongFact::Contacts, [&](const std::stop_token&) {
+        result.contacts = pieceContacts(*facts.support);
+        return true;
+    });
+}
+
+void findAffinityDimension(Facts<2>& facts, Budget& budget) {
+    budget.spend(LongFact::AffinityDimension, [&](const std::stop_token& stop) {
+        facts.affinityDimension = affinityDimension(facts.active.maps, stop);
+        return facts.affinityDimension || !stop.stop_requested();
+    });
+}
+
+void findExtremePoints(Facts<2>& facts, Budget& budget) {
+    const bool isFound = budget.spend(LongFact::ExtremePoints, [&](const std::stop_token& stop) {
+        return settleExtremePoints(facts, stop);
+    });
+    if (!isFound) facts.extremePoints.assign(facts.hull->vertices.size(), std::nullopt);
 }
 
 } // namespace
 
+template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts) {
+    Invariants result;
+    std::vector<LongFact> late;
+    Budget unlimited({}, late);
+    findInvariants(facts, result, unlimited);
+    return result;
+}
+
 template <int Dim>
-Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance) {
-    Facts<Dim> facts = geometricFacts(system, hullTolerance);
-    std::optional<double> dimension = facts.similarityDimension;
+Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance,
+                   const FactLimits& limits) {
+    Facts<Dim> facts;
+    Budget budget(limits, facts.late);
+    const bool isExistenceKnown = findExistence(facts, system, budget);
+    if (!isExistenceKnown) budget.leaveOut({LongFact::Extents, LongFact::Contacts, LongFact::Hull});
+    if (!isExistenceKnown && Dim == 3) budget.leaveOut({LongFact::AffinityDimension});
+    if (facts.support) findExtents(facts, budget);
+    findInvariants(facts, facts.invariants, budget); // in less time than what follows
+    if (facts.support) findHull(facts, hullTolerance, budget);
+    facts.affinityDimension = facts.similarityDimension;
     if constexpr (Dim == 2) {
-        dimension = affinityDimension(facts.active.maps);
-        if (facts.hull) settleExtremePoints(facts);
+        if (limits.withAffinityDimension && !facts.affinityDimension) findAffinityDimension(facts, budget);
+        if (facts.hull) findExtremePoints(facts, budget);
     }
-    if (dimension) facts.affinityDimension = std::min(*dimension, double(Dim));
+    if (auto& dimension = facts.affinityDimension) dimension = std::min(*dimension, double(Dim));
     return facts;
 }
 
@@ -83,37 +204,70 @@ ConvexHull moved(const AffineMap<2>& transformation, const ConvexHull& hull) {
     return result;
 }
 
-Moments<2> moved(const AffineMap<2>& transformation, const Moments<2>& moments) {
-    const Matrix<2>& linear = transformation.linear;
-    return {transformation(moments.mean), linear * moments.covariance * linear.transpose(),
-            linear * moments.longRunCovariance * linear.transpose()};
+// An affine image of facets is facets; a reflection turns them round.
+ConvexHull3 moved(const AffineMap<3>& transformation, const ConvexHull3& hull) {
+    const double determinant = ifs::determinant<3>(transformation.linear);
+    ConvexHull3 result = hull;
+    double size = 0;
+    for (auto& vertex : result.vertices) {
+        vertex = transformation(vertex);
+        size = std::max(size, vertex.norm());
+    }
+    if (determinant < 0)
+        for (auto& facet : result.facets)
+            std::swap(facet[1], facet[2]);
+    result.volume = std::abs(determinant) * hull.volume;
+    result.error = spectralNorm<3>(transformation.linear) * hull.error +
+                   32 * std::numeric_limits<double>::epsilon() * size;
+    return result;
+}
+
+template <int Dim> Mean<Dim> moved(const AffineMap<Dim>& transformation, const Mean<Dim>& mean) {
+    const double stretch = spectralNorm<Dim>(transformation.linear);
+    const double reach = stretch * mean.point.norm() + transformation.translation.norm();
+    return {transformation(mean.point),
+            stretch * mean.error + 2 * Dim * std::numeric_limits<double>::epsilon() * reach};
+}
+
+template <int Dim> Moments<Dim> moved(const AffineMap<Dim>& transformation, const Moments<Dim>& moments) {
+    const Matrix<Dim>& linear = transformation.linear;
+    const double stretch = spectralNorm<Dim>(linear);
+    const double rounding = 4 * Dim * std::numeric_limits<double>::epsilon();
+    Moments<Dim> result{transformation(moments.mean), linear * moments.covariance * linear.transpose(),
+                        linear * moments.longRunCovariance * linear.transpose()};
+    result.meanError = moved(transformation, Mean<Dim>{moments.mean, moments.meanError}).error;
+    result.covarianceError =
+        stretch * stretch * (Dim * moments.covarianceError + rounding * moments.covariance.norm());
+    return result;
 }
 
 } // namespace
 
-Facts<2> moved(const AffineMap<2>& transformation, const Facts<2>& facts) {
-    if (transformation == AffineMap<2>{}) return facts;
-    Facts<2> result = facts;
-    if (facts.mean) result.mean = transformation(*facts.mean);
+template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const Facts<Dim>& facts) {
+    if (transformation == AffineMap<Dim>{}) return facts;
+    Facts<Dim> result = facts;
+    if (facts.mean) result.mean = moved(transformation, *facts.mean);
     if (facts.moments) result.moments = moved(transformation, *facts.moments);
     if (facts.support) {
-        const double tolerance = 1e-12 * facts.support->radius() * spectralNorm<2>(transformation.linear);
+        const double tolerance = 1e-12 * facts.support->radius() * spectralNorm<Dim>(transformation.linear);
         result.box = boundingBoxOfImage(transformation, *facts.support, tolerance);
         result.simplex = minimalCanonicalSimplexOfImage(transformation, *facts.support, tolerance);
     }
     if (facts.hull) result.hull = moved(transformation, *facts.hull);
     result.extremePoints.clear();
-    const auto sigma = singularValues<2>(transformation.linear);
-    if (!(sigma[1] > 1e-6 * sigma[0])) {
+    const auto sigma = singularValues<Dim>(transformation.linear);
+    if (!(sigma[Dim - 1] > 1e-6 * sigma[0])) {
+        if constexpr (Dim == 3) result.hull.reset();
         result.active.maps.clear();
         result.similarityDimension.reset();
         result.affinityDimension.reset();
+        result.invariants = {};
         return result;
     }
     for (auto& map : result.active.maps)
         map = *conjugate(transformation, map);
     // An attractor has an image, whether or not words of the image's maps are seen to contract.
-    if (const auto seen = classify<2>(result.active.maps);
+    if (const auto seen = classify<Dim>(result.active.maps);
         seen.verdict != Verdict::Undecided || facts.existence.verdict == Verdict::Undecided)
         result.existence = seen;
     return result;
@@ -121,7 +275,10 @@ Facts<2> moved(const AffineMap<2>& transformation, const Facts<2>& facts) {
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>&, std::optional<double>);           \
-    template Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>&, std::optional<double>);
+    template Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>&, std::optional<double>,                   \
+                                const FactLimits&);                                                          \
+    template Invariants invariantsOf(const Facts<Dim>&);                                                     \
+    template Facts<Dim> moved(const AffineMap<Dim>&, const Facts<Dim>&);
 BARYCAGE_INSTANTIATE(2)
 BARYCAGE_INSTANTIATE(3)
 #undef BARYCAGE_INSTANTIATE

@@ -1,55 +1,91 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "ifs/attractor_existence.h"
-#include "ifs/extreme_points.h"
-#include "ifs/iterated_function_system.h"
-#include "ifs/moments.h"
-#include "ifs/support_function.h"
+#include "ifs/dimension/moments.h"
+#include "ifs/existence/attractor_existence.h"
+#include "ifs/extent/convex_hull.h"
+#include "ifs/extent/convex_hull_3d.h"
+#include "ifs/extent/extent.h"
+#include "ifs/extent/extreme_points.h"
+#include "ifs/separation/piece_contacts.h"
+#include "ifs/system/iterated_function_system.h"
 
+#include <algorithm>
+#include <chrono>
 #include <optional>
 #include <vector>
 
 namespace ifs {
 
+template <int Dim> using HullIn = std::conditional_t<Dim == 2, ConvexHull, ConvexHull3>;
+
+// What an invertible affine map of the attractor does not change.
+struct Invariants {
+    std::optional<double> entropy;          // of the probabilities, in nats
+    std::optional<double> lyapunovExponent; // of similarities
+    std::optional<double> measureDimension; // of similarities; an upper bound where pieces overlap
+    std::optional<JointSpectralRadius> jointSpectralRadius; // of finite maps
+    std::optional<PieceContacts> contacts;                  // where there is an attractor
+};
+
+// Those that can take long.
+enum class LongFact {
+    Existence, // and with it everything else but the moments
+    Extents,   // box and simplex
+    JointSpectralRadius,
+    Contacts,
+    Hull,
+    AffinityDimension,
+    ExtremePoints,
+};
+
+// How much processor time these may take; nullopt: until they are found, or proved to be too hard.
+struct FactLimits {
+    using Time = std::optional<std::chrono::duration<double>>;
+
+    bool withAffinityDimension = true;
+    Time perFact = {};
+    Time together = {}; // what has not begun by then is left out
+};
+
 // What can be said for certain about a system; nullopt where nothing can.
 template <int Dim> struct Facts {
     std::vector<double> probabilities; // one for each map, 0 for a map that takes no part
     ActiveMaps<Dim> active;
-    Existence existence;             // of the active maps
-    std::optional<Vector<Dim>> mean; // can exist without the covariance
+    Existence existence;           // of the active maps
+    std::optional<Mean<Dim>> mean; // can exist without the covariance
     std::optional<Moments<Dim>> moments;
     std::optional<SupportFunction<Dim>> support;
     std::optional<BoundingBox<Dim>> box;
     std::optional<CanonicalSimplex<Dim>> simplex; // the minimal one
     std::optional<HullIn<Dim>> hull;
-    // In the plane, for each vertex of the hull its address when it is eventually periodic and proved.
+    // In the plane, for each vertex of the hull its address when it is eventually periodic and proved. Empty
+    // until they are asked for.
     std::vector<std::optional<PeriodicPoint>> extremePoints;
     std::optional<double> similarityDimension;
     std::optional<double> affinityDimension; // not above Dim; in space, of similarities only
+    Invariants invariants;                   // empty until they are asked for
+    std::vector<LongFact> late; // missing because they would take more time than FactLimits allow
+
+    bool isLate(LongFact fact) const { return std::ranges::find(late, fact) != late.end(); }
 };
 
 // `hullTolerance` in the system's own units; nullopt: 1e-6 of the diagonal of the bounding box.
 template <int Dim>
-Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance = {});
+Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance = {},
+                   const FactLimits& limits = {});
 
-// All but the affinity dimension and the addresses of the hull, which can take longer than the rest.
+// All but the affinity dimension, the addresses of the hull and the invariants, which can take longer than
+// the rest; in whatever time it takes.
 template <int Dim>
 Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system,
                           std::optional<double> hullTolerance = {});
 
+template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts);
+
 // Those of the attractor's image under an affine map T: of the maps T∘w∘T⁻¹, whose attractor it is. Extents
 // come from the support function of the code (which is kept), so that they are as sharp however T leans. An
-// image that is flat has extents and moments, but no maps and no dimension.
-Facts<2> moved(const AffineMap<2>& transformation, const Facts<2>& facts);
-
-// Extents of the image T(A): h_T(A)(u) = h_A(Tᵀu) + ⟨u,t⟩.
-template <int Dim>
-BoundingBox<Dim> boundingBoxOfImage(const AffineMap<Dim>& transformation, const SupportFunction<Dim>& support,
-                                    double tolerance = 0);
-template <int Dim>
-CanonicalSimplex<Dim> minimalCanonicalSimplexOfImage(const AffineMap<Dim>& transformation,
-                                                     const SupportFunction<Dim>& support,
-                                                     double tolerance = 0);
+// image that is flat has extents and moments, but no maps and no dimension, and in space no hull.
+template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const Facts<Dim>& facts);
 
 } // namespace ifs

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "io/collection_reader.h"
 
-#include "io/fractint_reader.h"
-#include "io/png_system.h"
-#include "io/svg_system.h"
-#include "io/table_reader.h"
-#include "io/unrelated_format.h"
-#include "io/written_weights.h"
+#include "document/unique_names.h"
+#include "io/exchange/aifs_reader.h"
+#include "io/fractint/format_detection.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/picture/png_system.h"
+#include "io/picture/svg_system.h"
+#include "io/table/listed_maps.h"
+#include "io/table/table_reader.h"
+#include "io/text/export_weights.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 
 namespace io {
 
 namespace {
 
-constexpr qsizetype mostRemarks = 10; // on the weights of a table
+constexpr qsizetype maxRemarks = 10; // on the weights of a table
 
 document::Problem errorOf(const QString& sentence) {
     return {document::Problem::Severity::Error, {}, 0, 0, sentence};
@@ -38,17 +42,41 @@ std::optional<std::size_t> someWeightMissing(const auto& rows) {
     return std::size_t(first - rows.begin());
 }
 
+// Rows of six numbers that would fill rows of seven, with weights that sum to 1.
+std::optional<QString> otherReading(const Table& table) {
+    constexpr double tolerance = 0.02; // weights are often given to two digits
+    const auto hasWeight = [](const auto& row) { return row.weight.has_value(); };
+    if (table.isOrdered || table.rows.empty() || table.rows.size() % 7 != 0 ||
+        std::ranges::any_of(table.rows, hasWeight))
+        return std::nullopt;
+    std::vector<double> numbers;
+    for (const auto& row : table.rows) {
+        const auto& [linear, translation] = row.map;
+        numbers.insert(numbers.end(), {linear(0, 0), linear(0, 1), linear(1, 0), linear(1, 1), translation[0],
+                                       translation[1]});
+    }
+    double sum = 0;
+    for (std::size_t i = 6; i < numbers.size(); i += 7)
+        sum += numbers[i] >= 0 ? numbers[i] : NAN;
+    if (!(std::abs(sum - 1) <= tolerance)) return std::nullopt;
+    return QCoreApplication::translate(
+               "Text", "The numbers can be read as %1 maps of 6 numbers, line by line, or as %2 "
+                       "maps of 7 numbers, whose weights then sum to 1. They are read line by "
+                       "line; for the other reading, put 7 numbers on each line.")
+        .arg(table.rows.size())
+        .arg(numbers.size() / 7);
+}
+
 // A table that is not one to Fractint (rows of 7 numbers without commas are).
 std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QString& path,
                                             const std::optional<TableColumns>& columns) {
-    if (unrelatedFormat(bytes)) return std::nullopt;
+    if (foreignFormatRemark(bytes)) return std::nullopt;
     Collection result{QStringLiteral("table"), {}, false};
     document::FractalFile& file = result.file;
-    if (bytes.size() > largestTable) {
-        file.problems << errorOf(QCoreApplication::translate(
-            "Text",
-            "No iterated function system was found, and for a table of numbers the file is too large: the "
-            "limit is 64 MB."));
+    if (bytes.size() > maxTable) {
+        file.problems << errorOf(
+            QCoreApplication::translate("Text", "No iterated function system was found, and the file is too "
+                                                "large for a table of numbers: the limit is 64 MB."));
         return result;
     }
     Table table = readTable(QString::fromUtf8(bytes), columns, TableMaps::PlaneOrSpace);
@@ -58,26 +86,28 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
         const QString name = QFileInfo(path).completeBaseName();
         fractal.name = document::uniqueName({}, name.isEmpty() ? QStringLiteral("table") : name);
         if (table.spaceRows.empty())
-            fractal.system = systemOf(table);
+            fractal.shape = document::Shape<2>{systemOf(table)};
         else
-            fractal.system = spaceSystemOf(table);
+            fractal.shape = document::Shape<3>{spaceSystemOf(table)};
         file = document::fileOf(std::move(fractal));
         result.isOrderAssumed = !table.isOrdered;
     }
     file.problems = std::move(table.problems);
+    if (const auto other = otherReading(table); other && !columns)
+        file.problems << document::Problem{
+            document::Problem::Severity::Warning, {}, table.lines.front(), 1, *other};
     for (document::Entry& entry : file.entries) {
         const auto remark = [&](const auto& rows) {
             const auto warn = [&](std::size_t i, const QString& sentence) {
                 entry.problems << document::Problem{document::Problem::Severity::Warning, entry.fractal->name,
                                                     table.lines[i], 1, sentence};
             };
-            if (const auto place = someWeightMissing(rows))
-                warn(*place,
-                     QCoreApplication::translate(
-                         "Text", "Map %1 has no weight, so the weights of all maps are taken from the "
-                                 "determinants and those that are given are not used.")
-                         .arg(*place + 1));
-            for (std::size_t i = 0; i < rows.size() && entry.problems.size() < mostRemarks; ++i)
+            if (const auto index = someWeightMissing(rows))
+                warn(*index, QCoreApplication::translate(
+                                 "Text", "Map %1 has no weight, so all weights are computed from the "
+                                         "determinants and the given ones are ignored.")
+                                 .arg(*index + 1));
+            for (std::size_t i = 0; i < rows.size() && entry.problems.size() < maxRemarks; ++i)
                 if (const auto sentence =
                         rows[i].weight ? weightRemark(i + 1, *rows[i].weight) : std::nullopt)
                     warn(i, *sentence);
@@ -88,12 +118,59 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
     return result;
 }
 
+// Systems that stand in lists of another language, each through the reader of tables.
+std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QString& path,
+                                            const std::optional<TableColumns>& columns) {
+    constexpr qsizetype maxLists = 16 * 1024 * 1024;
+    if (bytes.size() > maxLists || bytes.contains('\0')) return std::nullopt;
+    Collection result{QStringLiteral("table"), {}, false};
+    document::UniqueNames names;
+    const QString fileName = QFileInfo(path).completeBaseName();
+    qsizetype maps = 0;
+    for (const ListedMaps& listed : listedMaps(QString::fromUtf8(bytes))) {
+        const Table table = readTable(listed.table, columns, TableMaps::PlaneOrSpace);
+        if (hasErrors(table) || !table.isTable) continue;
+        document::Fractal fractal;
+        fractal.name = names.give(!listed.name.isEmpty() ? listed.name
+                                  : fileName.isEmpty()   ? QStringLiteral("table")
+                                                         : fileName);
+        if (table.spaceRows.empty())
+            fractal.shape = document::Shape<2>{systemOf(table)};
+        else
+            fractal.shape = document::Shape<3>{spaceSystemOf(table)};
+        maps += qsizetype(table.rows.size() + table.spaceRows.size());
+        result.isOrderAssumed = result.isOrderAssumed || !table.isOrdered;
+        document::FractalFile one = document::fileOf(std::move(fractal));
+        one.entries.first().id = document::freshId(result.file);
+        result.file.entries << one.entries;
+    }
+    if (result.file.entries.isEmpty()) return std::nullopt;
+    result.file.problems << document::Problem{
+        document::Problem::Severity::Warning,
+        {},
+        0,
+        0,
+        QCoreApplication::translate(
+            "Text", "This is not a format of fractal programs. Its lists of numbers are read as tables of "
+                    "maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.")
+            .arg(result.file.entries.size())
+            .arg(maps)};
+    return result;
+}
+
+// Nothing that could be an entry was found.
+bool isUnknown(const document::FractalFile& file, const QByteArray& bytes) {
+    return file.entries.isEmpty() && !file.problems.isEmpty() && !bytes.trimmed().isEmpty() &&
+           (foreignFormatRemark(bytes) || !bytes.contains('{'));
+}
+
 } // namespace
 
 Collection readCollection(const QByteArray& bytes, const QString& path, const ReadOptions& options) {
     if (looksLikePng(bytes)) return {QStringLiteral("png"), fileOf(readPngSystem(bytes)), false};
     if (looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes)), false};
     if (looksLikeFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes, options.axis), false};
+    if (looksLikeAifs(bytes)) return {QStringLiteral("aifs"), readAifs(bytes), false};
     constexpr qsizetype sample = 4000; // bytes, enough for five lines of a matrix
     const bool isTable = options.columns || isTableToFractintUnknown(QString::fromUtf8(bytes.left(sample)));
     document::FractalFile file;
@@ -101,12 +178,15 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
     const auto isLoaded = [](const document::Entry& entry) {
         return document::dimension(*entry.fractal) != 0;
     };
-    if (std::ranges::none_of(file.entries, isLoaded))
-        if (auto table = collectionOfTable(bytes, path, options.columns);
-            table && (file.entries.isEmpty() || !table->file.entries.isEmpty()))
-            return std::move(*table);
-    return {QStringLiteral("fractint"),
-            isTable ? readFractint(bytes, QFileInfo(path).completeBaseName()) : std::move(file), false};
+    if (std::ranges::none_of(file.entries, isLoaded)) {
+        auto table = collectionOfTable(bytes, path, options.columns);
+        if (!table || table->file.entries.isEmpty())
+            if (auto lists = collectionOfLists(bytes, path, options.columns)) return *std::move(lists);
+        if (table && (file.entries.isEmpty() || !table->file.entries.isEmpty())) return *std::move(table);
+    }
+    if (isTable) file = readFractint(bytes, QFileInfo(path).completeBaseName());
+    const bool isFractint = !isUnknown(file, bytes);
+    return {isFractint ? QStringLiteral("fractint") : QStringLiteral("unknown"), std::move(file), false};
 }
 
 } // namespace io

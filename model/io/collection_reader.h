@@ -2,8 +2,8 @@
 #pragma once
 
 #include "document/fractal_file.h"
-#include "io/flame.h"
-#include "io/table_columns.h"
+#include "io/exchange/flame.h"
+#include "io/table/table_columns.h"
 
 #include <QByteArray>
 #include <QString>
@@ -12,7 +12,7 @@ namespace io {
 
 // What a file of any kind that can be opened holds. Only a Fractint collection may be written back in place.
 struct Collection {
-    QString format; // "fractint", "flame", "table", "png", "svg"
+    QString format; // "fractint", "flame", "aifs", "table", "png", "svg", "unknown"
     document::FractalFile file;
     bool isOrderAssumed = false; // of the columns of a table that does not say it
 };
@@ -23,9 +23,9 @@ struct ReadOptions {
     std::optional<TableColumns> columns; // of a table; nullopt: as its header says, else Fractint's
 };
 
-// Tells the format from the content: a Fractint collection, flames, a table of numbers, or a picture that
-// carries a collection. `path` names the entry of a table or of a file
-// of bare rows.
+// Tells the format from the content: a Fractint collection, flames, IFStile's blocks, a table of numbers,
+// lists of maps in another language, or a picture that carries a collection. Of what is none of these, the
+// problems say what it seems to be. `path` names the entry of a table or of a file of bare rows.
 Collection readCollection(const QByteArray& bytes, const QString& path = {}, const ReadOptions& options = {});
 
 } // namespace io

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/collection_source.h"
 
-#include "io/background.h"
-#include "io/fractint_reader.h"
-#include "io/save_file.h"
+#include "io/file/background.h"
+#include "io/file/save_file.h"
+#include "io/fractint/fractint_reader.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -16,48 +16,7 @@
 namespace io {
 namespace {
 
-// What the index of the bundled collection says, for the translators; long sentences are in two parts.
-// NOLINTBEGIN(bugprone-suspicious-missing-comma)
-[[maybe_unused]] constexpr const char* indexTexts[] = {
-    QT_TRANSLATE_NOOP("Collection", "From the paper"),
-    QT_TRANSLATE_NOOP("Collection",
-                      "The two systems of E. Hadzieva and M. Shuminoska, with the coefficients as printed."),
-    QT_TRANSLATE_NOOP("Collection", "Ferns"),
-    QT_TRANSLATE_NOOP("Collection", "Fronds: a long slow map climbs the rachis, two short ones hang the "
-                                    "pinnae, a flat one draws the stem."),
-    QT_TRANSLATE_NOOP("Collection", "Trees"),
-    QT_TRANSLATE_NOOP("Collection", "Trunks that fork: the whole tree stands on its own branches."),
-    QT_TRANSLATE_NOOP("Collection", "Dragons"),
-    QT_TRANSLATE_NOOP("Collection",
-                      "Folded paper curves and the fractals of two or three twisted similarities."),
-    QT_TRANSLATE_NOOP("Collection", "Sierpiński family"),
-    QT_TRANSLATE_NOOP("Collection",
-                      "Gaskets and carpets: a polygon holds shrunken copies of itself and keeps its holes."),
-    QT_TRANSLATE_NOOP("Collection", "Koch family"),
-    QT_TRANSLATE_NOOP("Collection", "Curves built by replacing a segment, and the islands they bound."),
-    QT_TRANSLATE_NOOP("Collection", "Spirals"),
-    QT_TRANSLATE_NOOP("Collection",
-                      "One map that turns and shrinks a little, and small ones that bead its path."),
-    QT_TRANSLATE_NOOP("Collection", "Leaves and flowers"),
-    QT_TRANSLATE_NOOP("Collection",
-                      "Leaf outlines, and flowers whose petals are turned copies of one another."),
-    QT_TRANSLATE_NOOP("Collection", "Tiles and reptiles"),
-    QT_TRANSLATE_NOOP("Collection", "Sets that tile the plane: copies of themselves, rep-tiles, and the "
-                                    "central tiles of number systems."),
-    QT_TRANSLATE_NOOP("Collection", "Cantor sets and dust"),
-    QT_TRANSLATE_NOOP("Collection",
-                      "Sets full of gaps at every scale: points everywhere near, hardly any of them joined."),
-    QT_TRANSLATE_NOOP("Collection", "Crystals and snowflakes"),
-    QT_TRANSLATE_NOOP("Collection", "Sets with the symmetry of frost: five, six and more arms."),
-    QT_TRANSLATE_NOOP("Collection", "Curves and graphs"),
-    QT_TRANSLATE_NOOP("Collection",
-                      "Graphs of strange functions, smooth curves as attractors, space-filling coordinates."),
-    QT_TRANSLATE_NOOP("Collection", "Abstract"),
-    QT_TRANSLATE_NOOP("Collection",
-                      "Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes."),
-};
-// NOLINTEND(bugprone-suspicious-missing-comma)
-
+// ./dev translate puts the texts of the bundled index into the catalogues.
 QString translated(const QJsonValue& text) {
     return QCoreApplication::translate("Collection", text.toString().toUtf8().constData());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/export_job.h"
 
-#include "io/background.h"
+#include "io/file/background.h"
 
 #include <QCoreApplication>
 
@@ -38,12 +38,16 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
         if (const auto* png = std::get_if<PngExport>(&what)) return exportPng(*png, path, progress, stop);
         if (const auto* cloud = std::get_if<PointCloud>(&what))
             return exportPoints(*cloud, path, progress, stop);
+        if (const auto* strip = std::get_if<PictureStrip>(&what))
+            return exportStrip(*strip, path, progress, stop);
+        if (const auto* solid = std::get_if<SolidExport>(&what))
+            return exportSolid(*solid, path, progress, stop);
         return exportSvg(std::get<SvgExport>(what), path, progress, stop);
     } catch (const std::bad_alloc&) {
         ExportOutcome outcome;
         outcome.failure = QCoreApplication::translate(
             "ExportJob",
-            "There is not enough memory for this picture. Make it smaller, or supersample less.");
+            "There is not enough memory for this picture. Reduce its size or the supersampling.");
         return outcome;
     }
 }

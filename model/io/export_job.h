@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/pdf_writer.h"
-#include "io/png_export.h"
-#include "io/point_cloud.h"
+#include "io/exchange/point_cloud.h"
+#include "io/picture/pdf_writer.h"
+#include "io/picture/picture_strip.h"
+#include "io/picture/png_export.h"
+#include "io/solid/solid_export.h"
 
 #include <QFuture>
 #include <QImage>
@@ -21,7 +23,8 @@ struct SvgExport {
     SvgFormat format;
     ShapeFile file = ShapeFile::Svg;
 };
-using Export = std::variant<PngExport, SvgExport, PointCloud>;
+using PictureStrip = std::vector<PngExport>; // side by side in one PNG
+using Export = std::variant<PngExport, SvgExport, PointCloud, PictureStrip, SolidExport>;
 
 // Writes the picture in the calling thread; `path` appears whole or not at all.
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress = {},

@@ -1,48 +1,215 @@
 # SPDX-License-Identifier: MIT
-# bash completion for barycage-cli
+# bash completion for barycage-cli. Names of entries come out of files that anybody may have written: they are only
+# compared and quoted, and never reach what expands words, such as compgen -W, eval or an unquoted expansion.
+
+# Splits TEXT into `words` as the shell does, quotes taken away, nothing expanded. The last word is the one that TEXT
+# ends in, perhaps empty. `open` is the quote that is still open there, `opened` where its inside begins; `active` is
+# set when the shell would put something else in the place of the last word.
+_barycage_cli_split() {
+  local text=$1 i=0 c next word= begun=
+  words=() open= opened=0 active=
+  while ((i < ${#text})); do
+    c=${text:i++:1}
+    next=${text:i:1}
+    case $open$c in
+      "''" | '""') open= ;;
+      "'"?) word+=$c ;;
+      '"\')
+        if [[ $next == [\$\`\"\\] ]]; then
+          word+=$next
+          ((i++))
+        else
+          word+=$c
+        fi
+        ;;
+      '\')
+        word+=$next
+        begun=1
+        ((i++))
+        ;;
+      "'" | '"')
+        open=$c
+        opened=$i
+        begun=1
+        ;;
+      [[:space:]])
+        [[ -z $begun ]] || words+=("$word")
+        word= begun= active=
+        ;;
+      *)
+        [[ $c != [\$\`\!] && $open$c != [~*?{[] ]] || active=1
+        word+=$c
+        begun=1
+        ;;
+    esac
+  done
+  words+=("$word")
+}
+
+# `quoted` is TEXT as it is written behind an open quote, or behind none.
+_barycage_cli_quote() {
+  local special instead specials
+  quoted=$1
+  case $2 in
+    "'") specials="'" ;;
+    '"') specials='\$`"!' ;;
+    *) specials='\ !"#$&'\''()*;<>?[]^`{|}~' ;;
+  esac
+  [[ $quoted == *["$specials"]* ]] || return 0
+  while [[ -n $specials ]]; do
+    special=${specials:0:1}
+    specials=${specials:1}
+    case $2$special in
+      "''") instead="'\\''" ;;
+      '"!') instead="\"'!'\"" ;; # no backslash keeps the history out of double quotes
+      *) instead="\\$special" ;;
+    esac
+    quoted=${quoted//"$special"/"$instead"}
+  done
+}
+
+# Offers those words that begin with what stands before the cursor, written as its quotes ask for, without the part
+# that readline keeps.
+_barycage_cli_offer() {
+  local word quoted
+  for word; do
+    [[ $word == "$typed"* ]] || continue
+    _barycage_cli_quote "${word:${#kept}}" "$quote"
+    # readline takes a quote at the beginning for the opening one again, and one at the end for the closing one.
+    if [[ -n $quote ]]; then
+      [[ -n $quoted && $quoted != "$quote"* ]] || quoted=$quote$quoted
+      [[ $quoted != *"$quote" ]] || quoted+=$quote
+    fi
+    COMPREPLY+=("$quoted")
+  done
+}
+
+# The first word that is neither an option nor the value of one.
+_barycage_cli_file() {
+  local word skip=
+  file=
+  for word; do
+    if [[ -n $skip ]]; then
+      skip=
+      continue
+    fi
+    case $word in
+      --json | --names | --list | --no-dimension | --bake | --strict | --overwrite | --fill | --y-as-written | --y-down | \
+        --list-palettes | --quiet | --help | -q | -h | --*=* | -[oj]?*) ;;
+      --) ;;
+      --* | -[oj]) skip=1 ;;
+      *)
+        file=$word
+        return
+        ;;
+    esac
+  done
+}
+
+_barycage_cli_names() {
+  local file names
+  _barycage_cli_file "${line[@]:2}"
+  [[ $file != '~/'* ]] || file=$HOME/${file:2}
+  [[ -f $file ]] || return 0
+  mapfile -t names < <(command barycage-cli info --names -- "$file" </dev/null 2>/dev/null)
+  _barycage_cli_offer "${names[@]/#/"$1"}"
+}
+
+_barycage_cli_options() {
+  local options=
+  case ${line[1]} in
+    info) options="--entry --frame --json --list --names --hull-tolerance --budget --no-dimension --progress --quiet --help" ;;
+    render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --orbit --perspective --look --light --fog --y-down --palette --list-palettes --colour --color
+      --gamma --brightness --background --algorithm --iterations --part --band --resume --time-limit --memory-limit --supersample --threads --svg --depth --bits --dpi --simd
+      --to --progress --quiet --help" ;;
+    convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --y-as-written
+      --progress --quiet --help" ;;
+    animate) options="--output --entry --frames --chunk --existing --size --points --seed --margin --view --orbit --perspective --look --light --fog --y-down
+      --palette --colour --color --gamma --brightness --background --supersample --threads --bits --dpi --simd
+      --progress --quiet --help" ;;
+    morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
+    merge) options="--output --threads --progress --quiet --help" ;;
+    gallery) options="--output --entry --palette --colour --color --columns --tile --paper --title --progress --quiet --help" ;;
+  esac
+  local IFS=$' \n'
+  _barycage_cli_offer $options
+}
+
+_barycage_cli_value() {
+  case $1 in
+    --entry | --from) _barycage_cli_names "$2" ;;
+    --colour | --color) _barycage_cli_offer "$2"{density,map,address,height,depth,none} ;;
+    --algorithm) _barycage_cli_offer "$2"{density,chaos-game,deterministic} ;;
+    --look) _barycage_cli_offer "$2"{stone,ink,cloud,depth,normals} ;;
+    --svg) _barycage_cli_offer "$2"{structured,outline,points} ;;
+    --bits) _barycage_cli_offer "$2"{8,16} ;;
+    --supersample) _barycage_cli_offer "$2"{1,2,3,4} ;;
+    --simd) _barycage_cli_offer "$2"{scalar,sse4,avx2,avx512,neon} ;;
+    --progress) _barycage_cli_offer "$2"{always,never,auto} ;;
+    --rest-cage) _barycage_cli_offer "$2"{canonical,box,hull,hull:8} ;;
+    --background) _barycage_cli_offer "$2"{transparent,black,white} ;;
+    --to)
+      if [[ ${line[1]} == morph ]]; then
+        _barycage_cli_names "$2"
+      elif [[ ${line[1]} == render ]]; then
+        _barycage_cli_offer "$2"{png,svg,pdf}
+      else
+        _barycage_cli_offer "$2"{fractint,flame,aifs,csv,tsv,ply,pdf,stl,obj,glb,scad}
+      fi
+      ;;
+    --existing) _barycage_cli_offer "$2"{skip,replace,fail} ;;
+    --paper) _barycage_cli_offer "$2"{dark,light} ;;
+    --columns)
+      [[ ${line[1]} == gallery ]] || _barycage_cli_offer "$2"{abcdefp,abecdfp,acbdefp,pabcdef}
+      ;;
+    --in-columns) _barycage_cli_offer "$2"{abcdefp,abecdfp,acbdefp,pabcdef} ;;
+    --resume) compopt -o default ;;
+    -o | --output)
+      [[ $typed != - ]] || _barycage_cli_offer -
+      compopt -o default
+      ;;
+    --palette)
+      local names
+      mapfile -t names < <(command barycage-cli render --list-palettes </dev/null 2>/dev/null)
+      _barycage_cli_offer "${names[@]/#/"$2"}"
+      compopt -o default
+      ;;
+    --lift) _barycage_cli_offer "$2"auto ;;
+    --budget) _barycage_cli_offer "$2"{1,10,none} ;;
+    --size | --points | --seed | --margin | --cage | --view | --orbit | --perspective | --light | --fog | --gamma | --brightness | --iterations | --part | --band | --threads | -j | \
+      --depth | --dpi | --hull-tolerance | --tile | --title | --voxel | --resolution | --wall | --longest | --flatten | --frame | --frames | --chunk | --length | --pin | \
+      --time-limit | --memory-limit) ;;
+    *) return 1 ;;
+  esac
+}
 
 _barycage_cli() {
-  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} subcommand=${COMP_WORDS[1]}
-  local file word values= options=
-  case $previous in
-    --entry)
-      for word in "${COMP_WORDS[@]:2}"; do [ -f "$word" ] && file=$word && break; done
-      [ -n "$file" ] && values=$(sed -n 's/^[[:blank:]]*\([^;[:blank:]({]\{1,\}\)[^;]*{.*/\1/p' "$file" 2>/dev/null) ;;
-    --colour) values="density map address none" ;;
-    --algorithm) values="density chaos-game deterministic" ;;
-    --svg) values="structured outline points" ;;
-    --bits) values="8 16" ;;
-    --supersample) values="1 2 3 4" ;;
-    --simd) values="scalar sse4 avx2 avx3 neon" ;;
-    --progress) values="always never auto" ;;
-    --rest-cage) values="canonical box hull hull:8" ;;
-    --background) values="transparent black white" ;;
-    --to) [ "$subcommand" = render ] && values="png svg pdf" || values="fractint flame aifs csv tsv ply pdf" ;;
-    --paper) values="dark light" ;;
-    --columns|--in-columns) values="abcdefp abecdfp acbdefp pabcdef" ;;
-    -o|--output) COMPREPLY=($(compgen -f -W - -- "$current")); return ;;
-  esac
-  if [ -n "$values" ]; then
-    COMPREPLY=($(compgen -W "$values" -- "$current"))
-    return
-  fi
-  if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W "info render convert gallery --version --help" -- "$current"))
-    return
-  fi
-  case $subcommand in
-    info) options="--entry --json --hull-tolerance --progress --help" ;;
-    render) options="--output --entry --size --points --seed --margin --cage --rest-cage --view --y-down --palette --colour
-      --gamma --brightness --background --algorithm --iterations --supersample --threads --svg --depth --bits --dpi --simd
-      --to --progress --help" ;;
-    convert) options="--entry --bake --strict --to --columns --in-columns --points --seed --y-as-written --progress
-      --help" ;;
-    gallery) options="--output --columns --tile --paper --title --progress --help" ;;
-  esac
-  if [[ $current == -* ]]; then
-    COMPREPLY=($(compgen -W "$options" -- "$current"))
+  local before=${COMP_LINE:0:COMP_POINT} behind words open opened active line typed kept quote
+  COMPREPLY=()
+  _barycage_cli_split "x${COMP_LINE:COMP_POINT}"
+  behind=("${words[@]:1}")
+  _barycage_cli_split "$before"
+  line=("${words[@]}" "${behind[@]}")
+  typed=${words[${#words[@]} - 1]}
+  local current=$((${#words[@]} - 1)) start=$((${#before} - ${#2}))
+  # readline replaces what is behind an open quote or, outside of quotes, behind the last : or =.
+  [[ -z $open ]] || ((opened <= start)) || start=$opened
+  _barycage_cli_split "${before:0:start}"
+  kept=${words[${#words[@]} - 1]} quote=$open
+  [[ -z $active && $typed == "$kept"* ]] || return 0
+
+  if ((current == 1)); then
+    _barycage_cli_offer info render animate morph convert gallery merge help --version --help
+  elif ((current == 2)) && [[ ${line[1]} == help ]]; then
+    _barycage_cli_offer info render animate morph convert gallery merge
+  elif [[ $typed == --*=* ]]; then
+    _barycage_cli_value "${typed%%=*}" "${typed%%=*}="
+  elif _barycage_cli_value "${line[current - 1]}"; then
+    :
+  elif [[ $typed == -* ]]; then
+    _barycage_cli_options
   else
-    COMPREPLY=($(compgen -f -- "$current"))
+    compopt -o default
   fi
 }
-complete -o filenames -F _barycage_cli barycage-cli
+complete -F _barycage_cli barycage-cli

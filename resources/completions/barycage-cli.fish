@@ -1,44 +1,121 @@
 # SPDX-License-Identifier: MIT
 # fish completion for barycage-cli
-set -l subcommands info render convert gallery
-complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a info -d "Say what a file holds"
+
+# Names come out of files that anybody may have written: fish compares and quotes what a function prints, and expands
+# none of it.
+function __barycage_cli_names
+    set -l tokens (commandline -op)
+    set -l skip 0
+    for word in $tokens[3..]
+        if test $skip = 1
+            set skip 0
+            continue
+        end
+        switch $word
+            case --json --names --list --no-dimension --bake --strict --overwrite --fill --y-as-written --y-down --list-palettes --quiet --help -q -h '--*=*' --
+            case -o -j '--*'
+                set skip 1
+            case '-o*' '-j*'
+            case '*'
+                set -l file (string replace -r '^~/' "$HOME/" -- $word)
+                test -f "$file"; or return
+                # Without a quote fish keeps a ~ that means a home, and blanks of other scripts that part words.
+                set -l unsafe '^~|[^\P{Z} ]'
+                string match -qr '^[\'"]' -- (commandline -ct); and set unsafe '^$'
+                command barycage-cli info --names -- "$file" </dev/null 2>/dev/null | string match -vr $unsafe
+                return
+        end
+    end
+end
+
+set -l subcommands info render animate morph convert gallery merge
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a info -d "Show what a file contains"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a render -d "Draw an entry"
-complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a convert -d "Write entries in another form"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a animate -d "Draw the frames of an animation"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a convert -d "Convert entries to another format"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a gallery -d "Draw all entries on one sheet"
-complete -c barycage-cli -n "__fish_seen_subcommand_from info render convert" -l entry -x -d "Name of an entry"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a merge -d "Put the parts of a picture together"
+complete -c barycage-cli -n "__fish_seen_subcommand_from info render animate convert gallery" -l entry -x -a "(__barycage_cli_names)" -d "Name of an entry"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a help -d "Show the options of a command"
 complete -c barycage-cli -l help -d "Help"
+complete -c barycage-cli -n "__fish_seen_subcommand_from $subcommands" -s q -l quiet -d "No progress bar and no warnings"
+complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l list -d "Only what there is"
+complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l budget -x -a "1 10 none" -d "Time for each property"
+complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l no-dimension -d "Without the affinity dimension"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l overwrite -d "Replace what is read"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -l version -d "Version"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l json -d "One JSON object"
+complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l names -d "Only the names"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l hull-tolerance -x -d "Length"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l bake -d "Make what the cage shows the code"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l strict -d "What every reader takes"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l to -x -a "fractint flame aifs csv tsv ply pdf" -d "Format"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l bake -d "Bake the cage into the code"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l strict -d "Write what every program can read"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l to -x -a "fractint flame aifs csv tsv ply pdf stl obj glb scad" -d "Format"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l columns -x -a "abcdefp abecdfp acbdefp pabcdef" -d "Order of the columns to write"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l in-columns -x -a "abcdefp abecdfp acbdefp pabcdef" -d "Order of the columns that are read"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l points -x -d "Write so many points"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l in-columns -x -a "abcdefp abecdfp acbdefp pabcdef" -d "Order of the columns to read"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l points -x -d "Number of points to write"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l seed -x -d "Seed of the random numbers"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l y-as-written -d "Leave the y of flames as it is"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l voxel -x -d "Size of a voxel in mm"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l resolution -x -d "Voxels along the longest side"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l wall -x -d "Smallest thickness in mm"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l fill -d "Fill closed cavities"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l longest -x -d "Longest side in mm"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l lift -x -a auto -d "To space, with this factor of z"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l flatten -x -d "To the plane, along a direction"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l y-as-written -d "Keep the y of flames as written"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l progress -x -a "always never auto" -d "Progress bar"
+complete -c barycage-cli -n "__fish_seen_subcommand_from info render" -l frame -x -d "Moment of an animation"
+set -l animate "__fish_seen_subcommand_from animate"
+complete -c barycage-cli -n $animate -s o -l output -r -d "Pictures to write, such as NAME.####.png"
+complete -c barycage-cli -n $animate -l frames -x -d "Numbers of files"
+complete -c barycage-cli -n $animate -l chunk -x -d "Every n-th frame"
+complete -c barycage-cli -n $animate -l existing -x -a "skip replace fail" -d "What happens to files that exist"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a morph -d "Turn one entry into another"
+set -l morph "__fish_seen_subcommand_from morph"
+complete -c barycage-cli -n $morph -s o -l output -r -d "File to write"
+complete -c barycage-cli -n $morph -l from -x -a "(__barycage_cli_names)" -d "Entry at frame 0"
+complete -c barycage-cli -n $morph -l to -x -a "(__barycage_cli_names)" -d "Entry at the last frame"
+complete -c barycage-cli -n $morph -l progress -x -a "always never auto" -d "Progress bar"
+complete -c barycage-cli -n $morph -l length -x -d "The last frame"
+complete -c barycage-cli -n $morph -l pin -x -d "Maps that belong together"
 set -l render "__fish_seen_subcommand_from render"
 complete -c barycage-cli -n $render -s o -l output -r -a - -d "Picture to write"
-complete -c barycage-cli -n $render -l colour -x -a "density map address none" -d "What colours mean"
-complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deterministic" -d "How it is drawn"
-complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of scalable picture"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l colour -x -a "density map address height depth none" -d "What the colours show"
+complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deterministic" -d "Drawing algorithm"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l look -x -a "stone ink cloud depth normals" -d "Look of a system in space"
+complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of vector graphics"
 complete -c barycage-cli -n $render -l to -x -a "png svg pdf" -d "Format"
-complete -c barycage-cli -n $render -l background -x -a "transparent black white" -d "Background"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l background -x -a "transparent black white" -d "Background"
 complete -c barycage-cli -n $render -l rest-cage -x -a "canonical box hull" -d "Corners at rest"
-complete -c barycage-cli -n $render -l palette -r -d "Palette by name or from a file"
-complete -c barycage-cli -n $render -l bits -x -a "8 16" -d "Bits a channel"
-complete -c barycage-cli -n $render -l supersample -x -a "1 2 3 4" -d "Cells along a pixel"
-complete -c barycage-cli -n $render -l simd -x -a "scalar sse4 avx2 avx3 neon" -d "Instruction set"
-complete -c barycage-cli -n $render -l progress -x -a "always never auto" -d "Progress bar"
-complete -c barycage-cli -n $render -l y-down -d "y grows downwards"
-for option in size points seed margin cage view gamma brightness iterations threads depth dpi
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l palette -r -a "(command barycage-cli render --list-palettes </dev/null 2>/dev/null)" -d "Palette by name or from a file"
+complete -c barycage-cli -n $render -l list-palettes -d "List the palettes"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l color -x -a "density map address none" -d "What the colours show"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -s j -l threads -x -d "Threads"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l bits -x -a "8 16" -d "Bits per channel"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l supersample -x -a "1 2 3 4" -d "Cells along each side of a pixel"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l simd -x -a "scalar sse4 avx2 avx512 neon" -d "Instruction set"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l progress -x -a "always never auto" -d "Progress bar"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l y-down -d "The y axis points down"
+for option in size points seed margin cage view orbit perspective light fog gamma brightness iterations depth dpi
   complete -c barycage-cli -n $render -l $option -x
 end
+for option in size points seed margin view orbit perspective light fog gamma brightness dpi
+  complete -c barycage-cli -n $animate -l $option -x
+end
+complete -c barycage-cli -n $render -l part -x -d "Part I of N, into a .sum file"
+complete -c barycage-cli -n $render -l band -x -d "Band J of M of the rows, into a .sum file"
+complete -c barycage-cli -n $render -l resume -r -d "Add points to the picture in a .sum file"
+complete -c barycage-cli -n $render -l time-limit -x -d "Stop after so many seconds"
+complete -c barycage-cli -n $render -l memory-limit -x -d "Stop rather than take more megabytes"
+set -l merge "__fish_seen_subcommand_from merge"
+complete -c barycage-cli -n $merge -s o -l output -r -d "Picture or sum to write"
+complete -c barycage-cli -n $merge -s j -l threads -x -d "Threads"
+complete -c barycage-cli -n $merge -l progress -x -a "always never auto" -d "Progress bar"
 set -l gallery "__fish_seen_subcommand_from gallery"
 complete -c barycage-cli -n $gallery -s o -l output -r -a - -d "Sheet to write"
+complete -c barycage-cli -n $gallery -l palette -r -a "(command barycage-cli render --list-palettes </dev/null 2>/dev/null)" -d "Palette by name or from a file"
+complete -c barycage-cli -n $gallery -l colour -x -a "density map address none" -d "What the colours show"
+complete -c barycage-cli -n $gallery -l color -x -a "density map address none" -d "What the colours show"
 complete -c barycage-cli -n $gallery -l columns -x -d "Pictures side by side"
 complete -c barycage-cli -n $gallery -l tile -x -d "Width and height of a picture"
 complete -c barycage-cli -n $gallery -l paper -x -a "dark light" -d "Background"

@@ -21,30 +21,93 @@
     </message>
 </context>
 <context>
+    <name>ActionDetails</name>
+    <message>
+        <source>Drag an edge to move both its ends, the inside to move the whole cage. Ctrl rotates, Alt scales, Shift keeps directions. The fractal follows at once, and each drag is one step of the history.</source>
+        <translation>Eine Kante bewegt ihre beiden Enden, das Innere den ganzen Käfig. Strg dreht, Alt skaliert, Umschalt behält Richtungen bei. Das Fraktal folgt sofort, und jeder Zug ist ein Schritt im Verlauf.</translation>
+    </message>
+    <message>
+        <source>Each map is shown as the image of the cage in its colour. A corner changes one map; the inside moves all selected maps. A drag stops where the attractor would be lost.</source>
+        <translation>Jede Abbildung erscheint als Bild des Käfigs in ihrer Farbe. Eine Ecke ändert eine Abbildung, das Innere bewegt alle gewählten. Ein Zug hält an, wo der Attraktor verloren ginge.</translation>
+    </message>
+    <message>
+        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, or only this branch.</source>
+        <translation>Umschalt + Mausrad wählt, wie tief der Zweig liegt. Die Leiste unter der Zeichenfläche sagt, was der Zug ändert: eine neue Abbildung für diesen Zweig, die letzte Abbildung seiner Adresse oder nur diesen Zweig.</translation>
+    </message>
+    <message>
+        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace takes the last corner back, Esc cancels.</source>
+        <translation>Das Bild bleibt, wo es ist: Von nun an wird es am neuen Dreieck gehalten. Die Rücktaste nimmt die letzte Ecke zurück, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>The picture stays where it is. Every point of the fractal then has barycentric coordinates that are not negative.</source>
+        <translation>Das Bild bleibt, wo es ist. Danach hat jeder Punkt des Fraktals baryzentrische Koordinaten, die nicht negativ sind.</translation>
+    </message>
+    <message>
+        <source>The coefficients do not change. To keep the picture as it is and change the coefficients instead, use Bake.</source>
+        <translation>Die Koeffizienten ändern sich nicht. Soll das Bild bleiben und sollen sich stattdessen die Koeffizienten ändern, hilft Einrechnen.</translation>
+    </message>
+    <message>
+        <source>Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
+        <translation>Jede Abbildung w wird zu T w T⁻¹, wobei T das ist, was der Käfig mit dem Bild macht. Danach ist der Käfig in Ruhe. Ein flacher Käfig oder einer, der das Bild biegt, lässt sich nicht einrechnen.</translation>
+    </message>
+    <message>
+        <source>The table of maps keeps its numbers, and Bake writes the placement into them later.</source>
+        <translation>Die Tabelle der Abbildungen behält ihre Zahlen; Einrechnen schreibt die Lage später hinein.</translation>
+    </message>
+    <message>
+        <source>The table of maps shows the new numbers during the drag, and the cage is at rest again afterwards.</source>
+        <translation>Die Tabelle der Abbildungen zeigt die neuen Zahlen schon während des Ziehens, und danach ist der Käfig wieder in Ruhe.</translation>
+    </message>
+    <message>
+        <source>The cage is included where that costs little room. The fractal itself does not change.</source>
+        <translation>Der Käfig gehört dazu, wo das wenig Platz kostet. Das Fraktal selbst ändert sich nicht.</translation>
+    </message>
+    <message>
+        <source>The distance of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
+        <translation>Der Abstand der Linien folgt der Vergrößerung. Ecken rasten daran ein, wenn das unter Ansicht › Einrasten an gewählt ist.</translation>
+    </message>
+    <message>
+        <source>Only the view is turned over: coefficients and coordinates do not change.</source>
+        <translation>Nur die Ansicht wird gespiegelt: Koeffizienten und Koordinaten ändern sich nicht.</translation>
+    </message>
+    <message>
+        <source>Cage, handles, grid, axes and outlines come back when you press the key again.</source>
+        <translation>Käfig, Griffe, Gitter, Achsen und Umrisse kehren zurück, wenn Sie die Taste noch einmal drücken.</translation>
+    </message>
+    <message>
+        <source>A bar appears under the canvas: choose the number of steps, or let the chaos game run point by point at any speed.</source>
+        <translation>Unter der Zeichenfläche erscheint eine Leiste: Wählen Sie die Zahl der Schritte, oder lassen Sie das Chaosspiel Punkt für Punkt in beliebigem Tempo laufen.</translation>
+    </message>
+    <message>
+        <source>As placement, the coefficients stay; as code, they become those of the transformed fractal. The canvas shows the result before you accept it.</source>
+        <translation>Als Lage bleiben die Koeffizienten; als Code werden sie zu denen des transformierten Fraktals. Die Zeichenfläche zeigt das Ergebnis, bevor Sie es annehmen.</translation>
+    </message>
+    <message>
+        <source>Where a table does not say what its columns are, you are asked. In the Maps panel, Paste replaces the selected maps instead.</source>
+        <translation>Sagt eine Tabelle nicht, was ihre Spalten sind, werden Sie gefragt. Im Feld „Abbildungen“ ersetzt Einfügen stattdessen die gewählten Abbildungen.</translation>
+    </message>
+    <message>
+        <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
+        <translation>Eine neue Sprache gilt ab dem nächsten Start, alles andere sofort und in allen Fenstern.</translation>
+    </message>
+</context>
+<context>
     <name>Analysis</name>
     <message>
         <source>Attractor</source>
         <translation>Attraktor</translation>
     </message>
     <message>
-        <source>A system has one attractor if some power of it contracts: then every start leads to the same set.</source>
-        <translation>Ein System hat genau einen Attraktor, wenn eine Potenz davon kontrahiert: Dann führt jeder Anfang zur selben Menge.</translation>
-    </message>
-    <message>
         <source>Contraction</source>
         <translation>Kontraktion</translation>
     </message>
     <message>
-        <source>‖A‖ of each map that takes part: the most by which it stretches distances.</source>
-        <translation>‖A‖ jeder beteiligten Abbildung: das Meiste, um das sie Abstände streckt.</translation>
+        <source>‖A‖ of each active map: the largest factor by which it stretches distances.</source>
+        <translation>‖A‖ jeder aktiven Abbildung: der größte Faktor, um den sie Abstände streckt.</translation>
     </message>
     <message>
         <source>Box</source>
         <translation>Rechteck</translation>
-    </message>
-    <message>
-        <source>The smallest box with sides parallel to the axes that holds the attractor; certified.</source>
-        <translation>Das kleinste achsenparallele Rechteck, das den Attraktor enthält; bewiesen.</translation>
     </message>
     <message>
         <source>Canonical simplex</source>
@@ -63,10 +126,6 @@
         <translation>Mittelwert</translation>
     </message>
     <message>
-        <source>Mean of the invariant measure, solved exactly: the centre of mass of the picture.</source>
-        <translation>Mittelwert des invarianten Maßes, exakt gelöst: der Schwerpunkt des Bildes.</translation>
-    </message>
-    <message>
         <source>Covariance</source>
         <translation>Kovarianz</translation>
     </message>
@@ -75,19 +134,15 @@
         <translation>Fixpunkte</translation>
     </message>
     <message>
-        <source>The point that each map leaves where it is; it lies on the attractor.</source>
+        <source>The point that each map leaves unchanged; it belongs to the attractor.</source>
         <translation>Der Punkt, den jede Abbildung an seinem Ort lässt; er liegt auf dem Attraktor.</translation>
-    </message>
-    <message>
-        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation>Das D mit Σ sᵢᴰ = 1 über die Faktoren sᵢ, wenn alle Abbildungen in gewissen Koordinaten Ähnlichkeiten sind. Es ist die Dimension des Attraktors, wenn die Teile sich nicht überlappen.</translation>
     </message>
     <message>
         <source>Affinity dimension</source>
         <translation>Affinitätsdimension</translation>
     </message>
     <message>
-        <source>Falconer’s dimension: where the sum of the singular value functions of all words of one length neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to it for almost all translations when the maps contract enough.</source>
+        <source>Falconer’s dimension, at most 2: the exponent at which the sum of the singular value functions of all words of one length neither grows nor shrinks as the words get longer. It is an upper bound for the box-counting dimension, and equal to it for almost all translations if the maps contract enough.</source>
         <translation>Falconers Dimension: wo die Summe der Singulärwertfunktionen aller Wörter gleicher Länge weder wächst noch fällt, höchstens 2. Eine obere Schranke der Boxdimension und ihr gleich für fast alle Verschiebungen, wenn die Abbildungen genug kontrahieren.</translation>
     </message>
     <message>
@@ -95,31 +150,15 @@
         <translation>Boxdimension</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the attractor. An estimate: it depends on the sizes counted.</source>
-        <translation>Steigung der Ausgleichsgeraden durch ln N gegen ln 1/ε, wo N Kästchen der Seite ε den Attraktor treffen. Eine Schätzung: Sie hängt von den gezählten Größen ab.</translation>
-    </message>
-    <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. The ellipse is the one on which an even mass has the same mean and covariance.</source>
-        <translation>Kovarianz xx, xy, yy des invarianten Maßes, exakt gelöst: wie weit das Bild streut. Die Ellipse ist die, auf der eine gleichmäßige Masse denselben Mittelwert und dieselbe Kovarianz hat.</translation>
-    </message>
-    <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; certified. The signs are the directions of its legs.</source>
-        <translation>Das kleinste gleichschenklig-rechtwinklige Dreieck mit achsenparallelen Katheten, das den Attraktor enthält; bewiesen. Die Vorzeichen sind die Richtungen der Katheten.</translation>
-    </message>
-    <message>
         <source>Hull area</source>
         <translation>Fläche der Hülle</translation>
-    </message>
-    <message>
-        <source>Area of the convex hull: of the polygon whose vertices were found on the attractor. The hull itself is larger by at most its border times the error bound.</source>
-        <translation>Fläche der konvexen Hülle: des Vielecks, dessen Ecken auf dem Attraktor gefunden wurden. Die Hülle selbst ist höchstens um ihren Rand mal die Fehlerschranke größer.</translation>
     </message>
     <message>
         <source>Hull vertices</source>
         <translation>Ecken der Hülle</translation>
     </message>
     <message>
-        <source>Corners of the convex hull as found, each a point of the attractor. A hull with infinitely many has as many as its tolerance asks for.</source>
+        <source>Vertices of the computed hull; each is a point of the attractor. If the exact hull has infinitely many, as many are computed as the tolerance requires.</source>
         <translation>Ecken der konvexen Hülle, wie gefunden, jede ein Punkt des Attraktors. Eine Hülle mit unendlich vielen hat so viele, wie ihre Toleranz verlangt.</translation>
     </message>
     <message>
@@ -127,7 +166,7 @@
         <translation>Fehlerschranke der Hülle</translation>
     </message>
     <message>
-        <source>The attractor reaches at most this far beyond the polygon; certified.</source>
+        <source>The attractor extends at most this far beyond the polygon; certified.</source>
         <translation>Der Attraktor reicht höchstens so weit über das Vieleck hinaus; bewiesen.</translation>
     </message>
     <message numerus="yes">
@@ -138,113 +177,290 @@
         </translation>
     </message>
     <message>
-        <source>Yes: hyperbolic, every map contracts by %1 or less.</source>
+        <source>Yes: hyperbolic, every map has a contraction factor of %1 or less.</source>
         <translation>Ja: hyperbolisch, jede Abbildung kontrahiert mit Faktor %1 oder weniger.</translation>
-    </message>
-    <message>
-        <source>Yes: eventually contractive, every word of %1 maps contracts (%2 a map).</source>
-        <translation>Ja: schließlich kontrahierend, jedes Wort aus %1 Abbildungen kontrahiert (%2 je Abbildung).</translation>
-    </message>
-    <message>
-        <source>None: the word %1 does not contract (%2 a map).</source>
-        <translation>Keiner: das Wort %1 kontrahiert nicht (%2 je Abbildung).</translation>
     </message>
     <message>
         <source>Undecided: no proof either way was found.</source>
         <translation>Unentschieden: es wurde weder für das eine noch für das andere ein Beweis gefunden.</translation>
     </message>
     <message>
-        <source>None: no map takes part.</source>
-        <translation>Keiner: keine Abbildung nimmt teil.</translation>
+        <source>None: no map is active.</source>
+        <translation>Keiner: Keine Abbildung ist aktiv.</translation>
     </message>
     <message>
-        <source>None: map %1 does not contract (%2 a map).</source>
-        <translation>Keiner: Abbildung %1 kontrahiert nicht (%2 je Abbildung).</translation>
+        <source>unknown: the error would be larger</source>
+        <translation>nicht bekannt: der Fehler wäre größer</translation>
+    </message>
+    <message>
+        <source>A compact set to which every compact starting set leads, step by step. A system has one exactly if its maps contract in some norm.</source>
+        <translation>Eine kompakte Menge, zu der jede kompakte Ausgangsmenge Schritt für Schritt führt. Ein System hat genau dann eine, wenn seine Abbildungen in einer Norm kontrahieren.</translation>
+    </message>
+    <message>
+        <source>(of the attractor: its pieces are disjoint)</source>
+        <translation>(des Attraktors: seine Teile sind disjunkt)</translation>
+    </message>
+    <message>
+        <source>(upper bound: pieces coincide)</source>
+        <translation>(obere Schranke: Teile fallen zusammen)</translation>
+    </message>
+    <message>
+        <source>(if the open set condition holds; else an upper bound)</source>
+        <translation>(wenn die Offene-Mengen-Bedingung gilt; sonst eine obere Schranke)</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Trennung</translation>
+    </message>
+    <message>
+        <source>Whether the pieces that the maps make of the attractor are disjoint (strong separation, proved by disjoint covers), or words of maps coincide, so that the open set condition fails.</source>
+        <translation>Ob die Teile, die die Abbildungen aus dem Attraktor machen, disjunkt sind (starke Trennung, durch disjunkte Überdeckungen bewiesen) oder Wörter von Abbildungen zusammenfallen, sodass die Offene-Mengen-Bedingung verletzt ist.</translation>
+    </message>
+    <message>
+        <source>strong: no two pieces meet</source>
+        <translation>stark: keine zwei Teile berühren sich</translation>
+    </message>
+    <message>
+        <source>none: pieces coincide</source>
+        <translation>keine: Teile fallen zusammen</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Connectedness</source>
+        <translation>Zusammenhang</translation>
+    </message>
+    <message>
+        <source>An attractor is connected exactly if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
+        <translation>Ein Attraktor hängt genau dann zusammen, wenn gemeinsame Punkte seine Teile verbinden (Hata). Gemeinsame Punkte werden unter den Fixpunkten kurzer Wörter gesucht; dass es keine gibt, beweisen disjunkte Überdeckungen.</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>zusammenhängend</translation>
+    </message>
+    <message>
+        <source>connected, as far as rounding tells</source>
+        <translation>zusammenhängend, soweit die Rundung es erkennen lässt</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht zusammenhängend</translation>
+    </message>
+    <message>
+        <source>Overlaps</source>
+        <translation>Überlappungen</translation>
+    </message>
+    <message>
+        <source>Words of maps that are one and the same map, neither of them the beginning of the other: their pieces coincide.</source>
+        <translation>Wörter von Abbildungen, die ein und dieselbe Abbildung sind und von denen keines der Anfang des anderen ist: ihre Teile fallen zusammen.</translation>
+    </message>
+    <message>
+        <source>Joint spectral radius</source>
+        <translation>Gemeinsamer Spektralradius</translation>
+    </message>
+    <message>
+        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm exactly if it is less than 1.</source>
+        <translation>Der größte Faktor je Abbildung, um den lange Wörter strecken. Beide Enden des Intervalls sind bewiesen; ein System kontrahiert genau dann in einer Norm, wenn er kleiner als 1 ist.</translation>
+    </message>
+    <message>
+        <source>Entropy</source>
+        <translation>Entropie</translation>
+    </message>
+    <message>
+        <source>−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats.</source>
+        <translation>−Σ pᵢ ln pᵢ: wie viel ein Schritt des Chaosspiels offenlässt, in Nat.</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Ljapunow-Exponent</translation>
+    </message>
+    <message>
+        <source>Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are similarities in some coordinates.</source>
+        <translation>Σ pᵢ ln sᵢ: wie sich der Logarithmus eines Abstands je Schritt des Chaosspiels ändert, wenn alle Abbildungen in geeigneten Koordinaten Ähnlichkeiten sind.</translation>
+    </message>
+    <message>
+        <source>Dimension of the measure</source>
+        <translation>Dimension des Maßes</translation>
+    </message>
+    <message>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Entropie geteilt durch den negativen Ljapunow-Exponenten, höchstens 2: die Dimension des invarianten Maßes unter der Offene-Mengen-Bedingung, sonst eine obere Schranke dafür.</translation>
+    </message>
+    <message>
+        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Die Zahl D mit Σ sᵢᴰ = 1, wobei sᵢ die Verhältnisse der Abbildungen sind, wenn alle in geeigneten Koordinaten Ähnlichkeiten sind. Sie ist die Dimension des Attraktors unter der Offene-Mengen-Bedingung, sonst eine obere Schranke dafür.</translation>
+    </message>
+    <message>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the uncertainty comes from how parts of that range differ, and is no proof.</source>
+        <translation>Steigung der Ausgleichsgeraden von ln N über ln 1/ε, wobei N die Anzahl der Kästchen der Seite ε ist, die den Attraktor treffen, über die Größen, bei denen sie am gleichmäßigsten ist. Es ist eine Schätzung; die Unsicherheit folgt daraus, wie sich Teile dieses Bereichs unterscheiden, und ist kein Beweis.</translation>
+    </message>
+    <message>
+        <source>Mean of the invariant measure, solved without sampling: the centre of mass of the picture.</source>
+        <translation>Mittelwert des invarianten Maßes, ohne Stichproben berechnet: der Schwerpunkt des Bildes.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. An even mass that fills the ellipse has the same mean and covariance.</source>
+        <translation>Kovarianz xx, xy, yy des invarianten Maßes, ohne Stichproben berechnet: wie weit sich das Bild ausbreitet. Eine gleichmäßige Masse, die die Ellipse füllt, hat denselben Mittelwert und dieselbe Kovarianz.</translation>
+    </message>
+    <message>
+        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Its sides are off by the error at most.</source>
+        <translation>Das kleinste achsenparallele Rechteck, das den Attraktor enthält; zertifiziert. Seine Seiten weichen höchstens um den Fehler ab.</translation>
+    </message>
+    <message>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <translation>Das kleinste gleichschenklig-rechtwinklige Dreieck mit achsenparallelen Katheten, das den Attraktor enthält; zertifiziert. Die Vorzeichen geben die Richtungen seiner Katheten an. Bei einem einzelnen Punkt ist die Kathete 1.</translation>
+    </message>
+    <message>
+        <source>Area of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most its perimeter times the error bound e, and πe² for the corners.</source>
+        <translation>Fläche der berechneten Hülle, deren Ecken Punkte des Attraktors sind. Die exakte konvexe Hülle ist höchstens um ihren Umfang mal die Fehlerschranke e und πe² für die Ecken größer.</translation>
+    </message>
+    <message>
+        <source>Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.</source>
+        <translation>Ja: in einer ellipsoidischen Norm kontrahiert jede Abbildung mit Faktor %1 oder weniger.</translation>
+    </message>
+    <message>
+        <source>Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of %1 or less.</source>
+        <translation>Ja: in einer Norm, deren Einheitskugel ein Polytop ist, kontrahiert jede Abbildung mit Faktor %1 oder weniger.</translation>
+    </message>
+    <message>
+        <source>None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
+        <translation>Keiner: Abbildung %1 kontrahiert in keiner Norm (ρ ≥ 1 ist bewiesen; %2 je Abbildung).</translation>
+    </message>
+    <message>
+        <source>None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
+        <translation>Keiner: das Wort %1 kontrahiert in keiner Norm (ρ ≥ 1 ist bewiesen; %2 je Abbildung).</translation>
+    </message>
+    <message>
+        <source>Yes: any %1 maps in a row contract, by a factor of %2 or less per map.</source>
+        <translation>Ja: Je %1 Abbildungen hintereinander kontrahieren, mit einem Faktor von höchstens %2 je Abbildung.</translation>
+    </message>
+    <message>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Entropie geteilt durch das Negative des Ljapunow-Exponenten, höchstens 3: die Dimension des invarianten Maßes unter der Offene-Mengen-Bedingung, sonst eine obere Schranke dafür.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, xz, yy, yz, zz of the invariant measure, solved without sampling: how far the picture spreads.</source>
+        <translation>Kovarianz xx, xy, xz, yy, yz, zz des invarianten Maßes, ohne Stichproben berechnet: wie weit sich das Bild ausbreitet.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <comment>in space</comment>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>The smallest box with edges parallel to the axes that contains the attractor, to the error bound.</source>
+        <translation>Der kleinste achsenparallele Quader, der den Attraktor enthält, bis auf die Fehlerschranke.</translation>
+    </message>
+    <message>
+        <source>Box error bound</source>
+        <translation>Fehlerschranke des Quaders</translation>
+    </message>
+    <message>
+        <source>The attractor extends at most this far beyond the box; certified.</source>
+        <translation>Der Attraktor reicht höchstens so weit über den Quader hinaus; bewiesen.</translation>
+    </message>
+    <message>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <translation>Das kleinste Tetraeder mit drei gleich langen, achsenparallelen Schenkeln, das den Attraktor enthält; zertifiziert. Die Vorzeichen geben die Richtungen der Schenkel an. Bei einem einzelnen Punkt ist der Schenkel 1.</translation>
+    </message>
+    <message>
+        <source>Hull volume</source>
+        <translation>Volumen der Hülle</translation>
+    </message>
+    <message>
+        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by the error at most.</source>
+        <translation>Volumen der berechneten Hülle, deren Ecken Punkte des Attraktors sind. Die exakte konvexe Hülle ist höchstens um den Fehler größer.</translation>
+    </message>
+    <message>
+        <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
+        <translation>Der Attraktor reicht höchstens so weit über das Polyeder hinaus; bewiesen.</translation>
     </message>
 </context>
 <context>
     <name>Application</name>
     <message>
-        <source>Take a fractal by its corners: an editor for iterated function systems.</source>
+        <source>Grab a fractal by its corners: an editor for iterated function systems.</source>
         <translation>Fass ein Fraktal an seinen Ecken: ein Editor für iterierte Funktionensysteme.</translation>
     </message>
     <message>
-        <source>.ifs files to open, a window each</source>
-        <translation>.ifs-Dateien, die geöffnet werden, jede in einem Fenster</translation>
+        <source>.ifs files to open, each in its own window</source>
+        <translation>.ifs-Dateien, die geöffnet werden, jede in einem eigenen Fenster</translation>
     </message>
     <message>
-        <source>a window with the maple, whatever was open before</source>
-        <translation>ein Fenster mit dem Ahorn, was auch immer zuvor offen war</translation>
+        <source>start with the maple instead of the last session</source>
+        <translation>mit dem Ahorn statt mit der letzten Sitzung beginnen</translation>
     </message>
     <message>
-        <source>a window that shows the collection</source>
-        <translation>ein Fenster, das die Sammlung zeigt</translation>
+        <source>open a window with the collection</source>
+        <translation>ein Fenster mit der Sammlung öffnen</translation>
     </message>
     <message>
-        <source>a window with fractals made by chance to pick from</source>
-        <translation>ein Fenster mit zufälligen Fraktalen zur Auswahl</translation>
+        <source>open a window with random fractals to choose from</source>
+        <translation>ein Fenster mit zufälligen Fraktalen zur Auswahl öffnen</translation>
     </message>
 </context>
 <context>
     <name>CageEdits</name>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Dieser Eintrag hat keine Abbildungen der Ebene.</translation>
     </message>
     <message>
-        <source>The cage is at rest: the code is what is displayed.</source>
+        <source>The cage is at rest: the picture shows the code.</source>
         <translation>Der Käfig ist in Ruhe: Gezeigt wird der Code selbst.</translation>
     </message>
     <message>
-        <source>The cage bends the picture, and no affine code has a bent picture. Choose “Affine fit” to bake what comes nearest to it.</source>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
         <translation>Der Käfig biegt das Bild, und kein affiner Code hat ein gebogenes Bild. Mit „Affin angepasst“ lässt sich einrechnen, was ihm am nächsten kommt.</translation>
     </message>
     <message>
-        <source>The cage is flat: no code has this picture. Open the cage first.</source>
-        <translation>Der Käfig ist flach: Kein Code hat dieses Bild. Zuerst den Käfig öffnen.</translation>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>Der Käfig ist flach, seine Lage lässt sich nicht in den Code einrechnen. Öffnen Sie zuerst den Käfig.</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture. The code stays as it is until you bake.</source>
+        <source>Moving the cage moves the picture. Bake to change the code.</source>
         <translation>Den Käfig zu bewegen bewegt das Bild. Der Code bleibt, wie er ist, bis Sie einrechnen.</translation>
     </message>
     <message>
-        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can follow, and leaves it.</source>
+        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
         <translation>Den ganzen Käfig zu bewegen schreibt den Code um. Einzelne Ecken zu bewegen biegt das Bild; dem kann kein Code folgen, und er bleibt.</translation>
     </message>
     <message>
-        <source>Moving the cage rewrites every coefficient of the code, and the cage rests where it is.</source>
+        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
         <translation>Den Käfig zu bewegen schreibt jeden Koeffizienten des Codes um, und der Käfig ruht, wo er ist.</translation>
     </message>
     <message>
-        <source>The cage already places the code.</source>
-        <translation>Der Käfig platziert den Code bereits.</translation>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>Der Käfig ist nicht in Ruhe: Er hält bereits eine Lage.</translation>
     </message>
     <message>
-        <source>Only a triangle can be taken out of the code.</source>
+        <source>Only a cage with three vertices can be unbaked.</source>
         <translation>Nur ein Dreieck kann aus dem Code herausgerechnet werden.</translation>
     </message>
     <message>
-        <source>The cage has a notch: the picture may fold over itself there.</source>
+        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
         <translation>Der Käfig hat eine Kerbe: Dort kann sich das Bild überfalten.</translation>
     </message>
     <message>
-        <source>The cage is folded: parts of the picture lie over one another. Move the vertices apart to unfold it.</source>
+        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
         <translation>Der Käfig ist gefaltet: Teile des Bildes liegen übereinander. Bewegen Sie die Ecken auseinander, um ihn zu entfalten.</translation>
     </message>
     <message>
-        <source>No map takes part, so there is nothing to enclose.</source>
-        <translation>Keine Abbildung nimmt teil; es gibt nichts einzuschließen.</translation>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>Keine Abbildung ist aktiv; es gibt nichts einzuschließen.</translation>
     </message>
     <message>
-        <source>A bent picture cannot be held by another cage. Reset the cage, or choose “Affine fit”, first.</source>
+        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
         <translation>Ein gebogenes Bild kann kein anderer Käfig halten. Setzen Sie zuerst den Käfig zurück oder wählen Sie „Affin angepasst“.</translation>
     </message>
     <message>
-        <source>The cage is flat. Open the triangle, or reset it, first.</source>
+        <source>The cage is flat. First open or reset the triangle.</source>
         <translation>Der Käfig ist flach. Öffnen Sie zuerst das Dreieck oder setzen Sie es zurück.</translation>
     </message>
     <message>
-        <source>This system has no attractor that could be enclosed.</source>
+        <source>This system has no attractor that can be enclosed.</source>
         <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden könnte.</translation>
     </message>
     <message>
@@ -267,23 +483,23 @@
         <translation>Farne</translation>
     </message>
     <message>
-        <source>Fronds: a long slow map climbs the rachis, two short ones hang the pinnae, a flat one draws the stem.</source>
-        <translation>Wedel: Eine lange, langsame Abbildung steigt die Spindel hinauf, zwei kurze hängen die Fiedern an, eine flache zeichnet den Stiel.</translation>
+        <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
+        <translation>Wedel: Eine große Abbildung steigt die Spindel hinauf, zwei kleine setzen die Fiedern an, eine flache zeichnet den Stiel.</translation>
     </message>
     <message>
         <source>Trees</source>
         <translation>Bäume</translation>
     </message>
     <message>
-        <source>Trunks that fork: the whole tree stands on its own branches.</source>
-        <translation>Stämme, die sich gabeln: Der ganze Baum steht auf seinen eigenen Ästen.</translation>
+        <source>Forking trunks: the branches of the tree are copies of the whole tree.</source>
+        <translation>Stämme, die sich gabeln: Die Äste des Baums sind Kopien des ganzen Baums.</translation>
     </message>
     <message>
         <source>Dragons</source>
         <translation>Drachen</translation>
     </message>
     <message>
-        <source>Folded paper curves and the fractals of two or three twisted similarities.</source>
+        <source>Paper-folding curves, and fractals of two or three rotating similarities.</source>
         <translation>Kurven aus gefaltetem Papier und die Fraktale von zwei oder drei gedrehten Ähnlichkeiten.</translation>
     </message>
     <message>
@@ -291,7 +507,7 @@
         <translation>Sierpiński-Familie</translation>
     </message>
     <message>
-        <source>Gaskets and carpets: a polygon holds shrunken copies of itself and keeps its holes.</source>
+        <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
         <translation>Siebe und Teppiche: Ein Vieleck enthält verkleinerte Kopien von sich und behält seine Löcher.</translation>
     </message>
     <message>
@@ -299,7 +515,7 @@
         <translation>Koch-Familie</translation>
     </message>
     <message>
-        <source>Curves built by replacing a segment, and the islands they bound.</source>
+        <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
         <translation>Kurven, die durch Ersetzen einer Strecke entstehen, und die Inseln, die sie umranden.</translation>
     </message>
     <message>
@@ -307,7 +523,7 @@
         <translation>Spiralen</translation>
     </message>
     <message>
-        <source>One map that turns and shrinks a little, and small ones that bead its path.</source>
+        <source>One map that turns and shrinks a little, and small maps that set beads along its path.</source>
         <translation>Eine Abbildung, die dreht und ein wenig schrumpft, und kleine, die ihren Weg besetzen.</translation>
     </message>
     <message>
@@ -315,7 +531,7 @@
         <translation>Blätter und Blüten</translation>
     </message>
     <message>
-        <source>Leaf outlines, and flowers whose petals are turned copies of one another.</source>
+        <source>Leaf outlines, and flowers whose petals are rotated copies of one another.</source>
         <translation>Umrisse von Blättern, und Blüten, deren Blätter gedrehte Kopien voneinander sind.</translation>
     </message>
     <message>
@@ -323,7 +539,7 @@
         <translation>Kacheln und Reptiles</translation>
     </message>
     <message>
-        <source>Sets that tile the plane: copies of themselves, rep-tiles, and the central tiles of number systems.</source>
+        <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
         <translation>Mengen, die die Ebene pflastern: Kopien ihrer selbst, Rep-Tiles und die mittleren Kacheln von Zahlsystemen.</translation>
     </message>
     <message>
@@ -331,7 +547,7 @@
         <translation>Cantormengen und Staub</translation>
     </message>
     <message>
-        <source>Sets full of gaps at every scale: points everywhere near, hardly any of them joined.</source>
+        <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
         <translation>Mengen voller Lücken in jeder Größe: überall Punkte in der Nähe, kaum welche verbunden.</translation>
     </message>
     <message>
@@ -339,7 +555,7 @@
         <translation>Kristalle und Schneeflocken</translation>
     </message>
     <message>
-        <source>Sets with the symmetry of frost: five, six and more arms.</source>
+        <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
         <translation>Mengen mit der Symmetrie des Frosts: fünf, sechs und mehr Arme.</translation>
     </message>
     <message>
@@ -347,7 +563,7 @@
         <translation>Kurven und Graphen</translation>
     </message>
     <message>
-        <source>Graphs of strange functions, smooth curves as attractors, space-filling coordinates.</source>
+        <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
         <translation>Graphen seltsamer Funktionen, glatte Kurven als Attraktoren, raumfüllende Koordinaten.</translation>
     </message>
     <message>
@@ -355,19 +571,90 @@
         <translation>Abstrakt</translation>
     </message>
     <message>
-        <source>Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes.</source>
+        <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
         <translation>Affine Muster ohne Namen in der Natur: Verwandte des Siebs, Geflechte, Rosetten.</translation>
+    </message>
+    <message>
+        <source>Polyhedra in space</source>
+        <translation>Polyeder im Raum</translation>
+    </message>
+    <message>
+        <source>A polyhedron made of smaller copies of itself, one at each corner.</source>
+        <translation>Ein Polyeder aus kleineren Kopien seiner selbst, eine an jeder Ecke.</translation>
+    </message>
+    <message>
+        <source>Sponges and cubes in space</source>
+        <translation>Schwämme und Würfel im Raum</translation>
+    </message>
+    <message>
+        <source>Cubes divided into smaller cubes, some of which are left out or turned.</source>
+        <translation>In kleinere Würfel zerlegte Würfel, von denen einige weggelassen oder gedreht sind.</translation>
+    </message>
+    <message>
+        <source>Plants in space</source>
+        <translation>Pflanzen im Raum</translation>
+    </message>
+    <message>
+        <source>Fronds and trees whose branches stand all around the stem.</source>
+        <translation>Wedel und Bäume, deren Äste rings um den Stamm stehen.</translation>
+    </message>
+    <message>
+        <source>Shells and corals in space</source>
+        <translation>Schnecken und Korallen im Raum</translation>
+    </message>
+    <message>
+        <source>Helical shells, cones arranged by the golden angle, and corals with thick branches.</source>
+        <translation>Schraubenförmige Gehäuse, im Goldenen Winkel angeordnete Kegel und Korallen mit dicken Ästen.</translation>
+    </message>
+    <message>
+        <source>Dragons in space</source>
+        <translation>Drachen im Raum</translation>
+    </message>
+    <message>
+        <source>Folded surfaces, and polyhedra whose copies are turned.</source>
+        <translation>Gefaltete Flächen und Polyeder, deren Kopien gedreht sind.</translation>
+    </message>
+</context>
+<context>
+    <name>DimensionEdits</name>
+    <message>
+        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
+        <translation>„%1“ ist kein System in der Ebene und kann deshalb nicht in den Raum gehoben werden.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake or reset it first.</source>
+        <translation>Der Käfig von „%1“ hat mehr als drei Ecken, aus denen kein Tetraeder wird. Rechnen Sie ihn zuerst ein oder setzen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it cannot be flattened.</source>
+        <translation>„%1“ ist kein System im Raum und kann deshalb nicht abgeflacht werden.</translation>
+    </message>
+    <message>
+        <source>The direction must have a length other than 0.</source>
+        <translation>Die Richtung darf nicht die Länge 0 haben.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
+        <translation>„%1“ hat verschobene Zweige, die nicht abgeflacht werden können. Setzen Sie sie zuerst zurück.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
+        <translation>Der Käfig von „%1“ kann nicht in die Abbildungen eingerechnet werden; deshalb ist kein Abflachen möglich.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
+        <translation>Abbildung %1 von „%2“ ändert die Richtung; der Schatten ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
     </message>
 </context>
 <context>
     <name>ExportJob</name>
     <message>
-        <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
+        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
         <translation>Für dieses Bild reicht der Speicher nicht. Machen Sie es kleiner oder verringern Sie die Überabtastung.</translation>
     </message>
 </context>
 <context>
-    <name>FlameCard</name>
+    <name>FlameBanner</name>
     <message>
         <source>Flames</source>
         <translation>Flames</translation>
@@ -380,15 +667,15 @@
         </translation>
     </message>
     <message>
-        <source>In flames y grows downwards. They were turned over, so that they look here as they do in flame programs.</source>
+        <source>In flame files, y points down. The flames were flipped so that they look the same here as in flame programs.</source>
         <translation>In Flames wächst y nach unten. Sie wurden umgedreht, damit sie hier aussehen wie in Flame-Programmen.</translation>
     </message>
     <message>
-        <source>Leave &amp;y as it is written</source>
+        <source>Keep &amp;y As Written</source>
         <translation>&amp;y lassen, wie es geschrieben ist</translation>
     </message>
     <message>
-        <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
+        <source>Uses the numbers as they are in the file. The picture is then upside down.</source>
         <translation>Nimmt die Zahlen der Flames, wie sie im Text stehen. Das Bild steht dann auf dem Kopf.</translation>
     </message>
     <message>
@@ -396,18 +683,18 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Leave y as it is written</source>
+        <source>Keep y as written</source>
         <translation>y lassen, wie es geschrieben ist</translation>
     </message>
     <message>
-        <source>Turn the flames over</source>
+        <source>Flip the flames</source>
         <translation>Flames umdrehen</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures that carry their fractal (*.png *.svg);;All files (*)</source>
+        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)</source>
         <translation>Fractint-Sammlungen (*.ifs *.par);;Flames (*.flame *.flam3);;Zahlentabellen (*.csv *.tsv *.txt);;Bilder, die ihr Fraktal enthalten (*.png *.svg);;Alle Dateien (*)</translation>
     </message>
     <message>
@@ -415,7 +702,7 @@
         <translation>%1 hinzufügen</translation>
     </message>
     <message>
-        <source>Show or hide the panel “%1”</source>
+        <source>Show or hide the “%1” panel</source>
         <translation>Das Feld „%1“ zeigen oder verbergen</translation>
     </message>
     <message>
@@ -451,8 +738,8 @@
         <translation>Probleme</translation>
     </message>
     <message>
-        <source>Take the maple by a corner and pull. Or press D and define another triangle by three clicks.</source>
-        <translation>Fassen Sie den Ahorn an einer Ecke und ziehen Sie. Oder drücken Sie D und legen Sie mit drei Klicks ein anderes Dreieck fest.</translation>
+        <source>Drag a corner of the triangle. Or press D and click three points to define another triangle.</source>
+        <translation>Ziehen Sie an einer Ecke des Dreiecks. Oder drücken Sie D und klicken Sie auf drei Punkte, um ein anderes Dreieck festzulegen.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
@@ -470,14 +757,14 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n of them could not be read and are kept as they are</source>
+        <source>, %n of them could not be read and are kept unchanged</source>
         <translation>
             <numerusform>, %n davon konnte nicht gelesen werden und bleibt, wie er ist</numerusform>
             <numerusform>, %n davon konnten nicht gelesen werden und bleiben, wie sie sind</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n read with a remark</source>
+        <source>, %n read with warnings</source>
         <translation>
             <numerusform>, %n mit einer Bemerkung gelesen</numerusform>
             <numerusform>, %n mit einer Bemerkung gelesen</numerusform>
@@ -492,8 +779,8 @@
         <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>“%1” has changes that are not saved.</source>
-        <translation>„%1“ hat Änderungen, die nicht gespeichert sind.</translation>
+        <source>“%1” has unsaved changes.</source>
+        <translation>„%1“ hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Do you want to save them?</source>
@@ -504,12 +791,12 @@
         <translation>Auf der Platte geändert</translation>
     </message>
     <message>
-        <source>“%1” was changed by another program since it was opened here.</source>
-        <translation>„%1“ wurde von einem anderen Programm geändert, seit es hier geöffnet wurde.</translation>
+        <source>Another program has changed “%1” since you opened it.</source>
+        <translation>Ein anderes Programm hat „%1“ geändert, seit Sie es geöffnet haben.</translation>
     </message>
     <message>
-        <source>Saving replaces what the other program wrote.</source>
-        <translation>Speichern ersetzt, was das andere Programm geschrieben hat.</translation>
+        <source>Saving overwrites the changes made by the other program.</source>
+        <translation>Speichern überschreibt die Änderungen des anderen Programms.</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -540,11 +827,11 @@
         <translation>Zurückkehren</translation>
     </message>
     <message>
-        <source>Go back to “%1” as it is on disk? The changes made since then are lost.</source>
+        <source>Revert to “%1” as it is on disk? Your changes since then will be lost.</source>
         <translation>Zu „%1“ zurückkehren, wie es auf der Platte ist? Die Änderungen seither gehen verloren.</translation>
     </message>
     <message>
-        <source>%1 could not be read again</source>
+        <source>%1 could not be reloaded</source>
         <translation>%1 konnte nicht noch einmal gelesen werden</translation>
     </message>
     <message>
@@ -559,11 +846,6 @@
         <source>%1[*] — %2</source>
         <comment>file, entry</comment>
         <translation>%1[*] — %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>what it does, shortcut</comment>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -606,7 +888,7 @@
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Save the file; entries not edited keep every byte</source>
+        <source>Save the file; entries that you did not edit stay unchanged to the byte</source>
         <translation>Die Datei speichern; unbearbeitete Einträge behalten jedes Byte</translation>
     </message>
     <message>
@@ -626,7 +908,7 @@
         <translation>Zu&amp;rückkehren</translation>
     </message>
     <message>
-        <source>Go back to the file as it is on disk</source>
+        <source>Discard your changes and reload the file from disk</source>
         <translation>Zur Datei zurückkehren, wie sie auf der Platte ist</translation>
     </message>
     <message>
@@ -666,8 +948,8 @@
         <translation>Das Bild in die Zwischenablage kopieren</translation>
     </message>
     <message>
-        <source>The picture is on the clipboard.</source>
-        <translation>Das Bild ist in der Zwischenablage.</translation>
+        <source>The picture was copied to the clipboard.</source>
+        <translation>Das Bild wurde in die Zwischenablage kopiert.</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
@@ -706,8 +988,8 @@
         <translation>Ctrl+Z</translation>
     </message>
     <message>
-        <source>Take the last edit back</source>
-        <translation>Die letzte Bearbeitung zurücknehmen</translation>
+        <source>Undo the last edit</source>
+        <translation>Die letzte Bearbeitung rückgängig machen</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -722,8 +1004,8 @@
         <translation>Ctrl+Y</translation>
     </message>
     <message>
-        <source>Make the edit again that was taken back</source>
-        <translation>Die zurückgenommene Bearbeitung noch einmal machen</translation>
+        <source>Redo the last edit that was undone</source>
+        <translation>Die zuletzt rückgängig gemachte Bearbeitung wiederholen</translation>
     </message>
     <message>
         <source>&amp;Transform…</source>
@@ -734,7 +1016,7 @@
         <translation>Ctrl+T</translation>
     </message>
     <message>
-        <source>Rotate, scale, shear, reflect or move the whole fractal by numbers</source>
+        <source>Rotate, scale, shear, reflect or move the whole fractal by exact amounts</source>
         <translation>Das ganze Fraktal nach Zahlen drehen, skalieren, scheren, spiegeln oder verschieben</translation>
     </message>
     <message>
@@ -754,7 +1036,7 @@
         <translation>Ctrl+Shift+M</translation>
     </message>
     <message>
-        <source>Pick one of many fractals made by chance, and add it to the file</source>
+        <source>Choose from a sheet of random fractals and add one to the file</source>
         <translation>Eines von vielen zufällig entstandenen Fraktalen wählen und der Datei hinzufügen</translation>
     </message>
     <message>
@@ -766,8 +1048,8 @@
         <translation>Ctrl+,</translation>
     </message>
     <message>
-        <source>Language, theme, quality of the picture at rest, what is opened at the start</source>
-        <translation>Sprache, Farben, Güte des ruhenden Bildes, und was beim Start geöffnet wird</translation>
+        <source>Language, theme, picture quality, and what opens at startup</source>
+        <translation>Sprache, Farben, Bildqualität und was beim Start geöffnet wird</translation>
     </message>
     <message>
         <source>&amp;Cage</source>
@@ -782,8 +1064,8 @@
         <translation>C</translation>
     </message>
     <message>
-        <source>Take the fractal by the vertices of its control triangle</source>
-        <translation>Das Fraktal an den Ecken seines Kontrolldreiecks fassen</translation>
+        <source>Drag the corners of the control triangle</source>
+        <translation>Die Ecken des Kontrolldreiecks ziehen</translation>
     </message>
     <message>
         <source>De&amp;fine Triangle</source>
@@ -802,15 +1084,15 @@
         <translation>&amp;Minimales kanonisches Simplex anpassen</translation>
     </message>
     <message>
-        <source>Hold the attractor in the smallest isosceles right triangle around it</source>
-        <translation>Den Attraktor im kleinsten gleichschenklig-rechtwinkligen Dreieck um ihn halten</translation>
+        <source>Fit the smallest isosceles right triangle with legs parallel to the axes around the attractor</source>
+        <translation>Das kleinste gleichschenklig-rechtwinklige Dreieck mit achsenparallelen Katheten um den Attraktor legen</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
         <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
-        <source>Put the cage back to rest: the code is drawn as it is</source>
+        <source>Return the cage to rest: the picture shows the code as it is</source>
         <translation>Den Käfig in Ruhe versetzen: Gezeigt wird der Code, wie er ist</translation>
     </message>
     <message>
@@ -822,7 +1104,7 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>Make the placement part of the code: the picture stays, the coefficients change</source>
+        <source>Write the placement into the code: the picture stays, the coefficients change</source>
         <translation>Die Lage in den Code einrechnen: Das Bild bleibt, die Koeffizienten ändern sich</translation>
     </message>
     <message>
@@ -830,7 +1112,7 @@
         <translation>&amp;Herausrechnen</translation>
     </message>
     <message>
-        <source>Take the placement out of the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
+        <source>Extract the placement from the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
         <translation>Die Lage aus dem Code herausrechnen: Das Bild bleibt, der Code wird der des Dreiecks (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
@@ -838,7 +1120,7 @@
         <translation>Re&amp;gelmäßig machen</translation>
     </message>
     <message>
-        <source>Put the vertices on the regular polygon nearest to them</source>
+        <source>Move the vertices to the nearest regular polygon</source>
         <translation>Die Ecken auf das nächste regelmäßige Vieleck setzen</translation>
     </message>
     <message>
@@ -846,7 +1128,7 @@
         <translation>Affin &amp;invariante Form…</translation>
     </message>
     <message>
-        <source>Show every map as a row-stochastic matrix over the control triangle</source>
+        <source>Show every map as a matrix over the control triangle, with rows that sum to 1</source>
         <translation>Jede Abbildung als zeilenstochastische Matrix über dem Kontrolldreieck zeigen</translation>
     </message>
     <message>
@@ -854,7 +1136,7 @@
         <translation>&amp;Platzieren</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture; the code stays</source>
+        <source>Moving the cage moves the picture; the code does not change</source>
         <translation>Den Käfig zu bewegen bewegt das Bild; der Code bleibt</translation>
     </message>
     <message>
@@ -942,15 +1224,15 @@
         <translation>Y</translation>
     </message>
     <message>
-        <source>Let y grow downwards, as in window coordinates</source>
-        <translation>y nach unten wachsen lassen, wie in Fensterkoordinaten</translation>
+        <source>Point the y axis down, as in window coordinates</source>
+        <translation>Die y-Achse nach unten richten, wie in Fensterkoordinaten</translation>
     </message>
     <message>
         <source>H</source>
         <translation>H</translation>
     </message>
     <message>
-        <source>Hide everything on the canvas but the picture</source>
+        <source>Hide everything on the canvas except the picture</source>
         <translation>Alles außer dem Bild verbergen</translation>
     </message>
     <message>
@@ -962,7 +1244,7 @@
         <translation>&amp;Ecken</translation>
     </message>
     <message>
-        <source>Let dragged vertices snap to this</source>
+        <source>Make dragged vertices snap to this</source>
         <translation>Gezogene Ecken hieran einrasten lassen</translation>
     </message>
     <message>
@@ -978,15 +1260,15 @@
         <translation>F11</translation>
     </message>
     <message>
-        <source>Use the whole screen</source>
+        <source>Fill the whole screen</source>
         <translation>Den ganzen Bildschirm nutzen</translation>
     </message>
     <message>
-        <source>How It Arises</source>
+        <source>How It Is Built</source>
         <translation>Wie er entsteht</translation>
     </message>
     <message>
-        <source>&amp;How It Arises</source>
+        <source>&amp;How It Is Built</source>
         <translation>&amp;Wie er entsteht</translation>
     </message>
     <message>
@@ -994,7 +1276,7 @@
         <translation>W</translation>
     </message>
     <message>
-        <source>Watch the attractor arise: by steps of the deterministic algorithm, or by the chaos game</source>
+        <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
         <translation>Zusehen, wie der Attraktor entsteht: in Schritten des deterministischen Algorithmus oder durch das Chaos-Spiel</translation>
     </message>
     <message>
@@ -1046,7 +1328,7 @@
         <translation>Über Barycage</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Take a fractal by its corners: an editor for iterated function systems whose attractors are held in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Grab a fractal by its corners: an editor for iterated function systems that describes their attractors in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Fass ein Fraktal an seinen Ecken: ein Editor für iterierte Funktionensysteme, deren Attraktoren in baryzentrischen Koordinaten eines Kontrolldreiecks gehalten werden.&lt;/p&gt;&lt;p&gt;Nach E. Hadzieva und M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT-Lizenz.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -1062,19 +1344,19 @@
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>The fractals of the open file. The one chosen here is in the picture.</source>
+        <source>The fractals in the open file. The canvas shows the one you select here.</source>
         <translation>Die Fraktale der offenen Datei. Das hier gewählte ist im Bild.</translation>
     </message>
     <message>
-        <source>Fractals to begin with, by theme, and your own folders of them.</source>
+        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
         <translation>Fraktale zum Anfangen, nach Themen, und Ihre eigenen Ordner davon.</translation>
     </message>
     <message>
-        <source>The maps of the fractal: its code, one map in a row.</source>
+        <source>The maps of the fractal: its code, one map per row.</source>
         <translation>Die Abbildungen des Fraktals: sein Code, eine Abbildung je Zeile.</translation>
     </message>
     <message>
-        <source>The control cage by numbers: where its vertices are, where they are at rest, what moving them does, and other cages to choose from.</source>
+        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
         <translation>Der Kontrollkäfig in Zahlen: wo seine Ecken sind, wo sie in Ruhe sind, was ihre Bewegung bewirkt, und andere Käfige zur Wahl.</translation>
     </message>
     <message>
@@ -1082,16 +1364,16 @@
         <translation>Farben, Helligkeit und Hintergrund des Bildes. Sie werden mit dem Fraktal gespeichert.</translation>
     </message>
     <message>
-        <source>What mathematics knows of this fractal. Point at a name to read what it means.</source>
-        <translation>Was die Mathematik von diesem Fraktal weiß. Zeigen Sie auf einen Namen, um zu lesen, was er bedeutet.</translation>
+        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
+        <translation>Mathematische Kennwerte dieses Fraktals. Zeigen Sie auf einen Namen, um zu lesen, was er bedeutet.</translation>
     </message>
     <message>
-        <source>Every step since the file was opened. Choose one to go back to it, or forward.</source>
+        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
         <translation>Jeder Schritt, seit die Datei geöffnet wurde. Wählen Sie einen, um zu ihm zurück- oder vorzugehen.</translation>
     </message>
     <message>
-        <source>What was odd in the file, with line and column. It is kept as it is.</source>
-        <translation>Was an der Datei auffiel, mit Zeile und Spalte. Es bleibt, wie es ist.</translation>
+        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
+        <translation>In der Datei gefundene Probleme, mit Zeile und Spalte. Der Text der Datei bleibt unverändert.</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
@@ -1106,20 +1388,20 @@
         <translation>&amp;Was ist das?</translation>
     </message>
     <message>
-        <source>Click anything to read what it is for</source>
+        <source>Click anything to see what it does</source>
         <translation>Klicken Sie irgendwohin, um zu lesen, wozu es dient</translation>
     </message>
     <message>
-        <source>No recovery</source>
-        <translation>Keine Wiederherstellung</translation>
+        <source>Recovery Unavailable</source>
+        <translation>Wiederherstellung nicht möglich</translation>
     </message>
     <message>
         <source>Allow Systems &amp;without an Attractor</source>
         <translation>Systeme &amp;ohne Attraktor erlauben</translation>
     </message>
     <message>
-        <source>Let maps be dragged to where they no longer contract; otherwise the drag stops there</source>
-        <translation>Abbildungen dorthin ziehen lassen, wo sie nicht mehr kontrahieren; sonst hält das Ziehen dort an</translation>
+        <source>Let a drag of maps continue where an attractor is no longer guaranteed</source>
+        <translation>Abbildungen auch dorthin ziehen lassen, wo ein Attraktor nicht mehr gesichert ist</translation>
     </message>
     <message>
         <source>Drag t&amp;he Maps</source>
@@ -1130,8 +1412,8 @@
         <translation>M</translation>
     </message>
     <message>
-        <source>Show the maps as images of the cage and take them by their corners</source>
-        <translation>Die Abbildungen als Bilder des Käfigs zeigen und an ihren Ecken fassen</translation>
+        <source>Show each map as its image of the cage, and drag it by its corners</source>
+        <translation>Jede Abbildung als ihr Bild des Käfigs zeigen und an ihren Ecken ziehen</translation>
     </message>
     <message>
         <source>Drag a Bra&amp;nch</source>
@@ -1142,31 +1424,27 @@
         <translation>B</translation>
     </message>
     <message>
-        <source>Click a point of the attractor and take the branch that it belongs to</source>
-        <translation>Auf einen Punkt des Attraktors klicken und den Ast fassen, zu dem er gehört</translation>
-    </message>
-    <message>
-        <source>Maps and Branches</source>
-        <translation>Abbildungen und Äste</translation>
+        <source>Click a point of the attractor and drag the branch that contains it</source>
+        <translation>Auf einen Punkt des Attraktors klicken und den Ast ziehen, zu dem er gehört</translation>
     </message>
     <message>
         <source>P&amp;aste</source>
         <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
         <translation>Die Fraktale aus der Zwischenablage zur Datei hinzufügen: Einträge einer .ifs-Datei, Flames oder eine Zahlentabelle</translation>
     </message>
     <message>
-        <source>The unsaved work is here all the same.</source>
+        <source>Your unsaved work was recovered nevertheless.</source>
         <translation>Die ungespeicherte Arbeit ist trotzdem hier.</translation>
     </message>
     <message>
-        <source>%1 was not recovered. It is offered again at the next start.</source>
+        <source>%1 was not recovered. Barycage will offer it again at the next start.</source>
         <translation>%1 wurde nicht wiederhergestellt. Beim nächsten Start wird es erneut angeboten.</translation>
     </message>
     <message>
-        <source>Esc brings menus and panels back.</source>
+        <source>Press Esc to bring back the menus and panels.</source>
         <translation>Esc bringt Menüs und Felder zurück.</translation>
     </message>
     <message>
@@ -1178,7 +1456,7 @@
         <translation>Shift+F11</translation>
     </message>
     <message>
-        <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
+        <source>Show only the canvas, on the whole screen, as for a projector; press Esc to return</source>
         <translation>Der Zeichenfläche den ganzen Bildschirm überlassen, etwa für einen Projektor; Esc bringt das Übrige zurück</translation>
     </message>
     <message>
@@ -1188,6 +1466,222 @@
     <message>
         <source>Only the Pi&amp;cture</source>
         <translation>&amp;Nur das Bild</translation>
+    </message>
+    <message>
+        <source>Ca&amp;mera</source>
+        <translation>Ka&amp;mera</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorne</translation>
+    </message>
+    <message>
+        <source>Look along the z axis (1 on the keypad)</source>
+        <translation>Entlang der z-Achse sehen (1 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Look along the z axis from behind (Ctrl+1 on the keypad)</source>
+        <translation>Von hinten entlang der z-Achse sehen (Strg+1 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Look along the x axis (3 on the keypad)</source>
+        <translation>Entlang der x-Achse sehen (3 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Look along the x axis from behind (Ctrl+3 on the keypad)</source>
+        <translation>Von hinten entlang der x-Achse sehen (Strg+3 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Look down (7 on the keypad)</source>
+        <translation>Nach unten sehen (7 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Look up (Ctrl+7 on the keypad)</source>
+        <translation>Nach oben sehen (Strg+7 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isometrisch</translation>
+    </message>
+    <message>
+        <source>Look from a corner (Home)</source>
+        <translation>Von einer Ecke aus sehen (Pos1)</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Show what is far away smaller (5 on the keypad)</source>
+        <translation>Entferntes kleiner zeigen (5 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>In the menu %1.</source>
+        <translation>Im Menü „%1“.</translation>
+    </message>
+    <message>
+        <source>Shortcut: %1</source>
+        <translation>Tastenkürzel: %1</translation>
+    </message>
+    <message>
+        <source>Tool Options</source>
+        <translation>Werkzeugoptionen</translation>
+    </message>
+    <message>
+        <source>Show the options of the tool under the canvas</source>
+        <translation>Die Optionen des Werkzeugs unter der Zeichenfläche zeigen</translation>
+    </message>
+    <message>
+        <source>A bar that keeps its place: it shows the options of the tool that is chosen, or how the tool is used.</source>
+        <translation>Eine Leiste, die ihren Platz behält: Sie zeigt die Optionen des gewählten Werkzeugs oder wie man es benutzt.</translation>
+    </message>
+    <message>
+        <source>&amp;Maps</source>
+        <translation>A&amp;bbildungen</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Horizontally</source>
+        <translation>&amp;Waagrecht spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror the selected maps about the vertical line through their centre</source>
+        <translation>Die gewählten Abbildungen an der Senkrechten durch ihren Mittelpunkt spiegeln</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Vertically</source>
+        <translation>&amp;Senkrecht spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror the selected maps about the horizontal line through their centre</source>
+        <translation>Die gewählten Abbildungen an der Waagrechten durch ihren Mittelpunkt spiegeln</translation>
+    </message>
+    <message>
+        <source>Rotate 90° &amp;Left</source>
+        <translation>Um 90° nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Rotate the selected maps counter-clockwise about their centre</source>
+        <translation>Die gewählten Abbildungen gegen den Uhrzeigersinn um ihren Mittelpunkt drehen</translation>
+    </message>
+    <message>
+        <source>Rotate 90° &amp;Right</source>
+        <translation>Um 90° nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Rotate the selected maps clockwise about their centre</source>
+        <translation>Die gewählten Abbildungen im Uhrzeigersinn um ihren Mittelpunkt drehen</translation>
+    </message>
+    <message>
+        <source>Ali&amp;gn Centres</source>
+        <translation>Mittelpunkte a&amp;usrichten</translation>
+    </message>
+    <message>
+        <source>In a &amp;Row</source>
+        <translation>In einer &amp;Zeile</translation>
+    </message>
+    <message>
+        <source>Move the selected maps up or down until their centres are at the same height</source>
+        <translation>Die gewählten Abbildungen nach oben oder unten schieben, bis ihre Mittelpunkte auf gleicher Höhe liegen</translation>
+    </message>
+    <message>
+        <source>In a &amp;Column</source>
+        <translation>In einer &amp;Spalte</translation>
+    </message>
+    <message>
+        <source>Move the selected maps left or right until their centres are one below the other</source>
+        <translation>Die gewählten Abbildungen nach links oder rechts schieben, bis ihre Mittelpunkte untereinander liegen</translation>
+    </message>
+    <message>
+        <source>D&amp;istribute Centres</source>
+        <translation>Mittelpunkte &amp;verteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontally</source>
+        <translation>&amp;Waagrecht</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected maps evenly from left to right</source>
+        <translation>Die Mittelpunkte der gewählten Abbildungen von links nach rechts gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Vertically</source>
+        <translation>&amp;Senkrecht</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected maps evenly from bottom to top</source>
+        <translation>Die Mittelpunkte der gewählten Abbildungen von unten nach oben gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit to Corners</source>
+        <translation>An die &amp;Ecken setzen</translation>
+    </message>
+    <message>
+        <source>Move each selected map until it takes the nearest corner of the cage to itself</source>
+        <translation>Jede gewählte Abbildung verschieben, bis sie die nächste Ecke des Käfigs auf sich selbst abbildet</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Erst eine Abbildung wählen.</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected maps</source>
+        <translation>Die gewählten Abbildungen duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete the selected maps</source>
+        <translation>Die gewählten Abbildungen löschen</translation>
+    </message>
+    <message>
+        <source>Select all maps</source>
+        <translation>Alle Abbildungen auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Maps</source>
+        <translation>Abbildungen &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>D&amp;elete Maps</source>
+        <translation>Abbildungen lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Maps</source>
+        <translation>&amp;Alle Abbildungen auswählen</translation>
+    </message>
+    <message>
+        <source>Missing on disk</source>
+        <translation>Auf der Platte nicht mehr da</translation>
+    </message>
+    <message>
+        <source>“%1” has been deleted, renamed or moved since you opened it.</source>
+        <translation>„%1“ wurde gelöscht, umbenannt oder verschoben, seit Sie es geöffnet haben.</translation>
+    </message>
+    <message>
+        <source>Saving creates it again at its old place.</source>
+        <translation>Speichern legt es am alten Ort wieder an.</translation>
+    </message>
+    <message>
+        <source>Other names of the file (hard links) keep the old contents.</source>
+        <translation>Andere Namen der Datei (harte Links) behalten den alten Inhalt.</translation>
     </message>
 </context>
 <context>
@@ -1211,10 +1705,6 @@
     <message>
         <source>A number is missing here.</source>
         <translation>Hier fehlt eine Zahl.</translation>
-    </message>
-    <message>
-        <source>“%1” is a fraction: write it as a decimal number.</source>
-        <translation>„%1“ ist ein Bruch: Schreiben Sie ihn als Dezimalzahl.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -1248,7 +1738,7 @@
         <translation>„%1“ wird gespeichert …</translation>
     </message>
     <message>
-        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <source>Saving “%1” was cancelled. The file on disk is unchanged.</source>
         <translation>Das Speichern von „%1“ wurde abgebrochen. Die Datei ist, wie sie war.</translation>
     </message>
     <message>
@@ -1314,16 +1804,20 @@
 <context>
     <name>PngSystem</name>
     <message>
-        <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
         <translation>Das Bild enthält kein System: Es wurde nicht von Barycage geschrieben, oder ein anderes Programm hat seinen Text entfernt.</translation>
     </message>
     <message>
-        <source>The system in the picture has more than 8 MB.</source>
+        <source>The system in the picture is larger than 8 MB.</source>
         <translation>Das System im Bild hat mehr als 8 MB.</translation>
     </message>
     <message>
-        <source>The file is no PNG picture, or it is damaged.</source>
+        <source>The file is not a PNG picture, or it is damaged.</source>
         <translation>Die Datei ist kein PNG-Bild, oder sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The picture carries too much text: the limit is 40 MB in all.</source>
+        <translation>Das Bild trägt zu viel Text: Die Grenze liegt bei insgesamt 40 MB.</translation>
     </message>
 </context>
 <context>
@@ -1345,7 +1839,7 @@
         <translation>Nicht gespeicherte Arbeit wurde gefunden</translation>
     </message>
     <message>
-        <source>Barycage ended last time before this work was saved:</source>
+        <source>The last time you used Barycage, it ended before this work was saved:</source>
         <translation>Barycage endete letztes Mal, bevor diese Arbeit gespeichert war:</translation>
     </message>
     <message>
@@ -1361,16 +1855,23 @@
         <translation>Später fragen</translation>
     </message>
     <message>
-        <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
+        <source>Unsaved work cannot be kept for recovery: the folder “%1” is not writable, or the disk is full. Save often.</source>
         <translation>Nicht gespeicherte Arbeit kann nicht zur Wiederherstellung aufbewahrt werden: In den Ordner „%1“ kann nicht geschrieben werden, oder der Datenträger ist voll. Speichern Sie oft.</translation>
     </message>
     <message>
-        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <source>The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:</source>
         <translation>Nicht gespeicherte Arbeit vom letzten Mal ist beschädigt und lässt sich nicht wiederherstellen. Was davon übrig ist, liegt in:</translation>
     </message>
     <message>
         <source>Looking for unsaved work…</source>
         <translation>Nicht gespeicherte Arbeit wird gesucht …</translation>
+    </message>
+</context>
+<context>
+    <name>SaveBeside</name>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>„%1“ wird gespeichert …</translation>
     </message>
 </context>
 <context>
@@ -1392,10 +1893,6 @@
         <translation>hyperbolisch, s = %1</translation>
     </message>
     <message>
-        <source>eventually contractive, γ = %1 (words of %2 maps)</source>
-        <translation>schließlich kontraktiv, γ = %1 (Wörter aus %2 Abbildungen)</translation>
-    </message>
-    <message>
         <source>no attractor: the word %1 does not contract</source>
         <translation>kein Attraktor: Das Wort %1 kontrahiert nicht</translation>
     </message>
@@ -1404,19 +1901,19 @@
         <translation>Existenz eines Attraktors unentschieden</translation>
     </message>
     <message>
-        <source>no map takes part</source>
-        <translation>keine Abbildung nimmt teil</translation>
+        <source>no map is active</source>
+        <translation>keine Abbildung ist aktiv</translation>
     </message>
     <message>
         <source>Pointer position</source>
         <translation>Ort des Zeigers</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Befund</translation>
+        <source>Existence of an attractor</source>
+        <translation>Existenz eines Attraktors</translation>
     </message>
     <message>
-        <source>Whether the system has an attractor, and the factor by which it contracts</source>
+        <source>Whether the system has an attractor, and its contraction factor</source>
         <translation>Ob das System einen Attraktor hat, und der Faktor, um den es kontrahiert</translation>
     </message>
     <message>
@@ -1432,10 +1929,6 @@
         <translation>  baryzentrisch (%1)</translation>
     </message>
     <message>
-        <source>3D: not yet shown</source>
-        <translation>3D: noch nicht gezeigt</translation>
-    </message>
-    <message>
         <source>this entry could not be read</source>
         <translation>dieser Eintrag konnte nicht gelesen werden</translation>
     </message>
@@ -1448,7 +1941,7 @@
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>World and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
+        <source>Plane and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
         <translation>Welt- und baryzentrische Koordinaten des Zeigers; die Adresse des Punktes des Attraktors darunter, äußerste Abbildung zuerst, und der Fixpunkt seines Astes</translation>
     </message>
     <message>
@@ -1467,11 +1960,43 @@
         <source>no attractor: map %1 does not contract</source>
         <translation>kein Attraktor: Abbildung %1 kontrahiert nicht</translation>
     </message>
+    <message>
+        <source>latest changes not yet kept for recovery</source>
+        <translation>letzte Änderungen noch nicht zur Wiederherstellung aufbewahrt</translation>
+    </message>
+    <message>
+        <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
+        <translation>Bei einem Absturz gingen Ihre letzten Änderungen verloren: Sie aufzubewahren dauert länger als zwei Sekunden, weil der Datenträger langsam oder voll oder die Datei sehr groß ist. Speichern Sie, was nicht verloren gehen darf.</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ = %1</source>
+        <translation>kontraktiv in einer ellipsoidischen Norm, γ = %1</translation>
+    </message>
+    <message>
+        <source>contractive in a polytope norm, γ = %1</source>
+        <translation>kontraktiv in einer Polytopnorm, γ = %1</translation>
+    </message>
+    <message>
+        <source>any %1 maps in a row contract, γ = %2</source>
+        <translation>je %1 Abbildungen hintereinander kontrahieren, γ = %2</translation>
+    </message>
+    <message>
+        <source>  depth %1</source>
+        <translation>  Tiefe %1</translation>
+    </message>
+    <message>
+        <source>  along %1</source>
+        <translation>  entlang %1</translation>
+    </message>
+    <message>
+        <source>  across %1</source>
+        <translation>  quer zu %1</translation>
+    </message>
 </context>
 <context>
     <name>SvgSystem</name>
     <message>
-        <source>The system in the picture has more than 8 MB.</source>
+        <source>The system in the picture is larger than 8 MB.</source>
         <translation>Das System im Bild hat mehr als 8 MB.</translation>
     </message>
     <message>
@@ -1479,30 +2004,30 @@
         <translation>Das System im Bild ist beschädigt.</translation>
     </message>
     <message>
-        <source>The picture declares a document type, which Barycage never writes and does not read.</source>
-        <translation>Das Bild nennt einen Dokumenttyp, was Barycage nie schreibt und nicht liest.</translation>
+        <source>The picture contains a document type declaration, which Barycage neither writes nor reads.</source>
+        <translation>Das Bild enthält eine Dokumenttyp-Deklaration, die Barycage weder schreibt noch liest.</translation>
     </message>
     <message>
-        <source>The file is no SVG picture, or it is damaged.</source>
+        <source>The file is not an SVG picture, or it is damaged.</source>
         <translation>Die Datei ist kein SVG-Bild, oder sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>The picture holds no system: it was not written by Barycage, or another program removed it.</source>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>Das Bild enthält kein System: Es wurde nicht von Barycage geschrieben, oder ein anderes Programm hat es entfernt.</translation>
     </message>
 </context>
 <context>
     <name>Text</name>
     <message>
-        <source>a document type is not accepted in a flame file</source>
-        <translation>ein Dokumenttyp wird in einer Flame-Datei nicht angenommen</translation>
+        <source>a flame file cannot contain a document type declaration</source>
+        <translation>eine Flame-Datei darf keine Dokumenttyp-Deklaration enthalten</translation>
     </message>
     <message>
-        <source>The XML ends here: %1.</source>
+        <source>The XML cannot be read beyond this point: %1.</source>
         <translation>Das XML endet hier: %1.</translation>
     </message>
     <message>
-        <source>There is no flame in this file.</source>
+        <source>The file contains no flames.</source>
         <translation>In dieser Datei ist keine Flame.</translation>
     </message>
     <message>
@@ -1526,7 +2051,7 @@
         <translation>kein Attraktor</translation>
     </message>
     <message>
-        <source>The sheet would be %1 by %2 pixels; at most %3 a side can be drawn. Take smaller tiles, or other columns.</source>
+        <source>The sheet would have %1 by %2 pixels; the limit is %3 per side. Use smaller tiles or another number of columns.</source>
         <translation>Das Blatt wäre %1 mal %2 Pixel groß; höchstens %3 je Seite können gezeichnet werden. Nehmen Sie kleinere Kacheln oder andere Spalten.</translation>
     </message>
     <message>
@@ -1538,28 +2063,16 @@
         <translation>sie benutzt eine andere Variation als linear</translation>
     </message>
     <message>
-        <source>it acts in space (“%1”)</source>
-        <translation>sie wirkt im Raum („%1“)</translation>
-    </message>
-    <message>
         <source>it uses the variation “%1”</source>
         <translation>sie benutzt die Variation „%1“</translation>
     </message>
     <message>
-        <source>its “coefs” are not six numbers</source>
-        <translation>ihre „coefs“ sind nicht sechs Zahlen</translation>
-    </message>
-    <message>
-        <source>its “post” is not six numbers</source>
-        <translation>ihr „post“ sind nicht sechs Zahlen</translation>
-    </message>
-    <message>
-        <source>its “chaos” allows some successors only, which a list of maps cannot say</source>
+        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
         <translation>ihr „chaos“ erlaubt nur manche Nachfolger, was eine Liste von Abbildungen nicht sagen kann</translation>
     </message>
     <message>
-        <source>it takes part without being drawn (opacity 0)</source>
-        <translation>sie nimmt teil, ohne gezeichnet zu werden (opacity 0)</translation>
+        <source>it is active but not drawn (opacity 0)</source>
+        <translation>sie ist aktiv, wird aber nicht gezeichnet (opacity 0)</translation>
     </message>
     <message>
         <source>its weight is not a number</source>
@@ -1598,7 +2111,7 @@
         <translation>Die Flame „%1“ hat keine Transformationen.</translation>
     </message>
     <message>
-        <source>The entry that opens here is not closed by “}” before the next entry or the end of the file.</source>
+        <source>The entry that starts here has no closing “}” before the next entry or the end of the file.</source>
         <translation>Der hier beginnende Eintrag wird vor dem nächsten Eintrag oder dem Ende der Datei nicht mit „}“ geschlossen.</translation>
     </message>
     <message>
@@ -1606,15 +2119,15 @@
         <translation>%1 weitere Probleme dieses Eintrags sind nicht aufgeführt.</translation>
     </message>
     <message>
-        <source>The name “%1” holds a blank; Fractint takes only its first word.</source>
+        <source>The name “%1” contains a space; Fractint uses only its first word.</source>
         <translation>Der Name „%1“ enthält ein Leerzeichen; Fractint nimmt nur sein erstes Wort.</translation>
     </message>
     <message>
-        <source>The name “%1” is longer than 18 bytes; Fractint cuts it there.</source>
+        <source>The name “%1” is longer than 18 bytes; Fractint truncates it.</source>
         <translation>Der Name „%1“ ist länger als 18 Bytes; Fractint schneidet ihn dort ab.</translation>
     </message>
     <message>
-        <source>The opening brace stands on a line of its own; Fractint does not find this entry.</source>
+        <source>The opening brace is on a line of its own; Fractint does not find this entry.</source>
         <translation>Die öffnende Klammer steht in einer eigenen Zeile; Fractint findet diesen Eintrag nicht.</translation>
     </message>
     <message>
@@ -1622,27 +2135,27 @@
         <translation>Der Eintrag hat mehr als %1 Abbildungen; das ist die Grenze.</translation>
     </message>
     <message>
-        <source>“%1”: the comma can be read as a decimal point or between two numbers, and both give whole rows. Write decimal points and blanks.</source>
+        <source>“%1”: the comma can be a decimal comma or a separator; both readings give complete rows. Use decimal points and spaces.</source>
         <translation>„%1“: Das Komma kann als Dezimalzeichen oder zwischen zwei Zahlen gelesen werden, und beides ergibt ganze Zeilen. Schreiben Sie Dezimalpunkte und Leerzeichen.</translation>
     </message>
     <message>
-        <source>“%1”: neither as a decimal point nor between two numbers does the comma give whole rows of 7 numbers (13 with “(3D)”).</source>
+        <source>“%1”: the comma gives complete rows of 7 numbers (13 with “(3D)”) neither as a decimal comma nor as a separator.</source>
         <translation>„%1“: Weder als Dezimalzeichen noch zwischen zwei Zahlen ergibt das Komma ganze Zeilen von 7 Zahlen (13 mit „(3D)“).</translation>
     </message>
     <message>
-        <source>The numbers on the line of the opening brace are ignored, as Fractint ignores them.</source>
+        <source>Numbers on the line of the opening brace are ignored, as in Fractint.</source>
         <translation>Die Zahlen in der Zeile der öffnenden Klammer werden übergangen, wie Fractint sie übergeht.</translation>
     </message>
     <message>
-        <source>“%1” is not understood by this version of Barycage; the line is kept.</source>
+        <source>This version of Barycage does not understand “%1”; the line is kept.</source>
         <translation>„%1“ wird von dieser Version von Barycage nicht verstanden; die Zeile bleibt erhalten.</translation>
     </message>
     <message>
-        <source>The entry holds no numbers.</source>
+        <source>The entry contains no numbers.</source>
         <translation>Der Eintrag enthält keine Zahlen.</translation>
     </message>
     <message>
-        <source>This line has %1 numbers and the entry %2, which is no multiple of %3: a map is %3 numbers%4.</source>
+        <source>This line has %1 numbers and the entry has %2, which is not a multiple of %3: a map has %3 numbers%4.</source>
         <translation>Diese Zeile hat %1 Zahlen und der Eintrag %2, was kein Vielfaches von %3 ist: Eine Abbildung besteht aus %3 Zahlen%4.</translation>
     </message>
     <message>
@@ -1658,11 +2171,11 @@
         <translation>„%1“ ist keine endliche Zahl.</translation>
     </message>
     <message>
-        <source>“%1” is larger than a coefficient can be (3.4e38 in size).</source>
+        <source>“%1” is too large for a coefficient (the largest absolute value is 3.4e38).</source>
         <translation>„%1“ ist größer, als ein Koeffizient sein kann (3,4e38).</translation>
     </message>
     <message>
-        <source>“%1” begins with a typographic minus sign (U+2212). Write the plain “-”.</source>
+        <source>“%1” begins with a typographic minus sign (U+2212). Use a plain “-”.</source>
         <translation>„%1“ beginnt mit einem typografischen Minuszeichen (U+2212). Schreiben Sie das einfache „-“.</translation>
     </message>
     <message>
@@ -1670,19 +2183,19 @@
         <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
-        <source>Numbers stand on the line of the opening brace, where Fractint ignores them; they are read.</source>
+        <source>There are numbers on the line of the opening brace, where Fractint ignores them; Barycage reads them.</source>
         <translation>In der Zeile der öffnenden Klammer stehen Zahlen, wo Fractint sie übergeht; sie werden gelesen.</translation>
     </message>
     <message>
-        <source>Commas are read as decimal points; Fractint reads other numbers here.</source>
+        <source>Commas are read as decimal points; Fractint reads different numbers here.</source>
         <translation>Kommas werden als Dezimalzeichen gelesen; Fractint liest hier andere Zahlen.</translation>
     </message>
     <message>
-        <source>Commas or apostrophes stand between the numbers; Iterated Dynamics cannot read this entry.</source>
+        <source>Commas or apostrophes separate the numbers; Iterated Dynamics cannot read this entry.</source>
         <translation>Zwischen den Zahlen stehen Kommas oder Apostrophe; Iterated Dynamics kann diesen Eintrag nicht lesen.</translation>
     </message>
     <message>
-        <source>The maps have no weights (%1 numbers each); weights are taken from the determinants. Fractint cannot read this entry.</source>
+        <source>The maps have no weights (%1 numbers each), so the weights are computed from the determinants. Fractint cannot read this entry.</source>
         <translation>Die Abbildungen haben keine Gewichte (je %1 Zahlen); die Gewichte kommen von den Determinanten. Fractint kann diesen Eintrag nicht lesen.</translation>
     </message>
     <message>
@@ -1690,7 +2203,7 @@
         <translation>Zeilen von %1 Zahlen ohne „(3D)“ hinter dem Namen werden als 3D-System gelesen; Fractint kann diesen Eintrag nicht lesen.</translation>
     </message>
     <message>
-        <source>The lines do not hold 7 numbers each, but all numbers together fill rows of 7 and are read so, as Fractint does. Probably the weights are missing.</source>
+        <source>The lines do not have 7 numbers each, but together the numbers fill rows of 7 and are read that way, as in Fractint. The weights are probably missing.</source>
         <translation>Die Zeilen haben nicht je 7 Zahlen, aber alle Zahlen zusammen füllen Zeilen von 7 und werden so gelesen, wie bei Fractint. Wahrscheinlich fehlen die Gewichte.</translation>
     </message>
     <message>
@@ -1698,11 +2211,11 @@
         <translation>Die schließende Klammer berührt die letzte Zahl; Fractint kann diesen Eintrag nicht lesen.</translation>
     </message>
     <message>
-        <source>The line is longer than 200 bytes; Fractint cuts it there.</source>
+        <source>The line is longer than 200 bytes; Fractint truncates it.</source>
         <translation>Die Zeile ist länger als 200 Bytes; Fractint schneidet sie dort ab.</translation>
     </message>
     <message>
-        <source>A NUL byte; the rest of the line is ignored, as Fractint ignores it.</source>
+        <source>There is a NUL byte here; the rest of the line is ignored, as in Fractint.</source>
         <translation>Ein NUL-Byte; der Rest der Zeile wird übergangen, wie Fractint ihn übergeht.</translation>
     </message>
     <message>
@@ -1710,15 +2223,15 @@
         <translation>Der Eintrag hat %1 Abbildungen; Fractint und Iterated Dynamics lesen höchstens 63.</translation>
     </message>
     <message>
-        <source>The weight of map %1 is negative; the map counts as switched off.</source>
+        <source>The weight of map %1 is negative; the map is treated as switched off.</source>
         <translation>Das Gewicht der Abbildung %1 ist negativ; die Abbildung gilt als ausgeschaltet.</translation>
     </message>
     <message>
-        <source>The weight of map %1 is 0; the map takes no part.</source>
-        <translation>Das Gewicht der Abbildung %1 ist 0; die Abbildung nimmt nicht teil.</translation>
+        <source>The weight of map %1 is 0, so the map is inactive.</source>
+        <translation>Das Gewicht der Abbildung %1 ist 0; die Abbildung ist inaktiv.</translation>
     </message>
     <message>
-        <source>The weights sum to %1, not 1. They are used in proportion; Fractint gives what is missing to the last map and cuts what is too much.</source>
+        <source>The weights sum to %1, not 1. They are scaled in proportion; Fractint gives any shortfall to the last map and cuts off any excess.</source>
         <translation>Die Summe der Gewichte ist %1 und nicht 1. Sie werden im Verhältnis benutzt; Fractint gibt, was fehlt, der letzten Abbildung und kürzt, was zu viel ist.</translation>
     </message>
     <message>
@@ -1726,11 +2239,11 @@
         <translation>Die Datei ist leer.</translation>
     </message>
     <message>
-        <source>These are Fractint parameter sets or formulas; no iterated function system is among them.</source>
+        <source>The file contains Fractint parameter sets or formulas, but no iterated function system.</source>
         <translation>Dies sind Parametersätze oder Formeln von Fractint; kein iteriertes Funktionensystem ist darunter.</translation>
     </message>
     <message>
-        <source>No iterated function system was found: an entry is a name, “{”, rows of 7 numbers and “}”.</source>
+        <source>No iterated function system was found: an entry consists of a name, “{”, rows of 7 numbers and “}”.</source>
         <translation>Kein iteriertes Funktionensystem wurde gefunden: Ein Eintrag besteht aus Name, „{“, Zeilen von 7 Zahlen und „}“.</translation>
     </message>
     <message>
@@ -1742,7 +2255,7 @@
         <translation>Ein Block ohne Namen bleibt als Text erhalten; Fractint führt ihn nicht auf.</translation>
     </message>
     <message>
-        <source>Two opening braces on one line: no reader finds an entry here. The text is kept.</source>
+        <source>There are two opening braces on one line: no program finds an entry here. The text is kept.</source>
         <translation>Zwei öffnende Klammern in einer Zeile: Kein Programm findet hier einen Eintrag. Der Text bleibt erhalten.</translation>
     </message>
     <message>
@@ -1750,31 +2263,31 @@
         <translation>„%1“ ist ein Parametersatz oder eine Formel, kein iteriertes Funktionensystem; es bleibt als Text erhalten.</translation>
     </message>
     <message>
-        <source>The name is taken by the entry in line %1 (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
+        <source>The entry in line %1 has the same name (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
         <translation>Den Namen trägt schon der Eintrag in Zeile %1 (Fractint vergleicht 18 Zeichen ohne Groß- und Kleinschreibung); Fractint erreicht diesen nie.</translation>
     </message>
     <message>
-        <source>The file begins with a byte order mark, which Fractint takes for a part of the first name.</source>
+        <source>The file begins with a byte order mark, which Fractint treats as part of the first name.</source>
         <translation>Die Datei beginnt mit einer Bytereihenfolgemarke, die Fractint für einen Teil des ersten Namens hält.</translation>
     </message>
     <message>
-        <source>Fractint stops reading at this byte (^Z); the entries after it are read all the same.</source>
+        <source>Fractint stops reading at this byte (^Z); Barycage reads the entries after it too.</source>
         <translation>Fractint hört bei diesem Byte (^Z) zu lesen auf; die Einträge danach werden trotzdem gelesen.</translation>
     </message>
     <message>
-        <source>The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.</source>
+        <source>The file has %1 entries; Fractint and Iterated Dynamics use only the first 2000.</source>
         <translation>Die Datei hat %1 Einträge; Fractint und Iterated Dynamics benutzen die ersten 2000.</translation>
     </message>
     <message>
-        <source>The entry has no map that takes part and is left out.</source>
-        <translation>Der Eintrag hat keine beteiligte Abbildung und wird weggelassen.</translation>
+        <source>The entry has no active map and is omitted.</source>
+        <translation>Der Eintrag hat keine aktive Abbildung und wird weggelassen.</translation>
     </message>
     <message>
-        <source>%1 maps that take no part are left out.</source>
-        <translation>%1 unbeteiligte Abbildungen werden weggelassen.</translation>
+        <source>%1 inactive maps are omitted.</source>
+        <translation>%1 inaktive Abbildungen werden weggelassen.</translation>
     </message>
     <message>
-        <source>The entry is written under the name “%1”: other programs take 18 plain characters, and each name once.</source>
+        <source>The entry is saved under the name “%1”: other programs need unique names of at most 18 plain characters.</source>
         <translation>Der Eintrag wird unter dem Namen „%1“ geschrieben: Andere Programme nehmen 18 einfache Zeichen, und jeden Namen einmal.</translation>
     </message>
     <message>
@@ -1782,28 +2295,16 @@
         <translation>Der Eintrag hat %1 Abbildungen; Fractint bis 17.2 liest höchstens 31.</translation>
     </message>
     <message>
-        <source>not known</source>
+        <source>unknown</source>
         <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>hyperbolic, s = %1</source>
-        <translation>hyperbolisch, s = %1</translation>
-    </message>
-    <message>
-        <source>eventually contractive, γ = %1 from words of length %2</source>
-        <translation>schließlich kontraktiv, γ = %1 aus Wörtern der Länge %2</translation>
-    </message>
-    <message>
-        <source>none: a word of length %1 does not contract</source>
-        <translation>keiner: Ein Wort der Länge %1 kontrahiert nicht</translation>
     </message>
     <message>
         <source>undecided</source>
         <translation>unentschieden</translation>
     </message>
     <message>
-        <source>none: no map takes part</source>
-        <translation>keiner: Keine Abbildung nimmt teil</translation>
+        <source>none: no map is active</source>
+        <translation>keiner: Keine Abbildung ist aktiv</translation>
     </message>
     <message>
         <source>   norm %1, determinant %2</source>
@@ -1850,14 +2351,6 @@
         <translation>Affinitätsdimension</translation>
     </message>
     <message>
-        <source>%1 — in the plane, %2 maps</source>
-        <translation>%1 — in der Ebene, %2 Abbildungen</translation>
-    </message>
-    <message>
-        <source>%1 — in space, %2 maps</source>
-        <translation>%1 — im Raum, %2 Abbildungen</translation>
-    </message>
-    <message>
         <source>%1 — could not be read</source>
         <translation>%1 — konnte nicht gelesen werden</translation>
     </message>
@@ -1870,7 +2363,7 @@
         <translation>Käfig jetzt</translation>
     </message>
     <message>
-        <source>The stored cage is not usable (its lists of vertices do not match, or its rest vertices lie on one line, cross each other or are more than 64) and is not applied.</source>
+        <source>The stored cage is not valid and is not applied: its lists of vertices do not match, or its rest polygon is flat, crosses itself or has more than 64 vertices.</source>
         <translation>Der gespeicherte Käfig ist nicht brauchbar (seine Eckenlisten passen nicht zusammen, oder seine Ruheecken liegen auf einer Geraden, überkreuzen sich oder sind mehr als 64) und wird nicht angewandt.</translation>
     </message>
     <message>
@@ -1882,23 +2375,23 @@
         <translation>Abbildung %1 war hier ausgeschaltet, aber ein anderes Programm hat ihr ein Gewicht gegeben.</translation>
     </message>
     <message>
-        <source>A palette has at most %1 colours; the others are left out.</source>
+        <source>A palette can have at most %1 colours; the rest are ignored.</source>
         <translation>Eine Palette hat höchstens %1 Farben; die übrigen werden weggelassen.</translation>
     </message>
     <message>
-        <source>This line is left out: three whole numbers from 0 to 255 make a colour.</source>
+        <source>This line is ignored: a colour consists of three whole numbers from 0 to 255.</source>
         <translation>Diese Zeile wird weggelassen: Drei ganze Zahlen von 0 bis 255 ergeben eine Farbe.</translation>
     </message>
     <message>
-        <source>The file holds no colours.</source>
+        <source>The file contains no colours.</source>
         <translation>Die Datei enthält keine Farben.</translation>
     </message>
     <message>
-        <source>The file has more than 16 MB, which no palette needs.</source>
+        <source>The file is larger than 16 MB, which is the limit for a palette.</source>
         <translation>Die Datei hat mehr als 16 MB; das braucht keine Palette.</translation>
     </message>
     <message>
-        <source>The file is no text, so it is no palette.</source>
+        <source>The file is not a text file, so it is not a palette.</source>
         <translation>Die Datei ist kein Text, also keine Palette.</translation>
     </message>
     <message>
@@ -1906,35 +2399,31 @@
         <translation>Dies ist ein GIMP-Farbverlauf; Paletten werden aus .gpl-, .ugr- und .map-Dateien gelesen.</translation>
     </message>
     <message>
-        <source>The file has more than %1 palettes; the others are left out.</source>
+        <source>The file has more than %1 palettes; the rest are ignored.</source>
         <translation>Die Datei hat mehr als %1 Paletten; die übrigen werden weggelassen.</translation>
     </message>
     <message>
-        <source>The file holds no gradient.</source>
+        <source>The file contains no gradients.</source>
         <translation>Die Datei enthält keinen Farbverlauf.</translation>
     </message>
     <message>
-        <source>The gradient of line %1 is not closed.</source>
+        <source>The gradient that starts in line %1 is not closed.</source>
         <translation>Der Farbverlauf von Zeile %1 ist nicht geschlossen.</translation>
     </message>
     <message>
-        <source>“%1” is no whole number.</source>
+        <source>“%1” is not a whole number.</source>
         <translation>„%1“ ist keine ganze Zahl.</translation>
     </message>
     <message>
-        <source>“%1” is not a system in the plane, of which alone points are written.</source>
-        <translation>„%1“ ist kein System der Ebene; nur von solchen werden Punkte geschrieben.</translation>
+        <source>“%1” has no active map, so it has no points.</source>
+        <translation>„%1“ hat keine aktive Abbildung und daher keine Punkte.</translation>
     </message>
     <message>
-        <source>“%1” has no map that takes part, so it has no points.</source>
-        <translation>„%1“ hat keine beteiligte Abbildung und also keine Punkte.</translation>
-    </message>
-    <message>
-        <source>A cage of more than three corners bends the picture, and its points are not written.</source>
+        <source>A cage with more than three corners bends the picture; its points cannot be written.</source>
         <translation>Ein Käfig mit mehr als drei Ecken biegt das Bild; dessen Punkte werden nicht geschrieben.</translation>
     </message>
     <message>
-        <source>A point cloud has from 1 to %1 points.</source>
+        <source>A point cloud can have from 1 to %1 points.</source>
         <translation>Eine Punktwolke hat 1 bis %1 Punkte.</translation>
     </message>
     <message>
@@ -1942,7 +2431,7 @@
         <translation>„%1“ ist ein Ordner. Wählen Sie einen Dateinamen.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and is not replaced. Choose another name.</source>
+        <source>“%1” is not an ordinary file and will not be replaced. Choose another name.</source>
         <translation>„%1“ ist keine gewöhnliche Datei und wird nicht ersetzt. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -1954,11 +2443,11 @@
         <translation>„%1“ ist schreibgeschützt. Speichern Sie unter anderem Namen oder ändern Sie die Rechte.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on the disk is as it was.</source>
+        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on disk is unchanged.</source>
         <translation>„%1“ wurde nicht gespeichert: Der Datenträger ist voll. Schaffen Sie Platz und speichern Sie noch einmal; die Datei ist, wie sie war.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.</source>
+        <source>“%1” was not saved: you do not have permission to write to the folder “%2”. Save somewhere else.</source>
         <translation>„%1“ wurde nicht gespeichert: Sie dürfen nicht in den Ordner „%2“ schreiben. Speichern Sie anderswo.</translation>
     </message>
     <message>
@@ -1966,7 +2455,7 @@
         <translation>„%1“ wurde nicht gespeichert: Der Name ist zu lang.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: %2. The file on the disk is as it was.</source>
+        <source>“%1” was not saved: %2. The file on disk is unchanged.</source>
         <translation>„%1“ wurde nicht gespeichert: %2. Die Datei ist, wie sie war.</translation>
     </message>
     <message>
@@ -1990,11 +2479,11 @@
         <translation>„%1“ kann nicht gelesen werden: %2.</translation>
     </message>
     <message>
-        <source>Only plane systems can be written as a scalable picture.</source>
-        <translation>Nur Systeme der Ebene können als skalierbares Bild geschrieben werden.</translation>
+        <source>Only systems in the plane can be written as vector graphics.</source>
+        <translation>Nur Systeme der Ebene können als Vektorgrafik geschrieben werden.</translation>
     </message>
     <message>
-        <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
+        <source>No outline of an attractor could be certified for this system, so there is nothing to make copies of.</source>
         <translation>Das System hat keinen Attraktor, dessen Umriss bewiesen werden könnte; es gibt nichts zu kopieren.</translation>
     </message>
     <message>
@@ -2002,19 +2491,19 @@
         <translation>In dieser Ansicht ist das Bild zu groß, um als Formen geschrieben zu werden.</translation>
     </message>
     <message>
-        <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
+        <source>There are no rows of numbers: a row consists of a b c d e f and optionally a weight.</source>
         <translation>Es gibt keine Zeilen von Zahlen: Eine Zeile ist a b c d e f und vielleicht ein Gewicht.</translation>
     </message>
     <message>
-        <source>After the count, a map is its weight and a matrix of 3 rows.</source>
+        <source>After the count, a map consists of its weight and a matrix of 3 rows.</source>
         <translation>Nach der Anzahl besteht eine Abbildung aus ihrem Gewicht und einer Matrix von 3 Zeilen.</translation>
     </message>
     <message>
-        <source>The last row of the matrix of an affine map is 0 0 1.</source>
+        <source>The last row of the matrix of an affine map must be 0 0 1.</source>
         <translation>Die letzte Zeile der Matrix einer affinen Abbildung ist 0 0 1.</translation>
     </message>
     <message>
-        <source>The table says that it has %1 maps, and it has %2.</source>
+        <source>The table declares %1 maps but has %2.</source>
         <translation>Die Tabelle gibt %1 Abbildungen an und hat %2.</translation>
     </message>
     <message>
@@ -2022,7 +2511,7 @@
         <translation>Die Überschrift sagt nicht, welche Spalte a, b, c, d, e und f ist; wählen Sie die Reihenfolge der Spalten.</translation>
     </message>
     <message>
-        <source>This row has %1 numbers; a map is 6 numbers, or 7 with its weight.</source>
+        <source>This row has %1 numbers; a map has 6 numbers, or 7 with its weight.</source>
         <translation>Diese Zeile hat %1 Zahlen; eine Abbildung hat 6 Zahlen, oder 7 mit ihrem Gewicht.</translation>
     </message>
     <message>
@@ -2034,11 +2523,11 @@
         <translation>Die Tabelle hat mehr als %1 Zeilen; das ist die Grenze.</translation>
     </message>
     <message>
-        <source>This is a %1 file, not a text with iterated function systems.</source>
+        <source>This is a %1 file, not a text file with iterated function systems.</source>
         <translation>Dies ist eine %1-Datei, kein Text mit iterierten Funktionensystemen.</translation>
     </message>
     <message>
-        <source>This is a text in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
+        <source>This text is encoded in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
         <translation>Dies ist ein Text in UTF-16. Speichern Sie ihn als UTF-8 oder ASCII und öffnen Sie ihn noch einmal.</translation>
     </message>
     <message>
@@ -2086,23 +2575,23 @@
         <translation>Dies ist ein StyrofoamIFS-Skript, keine Fractint-Sammlung.</translation>
     </message>
     <message>
-        <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
+        <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text file with iterated function systems.</source>
         <translation>Dies ist eine Binärdatei (vielleicht ein fraktal komprimiertes Bild oder eine Symbolbibliothek), kein Text mit iterierten Funktionensystemen.</translation>
     </message>
     <message>
-        <source>No iterated function system was found, and for a table of numbers the file is too large: the limit is 64 MB.</source>
+        <source>No iterated function system was found, and the file is too large for a table of numbers: the limit is 64 MB.</source>
         <translation>Kein iteriertes Funktionensystem wurde gefunden, und für eine Zahlentabelle ist die Datei zu groß: Die Grenze ist 64 MB.</translation>
     </message>
     <message>
-        <source>a number is larger than a coefficient can be (3.4e38 in size)</source>
+        <source>a number is too large for a coefficient (the largest absolute value is 3.4e38)</source>
         <translation>eine Zahl ist größer, als ein Koeffizient sein kann (3.4e38)</translation>
     </message>
     <message>
-        <source>The file has more than %1 flames; the rest is left out.</source>
+        <source>The file has more than %1 flames; the rest are ignored.</source>
         <translation>Die Datei hat mehr als %1 Flames; der Rest wird weggelassen.</translation>
     </message>
     <message>
-        <source>%1 flames in all are no systems of affine maps.</source>
+        <source>%1 flames in total are not systems of affine maps.</source>
         <translation>Insgesamt %1 Flames sind keine Systeme affiner Abbildungen.</translation>
     </message>
     <message>
@@ -2126,11 +2615,11 @@
         <translation>affine Anpassung</translation>
     </message>
     <message>
-        <source>A number of this row is larger than a coefficient can be (3.4e38 in size).</source>
+        <source>A number in this row is too large for a coefficient (the largest absolute value is 3.4e38).</source>
         <translation>Eine Zahl dieser Zeile ist größer, als ein Koeffizient sein kann (3.4e38).</translation>
     </message>
     <message>
-        <source>The text has more than 64 MB, which is the limit for a table of numbers.</source>
+        <source>The text is larger than 64 MB, which is the limit for a table of numbers.</source>
         <translation>Der Text hat mehr als 64 MB; das ist die Grenze für eine Zahlentabelle.</translation>
     </message>
     <message>
@@ -2138,11 +2627,11 @@
         <translation>Ein Element hat mehr als %1 Attribute; das ist die Grenze.</translation>
     </message>
     <message>
-        <source>The elements are nested more than %1 deep, which is the limit.</source>
+        <source>The elements are nested more than %1 levels deep, which is the limit.</source>
         <translation>Die Elemente sind tiefer als %1 verschachtelt; das ist die Grenze.</translation>
     </message>
     <message>
-        <source>The file has more than 64 MB, which is the limit for XML.</source>
+        <source>The file is larger than 64 MB, which is the limit for XML.</source>
         <translation>Die Datei hat mehr als 64 MB; das ist die Grenze für XML.</translation>
     </message>
     <message>
@@ -2150,11 +2639,11 @@
         <translation>verschobener Ast</translation>
     </message>
     <message>
-        <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
+        <source>The stored position of a branch is not valid and is not applied: its map is incomplete, its address names maps that do not exist or occurs twice, or there are too many.</source>
         <translation>Ein gespeicherter Ort eines Astes ist nicht brauchbar (seine Abbildung ist unvollständig, seine Adresse nennt Abbildungen, die es nicht gibt, oder kommt zweimal vor, oder es sind zu viele) und wird nicht angewandt.</translation>
     </message>
     <message>
-        <source>%1 lines of blocks that are no iterated function systems are left out.</source>
+        <source>%1 lines of blocks that are not iterated function systems are omitted.</source>
         <translation>%1 Zeilen von Blöcken, die keine iterierten Funktionensysteme sind, werden weggelassen.</translation>
     </message>
     <message>
@@ -2162,27 +2651,19 @@
         <translation>Eine Zelle dieser Zeile ist leer.</translation>
     </message>
     <message>
-        <source>A comma can be read as a decimal point or between two numbers here, and both give whole rows. Write decimal points.</source>
+        <source>A comma can be a decimal comma or a separator here; both readings give complete rows. Use decimal points.</source>
         <translation>Ein Komma kann hier als Dezimalzeichen oder zwischen zwei Zahlen gelesen werden, und beides ergibt ganze Zeilen. Schreiben Sie Dezimalpunkte.</translation>
     </message>
     <message>
-        <source>The cage and the colours of the entry are left out.</source>
-        <translation>Der Käfig und die Farben des Eintrags werden weggelassen.</translation>
-    </message>
-    <message>
-        <source>The code is written without its cage and moved branches: other programs draw another picture.</source>
-        <translation>Der Code wird ohne seinen Käfig und verschobene Äste geschrieben: andere Programme zeichnen ein anderes Bild.</translation>
-    </message>
-    <message>
-        <source>The table has maps of the plane and maps of space.</source>
+        <source>The table mixes maps of the plane and maps of space.</source>
         <translation>Die Tabelle hat Abbildungen der Ebene und Abbildungen des Raums.</translation>
     </message>
     <message>
-        <source>This is a list of other files, as the program Fraktale has one, not a Fractint collection.</source>
+        <source>This is a list of other files, as used by the program Fraktale, not a Fractint collection.</source>
         <translation>Dies ist eine Liste anderer Dateien, wie das Programm Fraktale sie hat, keine Fractint-Sammlung.</translation>
     </message>
     <message>
-        <source>This row has %1 numbers, and the header names %2 columns.</source>
+        <source>This row has %1 numbers, but the header names %2 columns.</source>
         <translation>Diese Zeile hat %1 Zahlen, und die Überschrift nennt %2 Spalten.</translation>
     </message>
     <message>
@@ -2197,19 +2678,19 @@
         </translation>
     </message>
     <message>
-        <source>No column is called “%1”: they are a b c d or r s theta phi, e f, and p or cumulative.</source>
+        <source>There is no column “%1”: the columns are a b c d or r s theta phi, e f, and p or cumulative.</source>
         <translation>Keine Spalte heißt „%1“: Es gibt a b c d oder r s theta phi, e f, und p oder cumulative.</translation>
     </message>
     <message>
-        <source>“%1” is there twice.</source>
+        <source>“%1” occurs twice.</source>
         <translation>„%1“ kommt zweimal vor.</translation>
     </message>
     <message>
-        <source>A row has one weight: p or cumulative.</source>
+        <source>A row has only one weight: p or cumulative.</source>
         <translation>Eine Zeile hat ein Gewicht: p oder cumulative.</translation>
     </message>
     <message>
-        <source>a b c d and r s theta phi do not go together.</source>
+        <source>a b c d and r s theta phi cannot be combined.</source>
         <translation>a b c d und r s theta phi passen nicht zusammen.</translation>
     </message>
     <message>
@@ -2217,20 +2698,400 @@
         <translation>Es fehlt: %1.</translation>
     </message>
     <message>
-        <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
+        <source>The outline has more corners than other programs can read in one path. Choose a smaller depth.</source>
         <translation>Der Umriss hat mehr Ecken, als Programme in einem Pfad lesen. Wählen Sie eine kleinere Tiefe.</translation>
     </message>
     <message>
-        <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
+        <source>The cage bends or flattens the picture. The numbers describe the picture at rest.</source>
         <translation>Der Käfig biegt das Bild oder drückt es flach. Die Zahlen sind die des Bildes in Ruhe.</translation>
     </message>
     <message>
-        <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
-        <translation>Der Name „%1“ ist nicht in UTF-8. Bitte benennen Sie die Datei um, oder führen Sie durch einen Link zu ihr.</translation>
+        <source>The name “%1” is not valid UTF-8. Rename the file, or open it through a symbolic link.</source>
+        <translation>Der Name „%1“ ist kein gültiges UTF-8. Benennen Sie die Datei um, oder öffnen Sie sie über einen symbolischen Link.</translation>
     </message>
     <message>
-        <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
+        <source>Map %1 has no weight, so all weights are computed from the determinants and the given ones are ignored.</source>
         <translation>Die Abbildung %1 hat kein Gewicht; daher kommen die Gewichte aller Abbildungen von den Determinanten, und die angegebenen werden nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>The stored cage is not valid and is not applied: its lists of vertices do not match, or its vertices at rest are in one plane or coincide.</source>
+        <translation>Der gespeicherte Käfig ist nicht brauchbar (seine Eckenlisten passen nicht zusammen, oder seine Ruheecken liegen in einer Ebene oder fallen zusammen) und wird nicht angewandt.</translation>
+    </message>
+    <message>
+        <source>This entry is %1-dimensional, but its stored cage or moved branches are not: they are not applied, and their lines are kept.</source>
+        <translation>Dieser Eintrag ist %1-dimensional, sein gespeicherter Käfig oder seine verschobenen Äste sind es nicht: Sie werden nicht angewandt, und ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>none: ρ(A) ≥ 1 for the word %1</source>
+        <translation>keiner: ρ(A) ≥ 1 für das Wort %1</translation>
+    </message>
+    <message>
+        <source>(of the attractor: its pieces are disjoint)</source>
+        <translation>(des Attraktors: seine Teile sind disjunkt)</translation>
+    </message>
+    <message>
+        <source>(upper bound: pieces coincide)</source>
+        <translation>(obere Schranke: Teile fallen zusammen)</translation>
+    </message>
+    <message>
+        <source>(if the open set condition holds; else an upper bound)</source>
+        <translation>(wenn die Offene-Mengen-Bedingung gilt; sonst eine obere Schranke)</translation>
+    </message>
+    <message>
+        <source>strong: no two pieces meet</source>
+        <translation>stark: keine zwei Teile berühren sich</translation>
+    </message>
+    <message>
+        <source>none: pieces coincide</source>
+        <translation>keine: Teile fallen zusammen</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>zusammenhängend</translation>
+    </message>
+    <message>
+        <source>connected, as far as rounding tells</source>
+        <translation>zusammenhängend, soweit die Rundung es erkennen lässt</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht zusammenhängend</translation>
+    </message>
+    <message>
+        <source>separation</source>
+        <translation>Trennung</translation>
+    </message>
+    <message>
+        <source>connectedness</source>
+        <translation>Zusammenhang</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map</source>
+        <translation>die Wörter %1 und %2 sind dieselbe Abbildung</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map to rounding</source>
+        <translation>die Wörter %1 und %2 sind bis auf Rundung dieselbe Abbildung</translation>
+    </message>
+    <message>
+        <source>joint spectral radius</source>
+        <translation>gemeinsamer Spektralradius</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
+        <source>entropy</source>
+        <translation>Entropie</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Ljapunow-Exponent</translation>
+    </message>
+    <message>
+        <source>dimension of measure</source>
+        <translation>Dimension des Maßes</translation>
+    </message>
+    <message>
+        <source>The numbers can be read as %1 maps of 6 numbers, line by line, or as %2 maps of 7 numbers, whose weights then sum to 1. They are read line by line; for the other reading, put 7 numbers on each line.</source>
+        <translation>Die Zahlen lassen sich zeilenweise als %1 Abbildungen aus 6 Zahlen lesen oder als %2 Abbildungen aus 7 Zahlen, deren Gewichte dann die Summe 1 haben. Sie werden zeilenweise gelesen; für die andere Lesart setzen Sie 7 Zahlen in jede Zeile.</translation>
+    </message>
+    <message>
+        <source>The block names no maps: a line such as “A=(f1|f2)*A” is missing.</source>
+        <translation>Der Block nennt keine Abbildungen: eine Zeile wie „A=(f1|f2)*A“ fehlt.</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood: Barycage reads blocks of affine maps, such as “f1=[e,f]*[a,b,c,d]” and “A=(f1|f2)*A”.</source>
+        <translation>„%1“ wird nicht verstanden: Barycage liest Blöcke affiner Abbildungen wie „f1=[e,f]*[a,b,c,d]“ und „A=(f1|f2)*A“.</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 blocks, which is the limit; the rest was not read.</source>
+        <translation>Die Datei hat mehr als %1 Blöcke, die Obergrenze; der Rest wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>This IFStile file contains no affine system.</source>
+        <translation>Diese IFStile-Datei enthält kein affines System.</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written to.</source>
+        <translation>Auf die Standardausgabe kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
+        <translation>Die Zahlen lassen sich zeilenweise als %1 Abbildungen aus %2 Zahlen lesen oder als %3 Abbildungen aus 7 Zahlen, deren Gewichte dann die Summe 1 haben. Sie werden, anders als in Fractint, zeilenweise gelesen; für die andere Lesart setzen Sie 7 Zahlen in jede Zeile.</translation>
+    </message>
+    <message>
+        <source>The numbers are read line by line, as %1 maps of %2 numbers. Fractint ignores line ends and reads %3 maps of 7 numbers.</source>
+        <translation>Die Zahlen werden zeilenweise gelesen, als %1 Abbildungen aus %2 Zahlen. Fractint ignoriert Zeilenenden und liest %3 Abbildungen aus 7 Zahlen.</translation>
+    </message>
+    <message>
+        <source>Entries whose names begin with “ifs:” belong in parameter files (.par); in a collection, Fractint takes the prefix as part of the name.</source>
+        <translation>Einträge, deren Namen mit „ifs:“ beginnen, gehören in Parameterdateien (.par); in einer Sammlung hält Fractint das Präfix für einen Teil des Namens.</translation>
+    </message>
+    <message>
+        <source>The lines end with CR alone, as on old Macintosh computers; Fractint reads such a file as a single line.</source>
+        <translation>Die Zeilen enden nur mit CR, wie auf alten Macintosh-Rechnern; Fractint liest eine solche Datei als eine einzige Zeile.</translation>
+    </message>
+    <message>
+        <source>The convex hull has an error of up to %1: the tolerance %2 was not reached.</source>
+        <translation>Die konvexe Hülle hat einen Fehler von bis zu %1: die Toleranz %2 wurde nicht erreicht.</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ %1</source>
+        <translation>kontraktiv in einer ellipsoidischen Norm, γ %1</translation>
+    </message>
+    <message>
+        <source>contractive in a polytope norm, γ %1</source>
+        <translation>kontraktiv in einer Polytopnorm, γ %1</translation>
+    </message>
+    <message>
+        <source>eventually contractive, γ %1 from words of length %2</source>
+        <translation>schließlich kontraktiv, γ %1 aus Wörtern der Länge %2</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s %1</source>
+        <translation>hyperbolisch, s %1</translation>
+    </message>
+    <message>
+        <source>1 map</source>
+        <translation>1 Abbildung</translation>
+    </message>
+    <message>
+        <source>%1 maps</source>
+        <translation>%1 Abbildungen</translation>
+    </message>
+    <message>
+        <source>%1 — in space, %2</source>
+        <translation>%1 – im Raum, %2</translation>
+    </message>
+    <message>
+        <source>%1 — in the plane, %2</source>
+        <translation>%1 – in der Ebene, %2</translation>
+    </message>
+    <message>
+        <source>could not be read</source>
+        <translation>konnte nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>in space, %1</source>
+        <translation>im Raum, %1</translation>
+    </message>
+    <message>
+        <source>in the plane, %1</source>
+        <translation>in der Ebene, %1</translation>
+    </message>
+    <message>
+        <source>its cage</source>
+        <translation>seinen Käfig</translation>
+    </message>
+    <message>
+        <source>its moved branches</source>
+        <translation>seine bewegten Zweige</translation>
+    </message>
+    <message>
+        <source>its palette</source>
+        <translation>seine Palette</translation>
+    </message>
+    <message>
+        <source>its background</source>
+        <translation>seinen Hintergrund</translation>
+    </message>
+    <message>
+        <source>its other colour settings</source>
+        <translation>seine übrigen Farbeinstellungen</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>“%1” is written without %2: other programs will draw a different picture.</source>
+        <translation>„%1“ wird ohne %2 geschrieben: andere Programme werden ein anderes Bild zeichnen.</translation>
+    </message>
+    <message>
+        <source>“%1” is written without %2.</source>
+        <translation>„%1“ wird ohne %2 geschrieben.</translation>
+    </message>
+    <message>
+        <source>The stored animation is not applied, because “%1” is not understood; its lines are kept.</source>
+        <translation>Die gespeicherte Animation wird nicht angewendet, weil „%1“ nicht verstanden wird; ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>The entry has more than one stored animation: the last valid one is used, and the lines of the others are kept.</source>
+        <translation>Der Eintrag hat mehr als eine gespeicherte Animation: Die letzte gültige wird verwendet, die Zeilen der anderen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>The stored animation is not valid and is not applied: it moves maps or vertices that do not exist, a frame, number or curve is out of its range, or keys are not in order. Its lines are kept.</source>
+        <translation>Die gespeicherte Animation ist ungültig und wird nicht angewendet: Sie bewegt Abbildungen oder Ecken, die es nicht gibt, ein Bild, eine Zahl oder eine Kurve liegt außerhalb ihres Bereichs, oder Schlüsselbilder sind nicht in der richtigen Reihenfolge. Ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>in a cycle</source>
+        <translation>in einer Schleife</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>hin und zurück</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>einmal</translation>
+    </message>
+    <message>
+        <source>animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>%1 frames at %2 per second, %3; %4 tracks, %5 motions</source>
+        <translation>%1 Bilder, %2 pro Sekunde, %3; %4 Spuren, %5 Bewegungen</translation>
+    </message>
+    <message>
+        <source>This is not a format of fractal programs. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.</source>
+        <translation>Dies ist kein Format von Fraktalprogrammen. Seine Zahlenlisten werden als Tabellen von Abbildungen gelesen (Systeme: %1, Abbildungen: %2), in der Reihenfolge a b c d e f, wo Namen keine andere angeben.</translation>
+    </message>
+    <message>
+        <source>it acts in space after its variations (“%1”)</source>
+        <translation>sie wirkt nach ihren Variationen im Raum („%1“)</translation>
+    </message>
+    <message>
+        <source>its “%1” is not six numbers</source>
+        <translation>„%1“ besteht nicht aus sechs Zahlen</translation>
+    </message>
+    <message>
+        <source>The flame names a palette of another program by its number; its colours are not in the file.</source>
+        <translation>Die Flame nennt eine Palette eines anderen Programms nur mit deren Nummer; die Farben stehen nicht in der Datei.</translation>
+    </message>
+    <message>
+        <source>“%1” could not be read, so it has no points.</source>
+        <translation>„%1“ konnte nicht gelesen werden und hat deshalb keine Punkte.</translation>
+    </message>
+    <message>
+        <source>This is JSON text (data of another program), not a Fractint collection, and none of its lists are affine maps.</source>
+        <translation>Dies ist JSON-Text (Daten eines anderen Programms), keine Fractint-Sammlung, und keine seiner Listen besteht aus affinen Abbildungen.</translation>
+    </message>
+    <message>
+        <source>This is the text of a program, not a Fractint collection, and none of its lists are affine maps.</source>
+        <translation>Dies ist der Text eines Programms, keine Fractint-Sammlung, und keine seiner Listen besteht aus affinen Abbildungen.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it has no solid.</source>
+        <translation>„%1“ ist kein System im Raum und hat deshalb keinen Körper.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” bends the picture, so its solid cannot be written.</source>
+        <translation>Der Käfig von „%1“ biegt das Bild; sein Körper kann deshalb nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>“%1” has no certified attractor, so it has no solid.</source>
+        <translation>„%1“ hat keinen nachgewiesenen Attraktor und deshalb keinen Körper.</translation>
+    </message>
+    <message>
+        <source>“%1” would need more than %2 parts in OpenSCAD. Choose larger voxels.</source>
+        <translation>„%1“ bräuchte in OpenSCAD mehr als %2 Teile. Wählen Sie größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
+        <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger voxels.</source>
+        <translation>Die Teile von „%1“ überlappen sich zu stark, um die Voxel in vertretbarer Zeit zu bestimmen. Wählen Sie größere Voxel.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large for a solid.</source>
+        <translation>„%1“ ist zu groß für einen Körper.</translation>
+    </message>
+    <message>
+        <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
+        <translation>„%1“ ist ein einzelner Punkt: Nur die Größe des Voxels kann gewählt werden.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for voxels of this size. Choose larger voxels.</source>
+        <translation>Die Wand ist zu dick für Voxel dieser Größe. Wählen Sie größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” would have more than %2 million triangles. Choose larger voxels.</source>
+        <translation>Die Oberfläche von „%1“ hätte mehr als %2 Millionen Dreiecke. Wählen Sie größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” is not closed, so it was not written.</source>
+        <translation>Die Oberfläche von „%1“ ist nicht geschlossen und wurde deshalb nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for its distance from the origin: the numbers of the file cannot tell its points apart. Move it to the origin.</source>
+        <translation>„%1“ ist zu klein für seinen Abstand vom Ursprung: Die Zahlen der Datei können seine Punkte nicht unterscheiden. Verschieben Sie es zum Ursprung.</translation>
+    </message>
+    <message>
+        <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
+        <translation>Größe: %1 × %2 × %3 mm; Volumen: %4 mm³; Dreiecke: %5.</translation>
+    </message>
+    <message>
+        <source>Distance from the attractor: at most %1 mm = √3 · %2 mm + %3 mm for the wall.</source>
+        <translation>Abstand vom Attraktor: höchstens %1 mm = √3 · %2 mm + %3 mm für die Wand.</translation>
+    </message>
+    <message>
+        <source>Cavities filled: %1, with %2 mm³.</source>
+        <translation>Gefüllte Hohlräume: %1, mit %2 mm³.</translation>
+    </message>
+    <message>
+        <source>Closed cavities: %1, with %2 mm³.</source>
+        <translation>Geschlossene Hohlräume: %1, mit %2 mm³.</translation>
+    </message>
+    <message>
+        <source>Separate bodies: %1.</source>
+        <translation>Getrennte Körper: %1.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>„%1“: %2</translation>
+    </message>
+    <message>
+        <source>“%1” is of another picture: the entry, the view, the size, the seed or the format differs.</source>
+        <translation>„%1“ gehört zu einem anderen Bild: Eintrag, Ausschnitt, Größe, Startwert oder Format sind verschieden.</translation>
+    </message>
+    <message>
+        <source>“%1” is of a picture with another number of points, so the sums do not add up.</source>
+        <translation>„%1“ gehört zu einem Bild mit anderer Punktzahl; die Summen lassen sich nicht addieren.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” hold the same part of the picture, which would be counted twice.</source>
+        <translation>„%1“ und „%2“ enthalten denselben Teil des Bildes, der doppelt gezählt würde.</translation>
+    </message>
+    <message>
+        <source>“%1” was written by another version of the program, which may draw other pixels.</source>
+        <translation>„%1“ wurde von einer anderen Version des Programms geschrieben, die andere Pixel zeichnen kann.</translation>
+    </message>
+    <message>
+        <source>The picture is not complete: %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <translation>Das Bild ist nicht vollständig: %1 % sind vorhanden. Fügen Sie die Dateien der anderen Teile hinzu, oder schreiben Sie eine .sum-Datei.</translation>
+    </message>
+    <message>
+        <source>This is not a file of sums.</source>
+        <translation>Dies ist keine Summendatei.</translation>
+    </message>
+    <message>
+        <source>The file of sums is damaged or incomplete.</source>
+        <translation>Die Summendatei ist beschädigt oder unvollständig.</translation>
+    </message>
+    <message>
+        <source>“%1” is a symbolic link that leads back to itself, or through too many others.</source>
+        <translation>„%1“ ist ein symbolischer Link, der auf sich selbst zurückführt oder über zu viele andere.</translation>
+    </message>
+    <message>
+        <source>You do not have permission to enter the folder “%1”.</source>
+        <translation>Sie dürfen den Ordner „%1“ nicht betreten.</translation>
+    </message>
+    <message>
+        <source>not computed within the budget</source>
+        <translation>innerhalb des Zeitbudgets nicht berechnet</translation>
+    </message>
+    <message>
+        <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
+        <translation>%1 Ecken, Fläche %2; Fehler höchstens %3; periodische Adressen innerhalb des Zeitbudgets nicht berechnet</translation>
     </message>
 </context>
 <context>
@@ -2240,48 +3101,48 @@
         <translation>Kontraktion</translation>
     </message>
     <message>
-        <source>Every row of this table is a map that makes a smaller copy of the whole, and the picture is all copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the most by which a map stretches. While it is less than 1, the map contracts. Ctrl+Z takes everything back.</source>
-        <translation>Jede Zeile dieser Tabelle ist eine Abbildung, die eine kleinere Kopie des Ganzen macht, und das Bild sind alle Kopien zusammen. Klicken Sie doppelt auf eine Zahl und tippen Sie eine andere: Die Kopie bewegt sich mit. ‖A‖ ist das Meiste, um das eine Abbildung streckt. Solange es kleiner als 1 ist, kontrahiert sie. Strg+Z nimmt alles zurück.</translation>
+        <source>Each row of this table is a map that makes a smaller copy of the whole; the picture is all the copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the largest factor by which a map stretches distances. As long as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes.</source>
+        <translation>Jede Zeile dieser Tabelle ist eine Abbildung, die eine kleinere Kopie des Ganzen macht; alle Kopien zusammen sind das Bild. Klicken Sie doppelt auf eine Zahl und tippen Sie eine andere: Die Kopie bewegt sich mit. ‖A‖ ist der größte Faktor, um den eine Abbildung Abstände streckt. Solange er kleiner als 1 ist, kontrahiert sie. Mit Strg+Z machen Sie Ihre Änderungen rückgängig.</translation>
     </message>
     <message>
         <source>Fixed point</source>
         <translation>Fixpunkt</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left of the table, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
-        <translation>Eine kontrahierende Abbildung lässt genau einen Punkt, wo er ist: ihren Fixpunkt. Schalten Sie mit den Kästchen links in der Tabelle alle Abbildungen bis auf zwei aus und sehen Sie, wie wenig vom Bild bleibt. Bei einer einzigen bleibt nichts als ihr Fixpunkt. Strg+Z bringt die Abbildungen zurück.</translation>
+        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the check boxes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
+        <translation>Eine kontrahierende Abbildung lässt genau einen Punkt unverändert: ihren Fixpunkt. Schalten Sie mit den Kästchen links in der Tabelle alle Abbildungen bis auf zwei aus und sehen Sie, wie wenig vom Bild bleibt. Bei einer einzigen Abbildung bleibt nur ihr Fixpunkt. Mit Strg+Z kommen die Abbildungen zurück.</translation>
     </message>
     <message>
         <source>Chaos game</source>
         <translation>Chaos-Spiel</translation>
     </message>
     <message>
-        <source>Press Chaos Game and then the triangle that starts it. One point jumps about, each time by a map drawn at random, and leaves a dot where it lands. Let it go faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
-        <translation>Drücken Sie „Chaos-Spiel“ und dann das Dreieck, das es startet. Ein Punkt springt umher, jedes Mal nach einer ausgelosten Abbildung, und hinterlässt einen Fleck, wo er landet. Lassen Sie es schneller laufen: Was auch die Würfel sagen, die Flecken füllen dasselbe Bild, den Attraktor.</translation>
+        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
+        <translation>Drücken Sie „Chaos-Spiel“ und dann „Abspielen“. Ein einzelner Punkt springt umher, jedes Mal nach einer zufällig gewählten Abbildung, und hinterlässt einen Fleck, wo er landet. Lassen Sie es schneller laufen: Was auch immer die Würfel sagen, die Flecken füllen dasselbe Bild, den Attraktor.</translation>
     </message>
     <message>
         <source>Address</source>
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>The map that made the last jump to a point, the one before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike lie close together, and now they look alike.</source>
-        <translation>Die Abbildung des letzten Sprungs zu einem Punkt, die davor, und so weiter: Diese Zahlen sind die Adresse des Punktes. Wählen Sie „Färben nach: Adresse“. Punkte, deren Adressen gleich beginnen, liegen nah beieinander, und nun sehen sie auch so aus.</translation>
+        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike are close together, and now they look alike.</source>
+        <translation>Die Abbildung des letzten Sprungs zu einem Punkt, die des Sprungs davor, und so weiter: Diese Zahlen sind die Adresse des Punktes. Wählen Sie „Färben nach: Adresse“. Punkte, deren Adressen gleich beginnen, liegen nah beieinander, und nun sehen sie auch ähnlich aus.</translation>
     </message>
     <message>
         <source>Barycentric coordinates</source>
         <translation>Baryzentrische Koordinaten</translation>
     </message>
     <message>
-        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Take a corner and pull: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights at the pointer stand at the bottom of the window.</source>
-        <translation>Jeder Punkt des Bildes ist ein gewichtetes Mittel der drei Ecken des Dreiecks. Fassen Sie eine Ecke und ziehen Sie: Die Punkte behalten ihre Gewichte, und das ganze Fraktal folgt. Drücken Sie das Dreieck flach und öffnen Sie es wieder: Nichts geht verloren. Die Gewichte beim Zeiger stehen unten im Fenster.</translation>
+        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights under the pointer are shown in the status bar.</source>
+        <translation>Jeder Punkt des Bildes ist ein gewichtetes Mittel der drei Ecken des Dreiecks. Ziehen Sie an einer Ecke: Die Punkte behalten ihre Gewichte, und das ganze Fraktal folgt. Drücken Sie das Dreieck flach und öffnen Sie es wieder: Nichts geht verloren. Die Gewichte unter dem Mauszeiger zeigt die Statusleiste.</translation>
     </message>
     <message>
         <source>Dimension</source>
         <translation>Dimension</translation>
     </message>
     <message>
-        <source>How much of the plane does the attractor fill? The dimension of a curve is 1, that of an area is 2, and most attractors lie between the two. Change a map and look here again. That was the tour; the user guide under Help tells the rest.</source>
-        <translation>Wie viel von der Ebene füllt der Attraktor? Die Dimension einer Kurve ist 1, die einer Fläche 2, und die meisten Attraktoren liegen dazwischen. Ändern Sie eine Abbildung und sehen Sie wieder hierher. Das war der Rundgang; das Handbuch unter „Hilfe“ erzählt den Rest.</translation>
+        <source>How much of the plane does the attractor fill? A curve has dimension 1, an area has dimension 2, and most attractors are in between. Change a map and look here again. This is the end of the tour; the user guide in the Help menu tells you more.</source>
+        <translation>Wie viel von der Ebene füllt der Attraktor? Eine Kurve hat die Dimension 1, eine Fläche die Dimension 2, und die meisten Attraktoren liegen dazwischen. Ändern Sie eine Abbildung und sehen Sie wieder hierher. Der Rundgang ist hier zu Ende; mehr steht im Handbuch im Menü „Hilfe“.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -2296,8 +3157,8 @@
         <translation>Neu hier?</translation>
     </message>
     <message>
-        <source>Six short steps show what an attractor is, by pulling on one. You can take the tour later, too: it is in the Help menu.</source>
-        <translation>Sechs kurze Schritte zeigen, was ein Attraktor ist, indem Sie an einem ziehen. Der Rundgang ist auch später im Menü „Hilfe“ zu finden.</translation>
+        <source>Six short steps show you what an attractor is while you drag one. You can also take the tour later: it is in the Help menu.</source>
+        <translation>Sechs kurze Schritte zeigen, was ein Attraktor ist, während Sie an einem ziehen. Sie finden den Rundgang auch später im Menü „Hilfe“.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -2327,7 +3188,7 @@
 <context>
     <name>Welcome</name>
     <message>
-        <source>The last files, and the collection.</source>
+        <source>Recent files and the collection.</source>
         <translation>Die letzten Dateien und die Sammlung.</translation>
     </message>
     <message>
@@ -2335,7 +3196,7 @@
         <translation>Willkommen</translation>
     </message>
     <message>
-        <source>Go on with</source>
+        <source>Continue with</source>
         <translation>Weiter mit</translation>
     </message>
     <message>
@@ -2347,11 +3208,11 @@
         <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
-        <source>A file, or the collection.</source>
+        <source>A file or the collection.</source>
         <translation>Eine Datei oder die Sammlung.</translation>
     </message>
     <message>
-        <source>Begin with</source>
+        <source>Start with</source>
         <translation>Beginnen mit</translation>
     </message>
     <message>
@@ -2362,11 +3223,11 @@
 <context>
     <name>WhatsThis</name>
     <message>
-        <source>Takes what the dialog shows, and closes it.</source>
+        <source>Accepts the settings and closes the dialog.</source>
         <translation>Übernimmt, was der Dialog zeigt, und schließt ihn.</translation>
     </message>
     <message>
-        <source>Closes the dialog and changes nothing.</source>
+        <source>Closes the dialog without changing anything.</source>
         <translation>Schließt den Dialog und ändert nichts.</translation>
     </message>
     <message>
@@ -2377,11 +3238,203 @@
         <source>Clear</source>
         <translation>Leeren</translation>
     </message>
+    <message>
+        <source>%1 Panel “%2”: %3</source>
+        <comment>what it does, panel, what the panel is for</comment>
+        <translation>%1 Feld „%2“: %3</translation>
+    </message>
+</context>
+<context>
+    <name>document::CageActions</name>
+    <message>
+        <source>This entry is not a system in the plane, so it has no control cage.</source>
+        <translation>Dieser Eintrag ist kein System der Ebene und hat daher keinen Kontrollkäfig.</translation>
+    </message>
+    <message>
+        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <translation>Der Käfig ist zu flach, um ihn rückgängig zu machen. Öffnen Sie ihn durch Ziehen einer Ecke oder setzen Sie ihn zurück und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The three points are on one line, so they define no coordinates. Click a third point off the line.</source>
+        <translation>Die drei Punkte liegen auf einer Geraden und tragen keine Koordinaten. Setzen Sie den dritten neben die Gerade.</translation>
+    </message>
+    <message>
+        <source>Fit the minimal canonical simplex</source>
+        <translation>Das minimale kanonische Simplex anpassen</translation>
+    </message>
+    <message>
+        <source>Reset the cage</source>
+        <translation>Den Käfig zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Bake the placement into the code</source>
+        <translation>Die Lage in den Code einrechnen</translation>
+    </message>
+    <message>
+        <source>Define the control triangle</source>
+        <translation>Das Kontrolldreieck festlegen</translation>
+    </message>
+    <message>
+        <source>Vertex %1 is already there.</source>
+        <translation>Die Ecke %1 ist schon dort.</translation>
+    </message>
+    <message>
+        <source>A cage can have at most %1 vertices.</source>
+        <translation>Ein Käfig hat höchstens %1 Ecken.</translation>
+    </message>
+    <message>
+        <source>There is no room for a vertex here.</source>
+        <translation>Hier ist kein Platz für eine Ecke.</translation>
+    </message>
+    <message>
+        <source>Insert a vertex</source>
+        <translation>Eine Ecke einfügen</translation>
+    </message>
+    <message>
+        <source>A cage needs at least three vertices.</source>
+        <translation>Ein Käfig hat mindestens drei Ecken.</translation>
+    </message>
+    <message>
+        <source>Without this vertex the cage at rest would cross itself or be flat.</source>
+        <translation>Ohne diese Ecke würde sich der ruhende Käfig überkreuzen oder wäre flach.</translation>
+    </message>
+    <message>
+        <source>Delete vertex %1</source>
+        <translation>Ecke %1 löschen</translation>
+    </message>
+    <message>
+        <source>Make the cage regular</source>
+        <translation>Den Käfig regelmäßig machen</translation>
+    </message>
+    <message>
+        <source>Unbake: extract the placement from the code</source>
+        <translation>Die Lage aus dem Code herausrechnen</translation>
+    </message>
+    <message>
+        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
+        <translation>Ohne diese Ecken würde sich der ruhende Käfig überkreuzen oder wäre flach.</translation>
+    </message>
+    <message>
+        <source>Delete %1 vertices</source>
+        <translation>%1 Ecken löschen</translation>
+    </message>
+    <message>
+        <source>The cage is already the minimal canonical simplex.</source>
+        <translation>Der Käfig ist schon das minimale kanonische Simplex.</translation>
+    </message>
+    <message>
+        <source>The cage is already regular.</source>
+        <translation>Der Käfig ist schon regelmäßig.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Ecke %1 nach (%2, %3) verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>document::EntriesEdits</name>
+    <message>
+        <source>An entry needs a name.</source>
+        <translation>Ein Eintrag braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>A name cannot contain spaces: Fractint would read only its first word.</source>
+        <translation>Ein Name enthält keine Leerzeichen: Fractint würde nur sein erstes Wort lesen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
+        <translation>„%1“ kann nicht Teil eines Namens sein, weil es in .ifs-Dateien eine Bedeutung hat.</translation>
+    </message>
+    <message>
+        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
+        <translation>Ein Name hat höchstens %1 Zeichen; Fractint übergeht den Rest.</translation>
+    </message>
+    <message>
+        <source>Fractint does not list an entry called “%1”; choose another name.</source>
+        <translation>Fractint führt einen Eintrag namens „%1“ nicht auf; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
+        <translation>Ein anderer Eintrag heißt „%1“ (Groß- und Kleinbuchstaben gelten als gleich).</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapsArrange</name>
+    <message>
+        <source>Flip maps</source>
+        <translation>Abbildungen spiegeln</translation>
+    </message>
+    <message>
+        <source>Rotate maps by 90°</source>
+        <translation>Abbildungen um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Rotate maps by −90°</source>
+        <translation>Abbildungen um −90° drehen</translation>
+    </message>
+    <message>
+        <source>Align maps</source>
+        <translation>Abbildungen ausrichten</translation>
+    </message>
+    <message>
+        <source>Distribute maps</source>
+        <translation>Abbildungen verteilen</translation>
+    </message>
+    <message>
+        <source>Fit maps to the corners</source>
+        <translation>Abbildungen an die Ecken setzen</translation>
+    </message>
+    <message>
+        <source>Only maps in the plane can be arranged.</source>
+        <translation>Nur Abbildungen in der Ebene lassen sich anordnen.</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Erst eine Abbildung wählen.</translation>
+    </message>
+    <message>
+        <source>Select at least two maps first.</source>
+        <translation>Erst mindestens zwei Abbildungen wählen.</translation>
+    </message>
+    <message>
+        <source>Select at least three maps first.</source>
+        <translation>Erst mindestens drei Abbildungen wählen.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
+        <translation>Der Käfig ist flach, darum lassen sich Abbildungen darin nicht bewegen. Setzen Sie zuerst den Käfig zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapsEdits</name>
+    <message>
+        <source>Duplicate %1 maps</source>
+        <translation>%1 Abbildungen duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete %1 maps</source>
+        <translation>%1 Abbildungen löschen</translation>
+    </message>
+    <message>
+        <source>Duplicate a map</source>
+        <translation>Eine Abbildung duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete a map</source>
+        <translation>Eine Abbildung löschen</translation>
+    </message>
+</context>
+<context>
+    <name>document::SpaceGeometry</name>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Dieser Eintrag ist kein System im Raum.</translation>
+    </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Dieser Eintrag hat keine Abbildungen der Ebene.</translation>
     </message>
     <message>
@@ -2389,7 +3442,7 @@
         <translation>Affin invariante Form</translation>
     </message>
     <message>
-        <source>Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. The matrices do not change when the triangle is dragged. Where no entry is negative, the map takes the triangle into itself.</source>
+        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle into itself.</source>
         <translation>Zeile j einer Matrix enthält die baryzentrischen Koordinaten des Bildes der Ecke j im Dreieck; jede Zeile hat also die Summe 1. Die Matrizen ändern sich nicht, wenn das Dreieck gezogen wird. Wo kein Eintrag negativ ist, führt die Abbildung das Dreieck in sich über.</translation>
     </message>
     <message>
@@ -2397,16 +3450,16 @@
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
-        <source>Every map as a matrix that takes barycentric coordinates over the control triangle to barycentric coordinates: each row has the sum 1.</source>
+        <source>Each map as a matrix that acts on barycentric coordinates in the control triangle; every row sums to 1.</source>
         <translation>Jede Abbildung als Matrix, die baryzentrische Koordinaten über dem Kontrolldreieck in baryzentrische Koordinaten überführt: Jede Zeile hat die Summe 1.</translation>
     </message>
     <message>
-        <source>Copies the triangle and the matrices with all digits.</source>
+        <source>Copies the triangle and the matrices at full precision.</source>
         <translation>Kopiert das Dreieck und die Matrizen mit allen Stellen.</translation>
     </message>
     <message>
         <source>
-… and %1 more. Copy takes all of them.
+… and %1 more. Copy includes all of them.
 </source>
         <translation>
 … und %1 weitere. „Kopieren“ nimmt alle.
@@ -2424,27 +3477,23 @@
         <translation>Alles kopieren</translation>
     </message>
     <message>
-        <source>Copy all facts with all digits</source>
-        <translation>Alle Tatsachen mit allen Stellen kopieren</translation>
+        <source>Copy all properties at full precision</source>
+        <translation>Alle Kennwerte mit allen Stellen kopieren</translation>
     </message>
     <message>
-        <source>3D: not yet shown.</source>
-        <translation>3D: noch nicht gezeigt.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read, so nothing is known of it.</source>
+        <source>This entry could not be read, so it cannot be analysed.</source>
         <translation>Dieser Eintrag konnte nicht gelesen werden; es ist nichts von ihm bekannt.</translation>
     </message>
     <message>
-        <source>Copy with All Digits</source>
+        <source>Copy at Full Precision</source>
         <translation>Mit allen Stellen kopieren</translation>
     </message>
     <message>
-        <source>Copy All Facts</source>
-        <translation>Alle Tatsachen kopieren</translation>
+        <source>Copy All Properties</source>
+        <translation>Alle Kennwerte kopieren</translation>
     </message>
     <message>
-        <source>Copies every line as its name and its value with all digits.</source>
+        <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Kopiert jede Zeile als Namen und Wert mit allen Stellen.</translation>
     </message>
     <message>
@@ -2480,7 +3529,7 @@
         <translation>Ellipse</translation>
     </message>
     <message>
-        <source>Show the mean and the ellipse of the covariance</source>
+        <source>Show the mean and the covariance ellipse</source>
         <translation>Den Mittelwert und die Ellipse der Kovarianz zeigen</translation>
     </message>
     <message>
@@ -2496,7 +3545,7 @@
         <translation>Zylinder</translation>
     </message>
     <message>
-        <source>Outline the hulls of all pieces with an address of the same length, in the colour of its first map</source>
+        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map</source>
         <translation>Die Hüllen aller Teile mit gleich langer Adresse zeichnen, in der Farbe ihrer ersten Abbildung</translation>
     </message>
     <message>
@@ -2504,7 +3553,7 @@
         <translation>Länge der Adressen</translation>
     </message>
     <message>
-        <source>How many symbols the addresses of the cylinders have; fewer where there would be thousands</source>
+        <source>The number of symbols in the addresses of the cylinders; fewer if there would be thousands of cylinders</source>
         <translation>Wie viele Zeichen die Adressen der Zylinder haben; weniger, wo es Tausende wären</translation>
     </message>
     <message>
@@ -2512,8 +3561,8 @@
         <translation>Adresslänge</translation>
     </message>
     <message>
-        <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
-        <translation>Der Käfig biegt das Bild, und kein System hat es. Dies sind Tatsachen des Codes; auf der Zeichenfläche sind sie mit dem Bild gebogen.</translation>
+        <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
+        <translation>Der Käfig biegt das Bild, und kein System erzeugt ein gebogenes Bild. Dies sind Kennwerte des Codes; auf der Zeichenfläche werden die Umrisse mit dem Bild gebogen.</translation>
     </message>
 </context>
 <context>
@@ -2527,7 +3576,7 @@
         <translation>Auf Standard zurücksetzen</translation>
     </message>
     <message>
-        <source>Every setting of this panel as in a new fractal</source>
+        <source>Reset every setting of this panel to its default</source>
         <translation>Alle Einstellungen dieses Felds wie bei einem neuen Fraktal</translation>
     </message>
     <message>
@@ -2539,7 +3588,7 @@
         <translation>Dichte</translation>
     </message>
     <message>
-        <source>The palette follows the density of points</source>
+        <source>Colour by the density of points</source>
         <translation>Die Palette folgt der Dichte der Punkte</translation>
     </message>
     <message>
@@ -2547,7 +3596,7 @@
         <translation>Abbildung</translation>
     </message>
     <message>
-        <source>The colour of the last map applied</source>
+        <source>Colour by the last map applied</source>
         <translation>Die Farbe der zuletzt angewandten Abbildung</translation>
     </message>
     <message>
@@ -2555,7 +3604,7 @@
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>The palette follows the address of each point</source>
+        <source>Colour by the address of each point</source>
         <translation>Die Palette folgt der Adresse jedes Punktes</translation>
     </message>
     <message>
@@ -2563,20 +3612,12 @@
         <translation>Einfarbig</translation>
     </message>
     <message>
-        <source>One colour; the density is its opacity</source>
+        <source>One colour, with the density as its opacity</source>
         <translation>Eine Farbe; die Dichte ist ihre Deckkraft</translation>
-    </message>
-    <message>
-        <source>Change what the colour shows</source>
-        <translation>Ändern, was die Farbe zeigt</translation>
     </message>
     <message>
         <source>Plain colour</source>
         <translation>Einzelfarbe</translation>
-    </message>
-    <message>
-        <source>Change the plain colour</source>
-        <translation>Die Einzelfarbe ändern</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -2585,10 +3626,6 @@
     <message>
         <source>Palette</source>
         <translation>Palette</translation>
-    </message>
-    <message>
-        <source>Change the palette</source>
-        <translation>Die Palette ändern</translation>
     </message>
     <message>
         <source>Edit Palette</source>
@@ -2601,10 +3638,6 @@
     <message>
         <source>Background colour</source>
         <translation>Hintergrundfarbe</translation>
-    </message>
-    <message>
-        <source>Change the background colour</source>
-        <translation>Die Hintergrundfarbe ändern</translation>
     </message>
     <message>
         <source>Transparent</source>
@@ -2627,20 +3660,12 @@
         <translation>Helligkeit</translation>
     </message>
     <message>
-        <source>Change the brightness</source>
-        <translation>Die Helligkeit ändern</translation>
-    </message>
-    <message>
-        <source>How early thin parts become visible: κ of the logarithmic tone curve</source>
+        <source>How strongly thin parts show: κ of the logarithmic tone curve</source>
         <translation>Wie früh dünne Teile sichtbar werden: κ der logarithmischen Tonkurve</translation>
     </message>
     <message>
         <source>Gamma</source>
         <translation>Gamma</translation>
-    </message>
-    <message>
-        <source>Change the gamma</source>
-        <translation>Das Gamma ändern</translation>
     </message>
     <message>
         <source>Exponent of the tone curve: higher values lift the dark parts</source>
@@ -2659,10 +3684,6 @@
         <translation>%1 × %1 Unterpixel</translation>
     </message>
     <message>
-        <source>Change the supersampling</source>
-        <translation>Die Überabtastung ändern</translation>
-    </message>
-    <message>
         <source>Map colours</source>
         <translation>Farben der Abbildungen</translation>
     </message>
@@ -2675,11 +3696,7 @@
         <translation>Farbe der Abbildung %1</translation>
     </message>
     <message>
-        <source>Change the colour of map %1</source>
-        <translation>Die Farbe der Abbildung %1 ändern</translation>
-    </message>
-    <message>
-        <source>What the colour of a point tells: how many points fall there, which map came last, or the whole address.</source>
+        <source>What the colour of a point shows: how many points fall there, which map came last, or the whole address.</source>
         <translation>Was die Farbe eines Punktes sagt: wie viele Punkte dorthin fallen, welche Abbildung zuletzt kam, oder die ganze Adresse.</translation>
     </message>
     <message>
@@ -2687,126 +3704,35 @@
         <translation>Die Farben von den dünnsten zu den dichtesten Teilen oder die Adressen entlang.</translation>
     </message>
     <message>
-        <source>Leaves the background out of exported pictures.</source>
+        <source>Makes the background of exported pictures transparent.</source>
         <translation>Lässt den Hintergrund aus exportierten Bildern weg.</translation>
     </message>
     <message>
-        <source>Draws every pixel from several finer ones: smoother edges, for more memory and time.</source>
+        <source>Computes every pixel from several smaller ones: smoother edges, at the cost of memory and time.</source>
         <translation>Zeichnet jedes Pixel aus mehreren feineren: glattere Ränder für mehr Speicher und Zeit.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Colour by: %1</source>
+        <translation>Färben nach: %1</translation>
+    </message>
+    <message>
+        <source>Palette: %1</source>
+        <translation>Palette: %1</translation>
+    </message>
+    <message>
+        <source>Supersampling: %1</source>
+        <translation>Überabtastung: %1</translation>
     </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
     <message>
-        <source>Drag, or use the arrow keys. The number beside it is the same value.</source>
+        <source>Drag, or use the arrow keys. The field next to it shows the same value.</source>
         <translation>Ziehen Sie oder benutzen Sie die Pfeiltasten. Die Zahl daneben ist derselbe Wert.</translation>
-    </message>
-</context>
-<context>
-    <name>view::ArisingBar</name>
-    <message>
-        <source>How the attractor arises</source>
-        <translation>Wie der Attraktor entsteht</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Dichte</translation>
-    </message>
-    <message>
-        <source>The invariant measure, refined while nothing moves</source>
-        <translation>Das invariante Maß, verfeinert, solange sich nichts bewegt</translation>
-    </message>
-    <message>
-        <source>Steps Wⁿ</source>
-        <translation>Schritte Wⁿ</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>Der deterministische Algorithmus: alle Abbildungen n-mal auf den ruhenden Käfig angewandt</translation>
-    </message>
-    <message>
-        <source>Chaos Game</source>
-        <translation>Chaos-Spiel</translation>
-    </message>
-    <message>
-        <source>One point that jumps by maps drawn at random; the first 14 points are not plotted</source>
-        <translation>Ein Punkt, der nach ausgelosten Abbildungen springt; die ersten 14 Punkte werden nicht gezeichnet</translation>
-    </message>
-    <message>
-        <source>n: how often all maps are applied</source>
-        <translation>n: wie oft alle Abbildungen angewandt werden</translation>
-    </message>
-    <message>
-        <source>Begin Again</source>
-        <translation>Von vorn</translation>
-    </message>
-    <message>
-        <source>No points yet, and other dice</source>
-        <translation>Noch keine Punkte, und andere Würfel</translation>
-    </message>
-    <message>
-        <source>One Point</source>
-        <translation>Ein Punkt</translation>
-    </message>
-    <message>
-        <source>Plot one more point</source>
-        <translation>Einen Punkt mehr zeichnen</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Let points appear</source>
-        <translation>Punkte erscheinen lassen</translation>
-    </message>
-    <message>
-        <source>Points a second</source>
-        <translation>Punkte je Sekunde</translation>
-    </message>
-    <message>
-        <source>%1 a second</source>
-        <translation>%1 je Sekunde</translation>
-    </message>
-    <message>
-        <source>W%1: the cage itself</source>
-        <translation>W%1: der Käfig selbst</translation>
-    </message>
-    <message>
-        <source>W%1: %2 copies of the cage</source>
-        <translation>W%1: %2 Kopien des Käfigs</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stay at these points</source>
-        <translation>Bei diesen Punkten bleiben</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 Punkt</translation>
-    </message>
-    <message>
-        <source>, the last by map %1</source>
-        <translation>, der letzte von Abbildung %1</translation>
-    </message>
-    <message>
-        <source>How often all maps are applied to the cage: 0 is the cage itself, and with every step the picture comes closer to the attractor.</source>
-        <translation>Wie oft alle Abbildungen auf den Käfig angewandt werden: 0 ist der Käfig selbst, und mit jedem Schritt kommt das Bild dem Attraktor näher.</translation>
-    </message>
-    <message>
-        <source>How many points the chaos game plots in a second.</source>
-        <translation>Wie viele Punkte das Chaos-Spiel in einer Sekunde zeichnet.</translation>
-    </message>
-    <message>
-        <source>no points yet: press ▶</source>
-        <translation>noch keine Punkte: ▶ drücken</translation>
     </message>
 </context>
 <context>
@@ -2816,7 +3742,7 @@
         <translation>Diagramm der Kästchenzählung</translation>
     </message>
     <message>
-        <source>How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the line: there the size of the whole or of a cell shows.</source>
+        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: there the size of the whole or of a cell has an effect.</source>
         <translation>Wie viele Kästchen den Attraktor treffen, gegen ihre Feinheit: log₂ N über k für Kästchen der Seite L·2⁻ᵏ, L die Seite des Quadrats um den Attraktor. Umrissene Punkte zählen für die Gerade nicht: Dort zeigt sich die Größe des Ganzen oder einer Zelle.</translation>
     </message>
     <message>
@@ -2855,32 +3781,32 @@
         <translation>Tiefe des Astes</translation>
     </message>
     <message>
-        <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
+        <source>The number of maps in the address of the branch (Shift + wheel over the canvas)</source>
         <translation>Wie viele Abbildungen der Adresse den Ast benennen (Umschalt + Rad über der Zeichenfläche)</translation>
     </message>
     <message>
-        <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
-        <translation>Die Adresse des angeklickten Punktes, äußerste Abbildung zuerst; der Ast ist, was fett ist</translation>
+        <source>The address of the clicked point, outermost map first; the bold part is the address of the branch</source>
+        <translation>Die Adresse des angeklickten Punktes, äußerste Abbildung zuerst; der fette Teil ist die Adresse des Astes</translation>
     </message>
     <message>
-        <source>this branch, as a map of its own</source>
-        <translation>diesen Ast, als eigene Abbildung</translation>
+        <source>New map for this branch</source>
+        <translation>Neue Abbildung für diesen Ast</translation>
     </message>
     <message>
-        <source>The system gets a map for this branch and one for every branch beside it. Its change is seen again at all smaller scales.</source>
-        <translation>Das System bekommt eine Abbildung für diesen Ast und eine für jeden Ast daneben. Die Änderung zeigt sich in allen kleineren Größen wieder.</translation>
+        <source>Gives this branch and each of its sibling branches a map of its own. The change appears again at all smaller scales.</source>
+        <translation>Dieser Ast und jeder Ast daneben bekommt eine eigene Abbildung. Die Änderung zeigt sich auch in allen kleineren Größen.</translation>
     </message>
     <message>
-        <source>the last map of its address</source>
-        <translation>die letzte Abbildung seiner Adresse</translation>
+        <source>Last map of the address</source>
+        <translation>Letzte Abbildung der Adresse</translation>
     </message>
     <message>
-        <source>The code keeps its maps. All branches that this map makes change alike.</source>
-        <translation>Der Code behält seine Abbildungen. Alle Äste, die diese Abbildung macht, ändern sich gleich.</translation>
+        <source>The system keeps its number of maps. All branches that this map makes change in the same way.</source>
+        <translation>Die Zahl der Abbildungen bleibt gleich. Alle Äste, die diese Abbildung erzeugt, ändern sich gleich.</translation>
     </message>
     <message>
-        <source>What changing the branch changes</source>
-        <translation>Was die Änderung des Astes ändert</translation>
+        <source>What editing the branch changes</source>
+        <translation>Was eine Änderung des Astes bewirkt</translation>
     </message>
     <message>
         <source>&amp;Weave</source>
@@ -2891,7 +3817,7 @@
         <translation>Winkel, um den die gewählten Abbildungen um ihre Wurzeln schwingen</translation>
     </message>
     <message>
-        <source>Lets the selected maps swing, each about the image of the lowest point of the fractal; the slider goes back to the middle when it is let go</source>
+        <source>Swings the selected maps, each about the image of the lowest point of the fractal; the slider returns to the middle when you release it</source>
         <translation>Lässt die gewählten Abbildungen schwingen, jede um das Bild des tiefsten Punktes des Fraktals; losgelassen geht der Regler in die Mitte zurück</translation>
     </message>
     <message>
@@ -2907,16 +3833,16 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Let maps swing</source>
+        <source>Swing maps</source>
         <translation>Abbildungen schwingen lassen</translation>
     </message>
     <message>
-        <source>where it is shown, and it alone</source>
-        <translation>wo er gezeigt wird, und nur er</translation>
+        <source>Only here</source>
+        <translation>Nur hier</translation>
     </message>
     <message>
-        <source>The code stays as it is. This branch is shown elsewhere, and nothing like it at other scales.</source>
-        <translation>Der Code bleibt, wie er ist. Dieser Ast wird anderswo gezeigt, und nichts seinesgleichen in anderen Größen.</translation>
+        <source>The code does not change. Only this branch is shown elsewhere; the same change does not appear at other scales.</source>
+        <translation>Der Code ändert sich nicht. Nur dieser Ast wird anderswo gezeigt; in anderen Größen wiederholt sich die Änderung nicht.</translation>
     </message>
     <message>
         <source>Put &amp;Back</source>
@@ -2927,11 +3853,11 @@
         <translation>Alle &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>Shows the branch where its maps put it</source>
+        <source>Shows the branch in its original position, given by its maps</source>
         <translation>Zeigt den Ast dort, wohin ihn seine Abbildungen legen</translation>
     </message>
     <message>
-        <source>Shows every branch where its maps put it</source>
+        <source>Shows all branches in their original positions, given by their maps</source>
         <translation>Zeigt jeden Ast dort, wohin ihn seine Abbildungen legen</translation>
     </message>
     <message>
@@ -2974,95 +3900,8 @@
         <translation>Ast %1 skalieren</translation>
     </message>
     <message>
-        <source>This branch is map 1 now. Numbers in the table change it further.</source>
+        <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Dieser Ast ist jetzt Abbildung 1. Zahlen in der Tabelle ändern ihn weiter.</translation>
-    </message>
-</context>
-<context>
-    <name>view::CageActions</name>
-    <message>
-        <source>This entry is not a system of the plane, so it has no control cage.</source>
-        <translation>Dieser Eintrag ist kein System der Ebene und hat daher keinen Kontrollkäfig.</translation>
-    </message>
-    <message>
-        <source>The cage is too flat to be undone. Open it by dragging a vertex, or reset it, and try again.</source>
-        <translation>Der Käfig ist zu flach, um ihn rückgängig zu machen. Öffnen Sie ihn durch Ziehen einer Ecke oder setzen Sie ihn zurück und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>The three points lie on one line and hold no coordinates. Put the third one beside the line.</source>
-        <translation>Die drei Punkte liegen auf einer Geraden und tragen keine Koordinaten. Setzen Sie den dritten neben die Gerade.</translation>
-    </message>
-    <message>
-        <source>Fit the minimal canonical simplex</source>
-        <translation>Das minimale kanonische Simplex anpassen</translation>
-    </message>
-    <message>
-        <source>Reset the cage</source>
-        <translation>Den Käfig zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Bake the placement into the code</source>
-        <translation>Die Lage in den Code einrechnen</translation>
-    </message>
-    <message>
-        <source>Define the control triangle</source>
-        <translation>Das Kontrolldreieck festlegen</translation>
-    </message>
-    <message>
-        <source>Vertex %1 is there already.</source>
-        <translation>Die Ecke %1 ist schon dort.</translation>
-    </message>
-    <message>
-        <source>Move vertex %1</source>
-        <translation>Ecke %1 bewegen</translation>
-    </message>
-    <message>
-        <source>A cage has at most %1 vertices.</source>
-        <translation>Ein Käfig hat höchstens %1 Ecken.</translation>
-    </message>
-    <message>
-        <source>There is no room for a vertex here.</source>
-        <translation>Hier ist kein Platz für eine Ecke.</translation>
-    </message>
-    <message>
-        <source>Insert a vertex</source>
-        <translation>Eine Ecke einfügen</translation>
-    </message>
-    <message>
-        <source>A cage has at least three vertices.</source>
-        <translation>Ein Käfig hat mindestens drei Ecken.</translation>
-    </message>
-    <message>
-        <source>Without this vertex the cage at rest would cross itself or be flat.</source>
-        <translation>Ohne diese Ecke würde sich der ruhende Käfig überkreuzen oder wäre flach.</translation>
-    </message>
-    <message>
-        <source>Delete vertex %1</source>
-        <translation>Ecke %1 löschen</translation>
-    </message>
-    <message>
-        <source>Make the cage regular</source>
-        <translation>Den Käfig regelmäßig machen</translation>
-    </message>
-    <message>
-        <source>Unbake: take the placement out of the code</source>
-        <translation>Die Lage aus dem Code herausrechnen</translation>
-    </message>
-    <message>
-        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
-        <translation>Ohne diese Ecken würde sich der ruhende Käfig überkreuzen oder wäre flach.</translation>
-    </message>
-    <message>
-        <source>Delete %1 vertices</source>
-        <translation>%1 Ecken löschen</translation>
-    </message>
-    <message>
-        <source>The cage is the minimal canonical simplex already.</source>
-        <translation>Der Käfig ist schon das minimale kanonische Simplex.</translation>
-    </message>
-    <message>
-        <source>The cage is regular already.</source>
-        <translation>Der Käfig ist schon regelmäßig.</translation>
     </message>
 </context>
 <context>
@@ -3088,7 +3927,7 @@
         <translation>Umschreiben</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture; the code stays</source>
+        <source>Moving the cage moves the picture; the code does not change</source>
         <translation>Den Käfig zu bewegen bewegt das Bild; der Code bleibt</translation>
     </message>
     <message>
@@ -3104,11 +3943,11 @@
         <translation>Affin angepasst</translation>
     </message>
     <message>
-        <source>Every vertex is followed; the picture bends, which cannot be baked into a code</source>
+        <source>The picture follows every vertex and bends; a bent picture cannot be baked into the code</source>
         <translation>Jeder Ecke wird gefolgt; das Bild biegt sich, was sich nicht in einen Code einrechnen lässt</translation>
     </message>
     <message>
-        <source>The picture moves by the affine map that comes nearest to the vertices; it can be baked</source>
+        <source>The picture follows the vertices by the closest affine map; it can be baked</source>
         <translation>Das Bild folgt der affinen Abbildung, die den Ecken am nächsten kommt; sie lässt sich einrechnen</translation>
     </message>
     <message>
@@ -3179,7 +4018,7 @@
         <translation>Ruhekäfig</translation>
     </message>
     <message>
-        <source>Show the vertices that hold the attractor while the cage is at rest</source>
+        <source>Show the positions of the vertices when the cage is at rest</source>
         <translation>Die Ecken zeigen, die den Attraktor halten, solange der Käfig ruht</translation>
     </message>
     <message>
@@ -3207,7 +4046,7 @@
         <translation>Minimales kanonisches Simplex</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs say to which side its legs point from the right angle.</source>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs give the directions in which its legs point from the right angle.</source>
         <translation>Das kleinste gleichschenklig-rechtwinklige Dreieck mit achsenparallelen Katheten, das das Bild enthält. Die Vorzeichen sagen, nach welcher Seite seine Katheten vom rechten Winkel aus zeigen.</translation>
     </message>
     <message>
@@ -3215,7 +4054,7 @@
         <translation>Baryzentrische Koordinaten eines Punktes</translation>
     </message>
     <message>
-        <source>The weights a, b, c with a + b + c = 1 that the vertices take to balance in the point.</source>
+        <source>The weights a, b, c with a + b + c = 1 for which the point is the weighted mean of the vertices.</source>
         <translation>Die Gewichte a, b, c mit a + b + c = 1, mit denen sich die Ecken in dem Punkt die Waage halten.</translation>
     </message>
     <message>
@@ -3239,20 +4078,12 @@
         <translation>%1 der Ruheecke %2</translation>
     </message>
     <message>
-        <source>Move vertex %1</source>
-        <translation>Ecke %1 bewegen</translation>
-    </message>
-    <message>
         <source>The three points are on one line: the rest cage must enclose an area.</source>
         <translation>Die drei Punkte liegen auf einer Geraden: Der Ruhekäfig muss eine Fläche umschließen.</translation>
     </message>
     <message>
         <source>The rest cage must be a polygon that does not cross itself.</source>
         <translation>Der Ruhekäfig muss ein Vieleck sein, das sich nicht überkreuzt.</translation>
-    </message>
-    <message>
-        <source>Define vertex %1</source>
-        <translation>Ecke %1 festlegen</translation>
     </message>
     <message>
         <source>The picture is too thin for such a cage.</source>
@@ -3267,35 +4098,31 @@
         <translation>Den Käfig in den Code einrechnen</translation>
     </message>
     <message>
-        <source>3D: not yet shown.</source>
-        <translation>3D: noch nicht gezeigt.</translation>
-    </message>
-    <message>
         <source>This entry could not be read, so it has no cage.</source>
         <translation>Dieser Eintrag konnte nicht gelesen werden und hat daher keinen Käfig.</translation>
     </message>
     <message>
-        <source>At rest: the picture is that of the code.</source>
+        <source>At rest: the picture shows the code.</source>
         <translation>In Ruhe: Das Bild ist das des Codes.</translation>
     </message>
     <message>
-        <source>%1 vertices, at rest: the picture is that of the code.</source>
+        <source>%1 vertices, at rest: the picture shows the code.</source>
         <translation>%1 Ecken, in Ruhe: Das Bild ist das des Codes.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by Wachspress coordinates, not bakeable.</source>
+        <source>%1 vertices: bent by Wachspress coordinates, cannot be baked.</source>
         <translation>%1 Ecken: mit Wachspress-Koordinaten gebogen, nicht einrechenbar.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by mean value coordinates, not bakeable.</source>
+        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
         <translation>%1 Ecken: mit Mittelwertkoordinaten gebogen, nicht einrechenbar.</translation>
     </message>
     <message>
-        <source>Flat: the picture lies on one line. Open the cage and it comes back.</source>
+        <source>Flat: the picture is squeezed onto a line. Open the cage to get it back.</source>
         <translation>Flach: Das Bild liegt auf einer Geraden. Öffnen Sie den Käfig, und es kommt wieder.</translation>
     </message>
     <message>
-        <source>Placed and mirrored: areas change by the factor %1, and the sense of rotation is reversed.</source>
+        <source>Placed and mirrored: areas change by the factor %1, and the orientation is reversed.</source>
         <translation>Platziert und gespiegelt: Flächen ändern sich um den Faktor %1, und der Drehsinn kehrt sich um.</translation>
     </message>
     <message>
@@ -3303,7 +4130,7 @@
         <translation>Platziert: Flächen ändern sich um den Faktor %1.</translation>
     </message>
     <message>
-        <source>The triangle is flat: it holds no coordinates.</source>
+        <source>The triangle is flat: it defines no coordinates.</source>
         <translation>Das Dreieck ist flach: Es trägt keine Koordinaten.</translation>
     </message>
     <message>
@@ -3311,24 +4138,100 @@
         <translation>%1, Kathete %2, Ecke (%3, %4)</translation>
     </message>
     <message>
-        <source>Hold the picture by a fitted cage; the picture stays</source>
+        <source>Replace the cage by one fitted to the picture; the picture stays</source>
         <translation>Das Bild mit einem angepassten Käfig halten; das Bild bleibt</translation>
     </message>
     <message>
-        <source>Put the cage and the picture back to rest</source>
+        <source>Return the cage and the picture to rest</source>
         <translation>Käfig und Bild zurück in die Ruhelage bringen</translation>
     </message>
     <message>
-        <source>Make the displayed picture the code; the cage then rests</source>
+        <source>Write the displayed picture into the code; the cage is then at rest</source>
         <translation>Das gezeigte Bild zum Code machen; der Käfig ruht danach</translation>
     </message>
     <message>
-        <source>The cage is there already.</source>
+        <source>The cage is already there.</source>
         <translation>Der Käfig ist schon dort.</translation>
     </message>
     <message>
-        <source>The coordinates are read over a triangle.</source>
-        <translation>Die Koordinaten werden über einem Dreieck abgelesen.</translation>
+        <source>Only a cage with three vertices has barycentric coordinates.</source>
+        <translation>Baryzentrische Koordinaten hat nur ein Käfig mit drei Ecken.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Ecke %1 nach (%2, %3) verschieben</translation>
+    </message>
+    <message>
+        <source>Define vertex %1 at (%2, %3)</source>
+        <translation>Ecke %1 bei (%2, %3) festlegen</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>z at rest</source>
+        <translation>z in Ruhe</translation>
+    </message>
+    <message>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the picture. The signs give the directions in which its legs point from their common corner.</source>
+        <translation>Das kleinste Tetraeder mit drei gleich langen achsenparallelen Kanten an einer Ecke, das das Bild enthält. Die Vorzeichen sagen, wohin diese Kanten von ihrer gemeinsamen Ecke aus zeigen.</translation>
+    </message>
+    <message>
+        <source>The weights a, b, c, d with a + b + c + d = 1 for which the point is the weighted mean of the vertices.</source>
+        <translation>Die Gewichte a, b, c, d mit a + b + c + d = 1, für die der Punkt der Schwerpunkt der Ecken ist.</translation>
+    </message>
+    <message>
+        <source>z of the point</source>
+        <translation>z des Punkts</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3, %4)</source>
+        <translation>Ecke %1 nach (%2, %3, %4) bewegen</translation>
+    </message>
+    <message>
+        <source>The vertices are in one plane: the rest cage must enclose a volume.</source>
+        <translation>Die Ecken liegen in einer Ebene: Der ruhende Käfig muss ein Volumen umschließen.</translation>
+    </message>
+    <message>
+        <source>Define vertex %1 at (%2, %3, %4)</source>
+        <translation>Ecke %1 bei (%2, %3, %4) festlegen</translation>
+    </message>
+    <message>
+        <source>Three clicks define a triangle in the plane. In space, show the rest cage and type the coordinates of its vertices.</source>
+        <translation>Drei Klicks legen ein Dreieck in der Ebene fest. Zeigen Sie im Raum den ruhenden Käfig und tippen Sie die Koordinaten seiner Ecken.</translation>
+    </message>
+    <message>
+        <source>These cages are polygons in the plane. In space, the cage is the minimal canonical simplex until you change it.</source>
+        <translation>Diese Käfige sind Vielecke in der Ebene. Im Raum ist der Käfig das minimale kanonische Simplex, bis Sie ihn ändern.</translation>
+    </message>
+    <message>
+        <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
+        <translation>Flach: Der Körper ist auf eine Ebene oder Gerade gedrückt. Öffnen Sie den Käfig, und er kommt zurück.</translation>
+    </message>
+    <message>
+        <source>Placed and mirrored: volumes change by the factor %1, and the orientation is reversed.</source>
+        <translation>Platziert und gespiegelt: Volumen ändern sich um den Faktor %1, und die Orientierung ist umgekehrt.</translation>
+    </message>
+    <message>
+        <source>Placed: volumes change by the factor %1.</source>
+        <translation>Platziert: Volumen ändern sich um den Faktor %1.</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices has barycentric coordinates.</source>
+        <translation>Nur ein Käfig mit vier Ecken hat baryzentrische Koordinaten.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron is flat: it defines no coordinates.</source>
+        <translation>Das Tetraeder ist flach: Es legt keine Koordinaten fest.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden kann.</translation>
+    </message>
+    <message>
+        <source>%1, leg %2, corner (%3, %4, %5)</source>
+        <translation>%1, Kante %2, Ecke (%3, %4, %5)</translation>
     </message>
 </context>
 <context>
@@ -3362,7 +4265,7 @@
         <translation>Erst eine Ecke wählen.</translation>
     </message>
     <message>
-        <source>Point at an edge, or select a vertex, to insert one.</source>
+        <source>To insert a vertex, point to an edge or select a vertex.</source>
         <translation>Zum Einfügen einer Ecke auf eine Kante zeigen oder eine Ecke wählen.</translation>
     </message>
 </context>
@@ -3373,35 +4276,31 @@
         <translation>Kein Attraktor: Abbildung %1 kontrahiert nicht (größter Singulärwert %2, Spektralradius %3). Verkleinern Sie sie oder schalten Sie sie aus.</translation>
     </message>
     <message>
-        <source>No attractor: the maps %1, one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
+        <source>No attractor: the maps %1, applied one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
         <translation>Kein Attraktor: Die Abbildungen %1, nacheinander angewandt, kontrahieren nicht (größter Singulärwert %2, Spektralradius %3). Verkleinern Sie eine davon oder schalten Sie sie aus.</translation>
     </message>
     <message>
-        <source>It is not settled whether this system has an attractor: map %1 stretches by %2. Points that run away are left out.</source>
+        <source>It is undecided whether this system has an attractor: map %1 stretches by up to %2. Points that escape are left out.</source>
         <translation>Ob dieses System einen Attraktor hat, steht nicht fest: Abbildung %1 streckt um %2. Punkte, die davonlaufen, werden weggelassen.</translation>
     </message>
     <message>
-        <source>It is not settled whether this system has an attractor. Points that run away are left out.</source>
+        <source>It is undecided whether this system has an attractor. Points that escape are left out.</source>
         <translation>Ob dieses System einen Attraktor hat, steht nicht fest. Punkte, die davonlaufen, werden weggelassen.</translation>
     </message>
     <message>
-        <source>This entry is a system in space: not yet shown. It is kept as it is.</source>
-        <translation>Dieser Eintrag ist ein System im Raum: noch nicht gezeigt. Er bleibt, wie er ist.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read. Its text is kept as it is in the file.</source>
+        <source>This entry could not be read. Its text is kept unchanged in the file.</source>
         <translation>Dieser Eintrag konnte nicht gelesen werden. Sein Text bleibt in der Datei, wie er ist.</translation>
     </message>
     <message>
-        <source>No map takes part, so there is nothing to draw. Add a map or switch one on.</source>
-        <translation>Keine Abbildung nimmt teil; es gibt nichts zu zeichnen. Fügen Sie eine hinzu oder schalten Sie eine ein.</translation>
+        <source>No map is active, so there is nothing to draw. Add a map or switch one on.</source>
+        <translation>Keine Abbildung ist aktiv; es gibt nichts zu zeichnen. Fügen Sie eine hinzu oder schalten Sie eine ein.</translation>
     </message>
     <message>
-        <source>This is as deep as the arithmetic reaches: zoom out a little for a true picture.</source>
+        <source>This is the limit of numerical precision: zoom out a little for an accurate picture.</source>
         <translation>Tiefer reicht die Arithmetik nicht: Verkleinern Sie ein wenig für ein wahres Bild.</translation>
     </message>
     <message>
-        <source>Drawn with fewer iterations than asked for: more would need more memory than allowed.</source>
+        <source>Drawn with fewer iterations than requested: more would exceed the memory limit.</source>
         <translation>Mit weniger Iterationen gezeichnet als verlangt: Mehr bräuchten mehr Speicher als erlaubt.</translation>
     </message>
     <message>
@@ -3409,28 +4308,36 @@
         <translation>Der Käfig ist flach und das Bild auch. Ziehen Sie eine Ecke, um ihn zu öffnen: Nichts geht verloren.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <source>Stopped: beyond this, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
         <translation>Angehalten: Weiter würde Abbildung %1 nicht kontrahieren (größter Singulärwert %2, Spektralradius %3), und es gäbe keinen Attraktor.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, the maps %1, one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <source>Stopped: beyond this, the maps %1, applied one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
         <translation>Angehalten: Weiter würden die Abbildungen %1, nacheinander angewandt, nicht kontrahieren (größter Singulärwert %2, Spektralradius %3), und es gäbe keinen Attraktor.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
-        <translation>Angehalten: Weiter steht nicht fest, ob es einen Attraktor gäbe (Abbildung %1 hat den größten Singulärwert, %2).</translation>
+        <source>Stopped: beyond this, an attractor is not guaranteed (map %1 has the largest singular value, %2).</source>
+        <translation>Angehalten: Darüber hinaus ist ein Attraktor nicht gesichert (Abbildung %1 hat den größten Singulärwert, %2).</translation>
     </message>
     <message>
-        <source>One map alone: nothing is left but its fixed point.</source>
-        <translation>Eine Abbildung allein: nichts bleibt als ihr Fixpunkt.</translation>
+        <source>With a single map, only its fixed point is left.</source>
+        <translation>Bei einer einzigen Abbildung bleibt nur ihr Fixpunkt.</translation>
     </message>
     <message>
-        <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
-        <translation>Eine Abbildung allein: nichts bleibt als ihr Fixpunkt (%1, %2).</translation>
+        <source>With a single map, only its fixed point (%1, %2) is left.</source>
+        <translation>Bei einer einzigen Abbildung bleibt nur ihr Fixpunkt (%1, %2).</translation>
     </message>
     <message>
-        <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
+        <source>No map that is switched on has a positive weight, so there is nothing to draw. Give one of them a weight.</source>
         <translation>Keine eingeschaltete Abbildung hat ein Gewicht über 0; es gibt nichts zu zeichnen. Geben Sie einer ein Gewicht.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor. The picture shows where its points spend their time.</source>
+        <translation>Dieses System hat keinen Attraktor. Das Bild zeigt, wo sich seine Punkte aufhalten.</translation>
+    </message>
+    <message>
+        <source>Whether this system has an attractor is undecided.</source>
+        <translation>Ob dieses System einen Attraktor hat, ist nicht entschieden.</translation>
     </message>
 </context>
 <context>
@@ -3444,15 +4351,15 @@
         <translation>&amp;Koordinaten…</translation>
     </message>
     <message>
-        <source>Types the place of this vertex</source>
-        <translation>Den Ort dieser Ecke eintippen</translation>
+        <source>Lets you type the coordinates of this vertex</source>
+        <translation>Koordinaten dieser Ecke eingeben</translation>
     </message>
     <message>
         <source>&amp;Reset This Vertex</source>
         <translation>Diese Ecke &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>Puts this vertex back to rest</source>
+        <source>Returns this vertex to its position at rest</source>
         <translation>Diese Ecke in die Ruhelage zurückbringen</translation>
     </message>
     <message>
@@ -3484,7 +4391,7 @@
         <translation>Diese Ecke &amp;löschen</translation>
     </message>
     <message>
-        <source>Takes this vertex out of the cage</source>
+        <source>Removes this vertex from the cage</source>
         <translation>Diese Ecke aus dem Käfig nehmen</translation>
     </message>
     <message>
@@ -3492,7 +4399,7 @@
         <translation>&amp;Drehpunkt hierher setzen</translation>
     </message>
     <message>
-        <source>Turns and scales the cage about this vertex</source>
+        <source>Rotates and scales the cage about this vertex</source>
         <translation>Den Käfig um diese Ecke drehen und skalieren</translation>
     </message>
     <message>
@@ -3504,15 +4411,15 @@
         <translation>Hier eine Ecke &amp;einfügen</translation>
     </message>
     <message>
-        <source>Puts one more vertex on this edge; a double click does the same</source>
+        <source>Inserts a vertex on this edge; double-clicking does the same</source>
         <translation>Eine weitere Ecke auf diese Kante setzen; ein Doppelklick tut dasselbe</translation>
     </message>
     <message>
-        <source>Rotate: Shift turns in steps of 15°</source>
+        <source>Rotate: hold Shift for steps of 15°</source>
         <translation>Drehen: Umschalt dreht in Schritten von 15°</translation>
     </message>
     <message>
-        <source>Scale: Shift keeps to x or y</source>
+        <source>Scale: hold Shift for x or y only</source>
         <translation>Skalieren: Umschalt bleibt bei x oder y</translation>
     </message>
     <message>
@@ -3520,11 +4427,11 @@
         <translation>Drehpunkt</translation>
     </message>
     <message>
-        <source>Put the &amp;Pivot in the Middle</source>
+        <source>Put the &amp;Pivot in the Centre</source>
         <translation>&amp;Drehpunkt in die Mitte setzen</translation>
     </message>
     <message>
-        <source>Turns and scales the cage about its middle</source>
+        <source>Rotates and scales the cage about its centre</source>
         <translation>Den Käfig um seine Mitte drehen und skalieren</translation>
     </message>
     <message>
@@ -3536,15 +4443,15 @@
         <translation>&amp;Minimales kanonisches Simplex anpassen</translation>
     </message>
     <message>
-        <source>Holds the picture by the smallest right-angled triangle around it</source>
-        <translation>Das Bild im kleinsten rechtwinkligen Dreieck um es halten</translation>
+        <source>Fits the smallest isosceles right triangle with legs parallel to the axes around the picture</source>
+        <translation>Das kleinste gleichschenklig-rechtwinklige Dreieck mit achsenparallelen Katheten um das Bild legen</translation>
     </message>
     <message>
         <source>&amp;Define Triangle</source>
         <translation>&amp;Dreieck festlegen</translation>
     </message>
     <message>
-        <source>Holds the picture by three points that are clicked</source>
+        <source>Defines the triangle by three clicks; the picture stays</source>
         <translation>Das Bild an drei angeklickten Punkten halten</translation>
     </message>
     <message>
@@ -3552,7 +4459,7 @@
         <translation>Käfig &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>Puts every vertex back to rest</source>
+        <source>Returns every vertex to its position at rest</source>
         <translation>Jede Ecke in die Ruhelage zurückbringen</translation>
     </message>
     <message>
@@ -3560,7 +4467,7 @@
         <translation>Re&amp;gelmäßig machen</translation>
     </message>
     <message>
-        <source>Puts the vertices on the regular polygon nearest to them</source>
+        <source>Moves the vertices to the nearest regular polygon</source>
         <translation>Die Ecken auf das nächste regelmäßige Vieleck setzen</translation>
     </message>
     <message>
@@ -3568,7 +4475,7 @@
         <translation>Lage in den Code &amp;einrechnen</translation>
     </message>
     <message>
-        <source>Rewrites the maps so that they draw what is shown, with the cage at rest</source>
+        <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
         <translation>Die Abbildungen so umschreiben, dass sie zeichnen, was gezeigt wird, bei ruhendem Käfig</translation>
     </message>
     <message>
@@ -3588,7 +4495,7 @@
         <translation>&amp;100 %	1</translation>
     </message>
     <message>
-        <source>Shows one unit of the plane as a hundred pixels</source>
+        <source>Shows one unit of the plane as one hundred pixels</source>
         <translation>Eine Einheit der Ebene als hundert Pixel zeigen</translation>
     </message>
     <message>
@@ -3612,8 +4519,8 @@
         <translation>&amp;y-Achse nach unten</translation>
     </message>
     <message>
-        <source>Turns the plane over, as on the screen of a computer</source>
-        <translation>Die Ebene umklappen, wie auf dem Bildschirm eines Computers</translation>
+        <source>Points the y axis down, as in window coordinates</source>
+        <translation>Die y-Achse nach unten richten, wie in Fensterkoordinaten</translation>
     </message>
     <message>
         <source>&amp;Only the Picture	H</source>
@@ -3628,7 +4535,7 @@
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>Copies the picture as it is seen, without the cage</source>
+        <source>Copies the picture as shown, without the cage</source>
         <translation>Das Bild kopieren, wie es zu sehen ist, ohne den Käfig</translation>
     </message>
     <message>
@@ -3648,8 +4555,8 @@
         <translation>&amp;Ausschalten</translation>
     </message>
     <message>
-        <source>Lets this map take part, or not</source>
-        <translation>Diese Abbildung teilnehmen lassen oder nicht</translation>
+        <source>Switches this map on or off</source>
+        <translation>Diese Abbildung ein- oder ausschalten</translation>
     </message>
     <message>
         <source>Switch on map %1</source>
@@ -3664,15 +4571,15 @@
         <translation>D&amp;uplizieren</translation>
     </message>
     <message>
-        <source>Puts a copy of this map beside it</source>
-        <translation>Eine Kopie dieser Abbildung daneben setzen</translation>
+        <source>Adds a copy of this map</source>
+        <translation>Eine Kopie dieser Abbildung hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>Takes this map out of the system</source>
+        <source>Removes this map from the system</source>
         <translation>Diese Abbildung aus dem System nehmen</translation>
     </message>
 </context>
@@ -3693,14 +4600,6 @@
     <message>
         <source>Pivot</source>
         <translation>Drehpunkt</translation>
-    </message>
-    <message>
-        <source>Rotate handle</source>
-        <translation>Drehgriff</translation>
-    </message>
-    <message>
-        <source>Scale handle</source>
-        <translation>Skaliergriff</translation>
     </message>
     <message>
         <source>the arrow keys move both its ends</source>
@@ -3731,16 +4630,24 @@
         <translation>die Pfeiltasten skalieren um ein Prozent</translation>
     </message>
     <message>
-        <source>Drag the pivot: turning and scaling are about it.</source>
+        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
         <translation>Den Drehpunkt ziehen: Um ihn wird gedreht und skaliert.</translation>
     </message>
     <message>
-        <source>Drag to turn about the pivot; Shift: in steps of 15°.</source>
+        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
         <translation>Ziehen dreht um den Drehpunkt; Umschalt: in Schritten von 15°.</translation>
     </message>
     <message>
-        <source>Drag to scale about the pivot; Shift: along x or y only.</source>
+        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
         <translation>Ziehen skaliert um den Drehpunkt; Umschalt: nur in x oder y.</translation>
+    </message>
+    <message>
+        <source>Round handle</source>
+        <translation>Runder Griff</translation>
+    </message>
+    <message>
+        <source>Square handle</source>
+        <translation>Quadratischer Griff</translation>
     </message>
 </context>
 <context>
@@ -3750,7 +4657,7 @@
         <translation>Zeichenfläche</translation>
     </message>
     <message>
-        <source>The attractor and its control cage. Tab goes from handle to handle, the arrow keys move the one in focus, F6 leaves the canvas.</source>
+        <source>The attractor and its control cage. Tab moves from handle to handle, the arrow keys move the handle in focus, F6 leaves the canvas.</source>
         <translation>Der Attraktor und sein Kontrollkäfig. Tab geht von Griff zu Griff, die Pfeiltasten bewegen den gewählten, F6 verlässt die Zeichenfläche.</translation>
     </message>
     <message>
@@ -3762,7 +4669,7 @@
         <translation>Der Käfig ist flach; neue Ecken lassen sich nicht auf das Bild beziehen.</translation>
     </message>
     <message>
-        <source>Put the cage back to rest first?</source>
+        <source>Reset the cage first?</source>
         <translation>Den Käfig zuerst in die Ruhelage zurückbringen?</translation>
     </message>
     <message>
@@ -3778,7 +4685,7 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the plane. Tab goes from handle to handle, arrow keys move them, F6 leaves.</source>
+        <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas.</source>
         <translation>Das Bild und sein Käfig. Ziehen Sie eine Ecke, eine Kante oder das Innere des Käfigs; Strg dreht, Alt skaliert, Umschalt hält Richtungen. Das Rad zoomt am Zeiger, die mittlere Taste bewegt die Ebene. Tab geht von Griff zu Griff, die Pfeiltasten bewegen sie, F6 verlässt die Fläche.</translation>
     </message>
 </context>
@@ -3824,19 +4731,15 @@
         <translation>Fraktale der Sammlung</translation>
     </message>
     <message>
-        <source>No favourites yet. Choose a fractal and press Ctrl+D.</source>
+        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
         <translation>Noch keine Favoriten. Wählen Sie ein Fraktal und drücken Sie Strg+D.</translation>
     </message>
     <message>
-        <source>Nothing here has these words.</source>
+        <source>No fractal here contains these words.</source>
         <translation>Nichts hier enthält diese Wörter.</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>&amp;Öffnen</translation>
-    </message>
-    <message>
-        <source>Open the chosen fractal as a document of its own.</source>
+        <source>Open the selected fractal as a separate document.</source>
         <translation>Das gewählte Fraktal als eigenes Dokument öffnen.</translation>
     </message>
     <message>
@@ -3844,7 +4747,7 @@
         <translation>Zu dieser D&amp;atei hinzufügen</translation>
     </message>
     <message>
-        <source>Add the chosen fractal to the open file.</source>
+        <source>Add the selected fractal to the open file.</source>
         <translation>Das gewählte Fraktal der offenen Datei hinzufügen.</translation>
     </message>
     <message>
@@ -3852,7 +4755,7 @@
         <translation>Fa&amp;vorit</translation>
     </message>
     <message>
-        <source>Mark the chosen fractal as one of your favourites.</source>
+        <source>Add the selected fractal to your favourites.</source>
         <translation>Das gewählte Fraktal als Favoriten merken.</translation>
     </message>
     <message>
@@ -3860,7 +4763,7 @@
         <translation>Nur Fa&amp;voriten</translation>
     </message>
     <message>
-        <source>Show nothing but your favourites.</source>
+        <source>Show only your favourites.</source>
         <translation>Nichts als die Favoriten zeigen.</translation>
     </message>
     <message>
@@ -3868,7 +4771,7 @@
         <translation>&amp;Ordner hinzufügen…</translation>
     </message>
     <message>
-        <source>Show the .ifs files of a folder of yours here, too.</source>
+        <source>Add the .ifs files of one of your own folders to this list.</source>
         <translation>Auch die .ifs-Dateien eines eigenen Ordners hier zeigen.</translation>
     </message>
     <message>
@@ -3876,23 +4779,23 @@
         <translation>Ordner „%1“ &amp;entfernen</translation>
     </message>
     <message>
-        <source>Show this folder here no more. Its files stay as they are.</source>
-        <translation>Diesen Ordner hier nicht mehr zeigen. Seine Dateien bleiben, wie sie sind.</translation>
+        <source>Remove this folder from the list. Its files are not changed.</source>
+        <translation>Diesen Ordner aus der Liste entfernen. Seine Dateien bleiben unverändert.</translation>
     </message>
     <message>
         <source>Folder of .ifs Files</source>
         <translation>Ordner mit .ifs-Dateien</translation>
     </message>
     <message>
-        <source>Shows only the fractals whose name, theme or comment has these words. Enter opens the first of them.</source>
+        <source>Shows only the fractals whose name, theme or comment contains these words. Enter opens the first of them.</source>
         <translation>Zeigt nur die Fraktale, deren Name, Thema oder Kommentar diese Wörter enthält. Eingabe öffnet das erste davon.</translation>
     </message>
     <message>
-        <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
+        <source>Ready-made fractals. Double-click one or press Enter to open it in this window; right-click it to add it to the file instead.</source>
         <translation>Fraktale zum Anfangen. Doppelklick oder Eingabe öffnet eines in diesem Fenster; das Menü der rechten Taste fügt es stattdessen der Datei hinzu.</translation>
     </message>
     <message>
-        <source>Files of the collection that were read</source>
+        <source>Progress of reading the collection</source>
         <translation>Gelesene Dateien der Sammlung</translation>
     </message>
     <message>
@@ -3900,7 +4803,7 @@
         <translation>Nicht weiter lesen</translation>
     </message>
     <message>
-        <source>Stop reading this folder. What was read so far stays here.</source>
+        <source>Stop reading this folder. Files that were already read stay in the list.</source>
         <translation>Diesen Ordner nicht weiter lesen. Was schon gelesen ist, bleibt hier.</translation>
     </message>
     <message>
@@ -3910,6 +4813,18 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>„%1“ wird gelesen …</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Verwenden</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file, or open it if you have not edited anything.</source>
+        <translation>Das ausgewählte Fraktal zur geöffneten Datei hinzufügen oder öffnen, wenn noch nichts bearbeitet wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Open as New Document</source>
+        <translation>Als &amp;neues Dokument öffnen</translation>
     </message>
 </context>
 <context>
@@ -3934,7 +4849,7 @@
         <translation>a b c d e f p: Fractint, Barnsley</translation>
     </message>
     <message>
-        <source>a b e c d f p: each equation in a row</source>
+        <source>a b e c d f p: one equation after the other</source>
         <translation>a b e c d f p: jede Gleichung in einer Reihe</translation>
     </message>
     <message>
@@ -3950,7 +4865,7 @@
         <translation>r s theta phi e f p: Skalierungen, und Winkel in Grad</translation>
     </message>
     <message>
-        <source>a b c d e f, and weights that add up row by row</source>
+        <source>a b c d e f, and cumulative weights</source>
         <translation>a b c d e f, und Gewichte, die sich Zeile für Zeile aufsummieren</translation>
     </message>
     <message>
@@ -3962,11 +4877,11 @@
         <translation>Reihenfolge der Spalten</translation>
     </message>
     <message>
-        <source>Names of the columns in their order</source>
+        <source>Column names in order</source>
         <translation>Namen der Spalten in ihrer Reihenfolge</translation>
     </message>
     <message>
-        <source>The names of the columns in their order: a b c d or r s theta phi, then e and f, each once, and p for a weight or cumulative for a sum of weights where there is one. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
+        <source>The names of the columns in order: a b c d or r s theta phi, then e and f, each once; if there are weights, also p, or cumulative for running sums of weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
         <translation>Die Namen der Spalten in ihrer Reihenfolge: a b c d oder r s theta phi, dazu e und f, jeder einmal, und p für ein Gewicht oder cumulative für eine Summe von Gewichten, wo es sie gibt. x′ = a·x + b·y + e und y′ = c·x + d·y + f.</translation>
     </message>
 </context>
@@ -3989,31 +4904,138 @@
         <translation>Passende Befehle</translation>
     </message>
     <message>
-        <source>Type some letters of what you want to do. Arrow keys choose, Enter does it.</source>
+        <source>Type some letters of what you want to do. The arrow keys select a command, Enter runs it.</source>
         <translation>Tippen Sie ein paar Buchstaben von dem, was Sie tun möchten. Die Pfeiltasten wählen, die Eingabetaste führt aus.</translation>
     </message>
     <message>
-        <source>The commands whose names have these letters.</source>
+        <source>The commands whose names contain these letters.</source>
         <translation>Die Befehle, deren Namen diese Buchstaben haben.</translation>
     </message>
     <message>
-        <source>No command is called that.</source>
-        <translation>Kein Befehl heißt so.</translation>
+        <source>No matching command.</source>
+        <translation>Kein passender Befehl.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ConstructionBar</name>
+    <message>
+        <source>How the attractor is built</source>
+        <translation>Wie der Attraktor entsteht</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>The invariant measure, refined while nothing moves</source>
+        <translation>Das invariante Maß, verfeinert, solange sich nichts bewegt</translation>
+    </message>
+    <message>
+        <source>Steps Wⁿ</source>
+        <translation>Schritte Wⁿ</translation>
+    </message>
+    <message>
+        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
+        <translation>Der deterministische Algorithmus: alle Abbildungen n-mal auf den ruhenden Käfig angewandt</translation>
+    </message>
+    <message>
+        <source>Chaos Game</source>
+        <translation>Chaos-Spiel</translation>
+    </message>
+    <message>
+        <source>One point that jumps by maps chosen at random; the first 14 points are not plotted</source>
+        <translation>Ein Punkt, der nach ausgelosten Abbildungen springt; die ersten 14 Punkte werden nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>n: how many times all maps are applied</source>
+        <translation>n: wie oft alle Abbildungen angewandt werden</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Clear the points and start with new random numbers</source>
+        <translation>Noch keine Punkte, und andere Würfel</translation>
+    </message>
+    <message>
+        <source>One Point</source>
+        <translation>Ein Punkt</translation>
+    </message>
+    <message>
+        <source>Plot one more point</source>
+        <translation>Einen Punkt mehr zeichnen</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Plot points continuously</source>
+        <translation>Punkte erscheinen lassen</translation>
+    </message>
+    <message>
+        <source>Points per second</source>
+        <translation>Punkte je Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 per second</source>
+        <translation>%1 je Sekunde</translation>
+    </message>
+    <message>
+        <source>W%1: the cage itself</source>
+        <translation>W%1: der Käfig selbst</translation>
+    </message>
+    <message>
+        <source>W%1: %2 copies of the cage</source>
+        <translation>W%1: %2 Kopien des Käfigs</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop at these points</source>
+        <translation>Bei diesen Punkten bleiben</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>, the last by map %1</source>
+        <translation>, der letzte von Abbildung %1</translation>
+    </message>
+    <message>
+        <source>How many times all maps are applied to the cage: 0 is the cage itself, and with every step the picture gets closer to the attractor.</source>
+        <translation>Wie oft alle Abbildungen auf den Käfig angewandt werden: 0 ist der Käfig selbst, und mit jedem Schritt kommt das Bild dem Attraktor näher.</translation>
+    </message>
+    <message>
+        <source>How many points the chaos game plots per second.</source>
+        <translation>Wie viele Punkte das Chaos-Spiel in einer Sekunde zeichnet.</translation>
+    </message>
+    <message>
+        <source>no points yet: press Play (▶)</source>
+        <translation>noch keine Punkte: „Abspielen“ (▶) drücken</translation>
     </message>
 </context>
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc leaves.</source>
-        <translation>Klicken Sie auf die erste der drei Ecken. Das Bild bleibt, wo es ist; Esc bricht ab.</translation>
+        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
+        <translation>Den ersten der drei Eckpunkte anklicken. Das Bild bleibt, wo es ist; Esc bricht ab.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace takes the first one back.</source>
-        <translation>Klicken Sie auf die zweite Ecke. Die Rücktaste nimmt die erste zurück.</translation>
+        <source>Click the second vertex. Backspace removes the last point.</source>
+        <translation>Klicken Sie auf die zweite Ecke. Die Rücktaste löscht den letzten Punkt.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace takes the second one back.</source>
-        <translation>Klicken Sie auf die dritte Ecke. Die Rücktaste nimmt die zweite zurück.</translation>
+        <source>Click the third vertex. Backspace removes the last point.</source>
+        <translation>Klicken Sie auf die dritte Ecke. Die Rücktaste löscht den letzten Punkt.</translation>
     </message>
 </context>
 <context>
@@ -4023,7 +5045,7 @@
         <translation>Kommentar zu „%1“</translation>
     </message>
     <message>
-        <source>Comment behind the name</source>
+        <source>Comment after the name</source>
         <translation>Kommentar hinter dem Namen</translation>
     </message>
     <message>
@@ -4035,7 +5057,7 @@
         <translation>Kommentarzeilen</translation>
     </message>
     <message>
-        <source>Written as lines of their own below the name, each behind a semicolon.</source>
+        <source>Written on separate lines below the name, each after a semicolon.</source>
         <translation>Stehen als eigene Zeilen unter dem Namen, jede hinter einem Semikolon.</translation>
     </message>
     <message>
@@ -4047,7 +5069,7 @@
         <translation>Den Kommentar behalten oder verwerfen</translation>
     </message>
     <message>
-        <source>&amp;Behind the name:</source>
+        <source>&amp;After the name:</source>
         <translation>&amp;Hinter dem Namen:</translation>
     </message>
     <message>
@@ -4055,11 +5077,11 @@
         <translation>&amp;Kommentarzeilen:</translation>
     </message>
     <message>
-        <source>A comment cannot begin with “barycage:”; such lines keep the cage and the colours.</source>
+        <source>A comment cannot begin with “barycage:”; such lines store the cage and the colours.</source>
         <translation>Ein Kommentar kann nicht mit „barycage:“ beginnen; solche Zeilen bewahren Käfig und Farben.</translation>
     </message>
     <message>
-        <source>A line holds at most %1 bytes; Fractint cuts longer ones. Break it in two.</source>
+        <source>A line can have at most %1 bytes; Fractint truncates longer ones. Split it in two.</source>
         <translation>Eine Zeile hat höchstens %1 Bytes; Fractint schneidet längere ab. Teilen Sie sie.</translation>
     </message>
 </context>
@@ -4071,41 +5093,10 @@
     </message>
 </context>
 <context>
-    <name>view::EntriesEdits</name>
-    <message>
-        <source>An entry needs a name.</source>
-        <translation>Ein Eintrag braucht einen Namen.</translation>
-    </message>
-    <message>
-        <source>A name holds no blanks: Fractint would read its first word only.</source>
-        <translation>Ein Name enthält keine Leerzeichen: Fractint würde nur sein erstes Wort lesen.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>„%1“ kann nicht Teil eines Namens sein, weil es in .ifs-Dateien eine Bedeutung hat.</translation>
-    </message>
-    <message>
-        <source>A name has at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Ein Name hat höchstens %1 Zeichen; Fractint übergeht den Rest.</translation>
-    </message>
-    <message>
-        <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint führt einen Eintrag namens „%1“ nicht auf; wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Another entry is called “%1” (upper and lower case count as equal).</source>
-        <translation>Ein anderer Eintrag heißt „%1“ (Groß- und Kleinbuchstaben gelten als gleich).</translation>
-    </message>
-</context>
-<context>
     <name>view::EntriesModel</name>
     <message>
         <source>Rename “%1” to “%2”</source>
         <translation>„%1“ in „%2“ umbenennen</translation>
-    </message>
-    <message>
-        <source>3D: not yet shown</source>
-        <translation>3D: noch nicht gezeigt</translation>
     </message>
     <message>
         <source>could not be read</source>
@@ -4142,6 +5133,10 @@
         <source>has warnings</source>
         <translation>hat Warnungen</translation>
     </message>
+    <message>
+        <source>%1 in space</source>
+        <translation>%1 im Raum</translation>
+    </message>
 </context>
 <context>
     <name>view::EntriesPanel</name>
@@ -4166,7 +5161,7 @@
         <translation>Einträge</translation>
     </message>
     <message>
-        <source>This file holds no entries. Add one, or paste the text of an .ifs file.</source>
+        <source>This file contains no entries. Add one, or paste the text of an .ifs file.</source>
         <translation>Diese Datei enthält keine Einträge. Fügen Sie einen hinzu oder fügen Sie den Text einer .ifs-Datei ein.</translation>
     </message>
     <message>
@@ -4238,7 +5233,7 @@
         <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>Paste the entries of .ifs text behind the current entry.</source>
+        <source>Paste entries from .ifs text after the current entry.</source>
         <translation>Die Einträge eines .ifs-Textes hinter dem aktuellen Eintrag einfügen.</translation>
     </message>
     <message>
@@ -4257,7 +5252,7 @@
         </translation>
     </message>
     <message>
-        <source>An entry that could not be read cannot be duplicated: it would keep its name.</source>
+        <source>An entry that could not be read cannot be duplicated: the copy would have the same name.</source>
         <translation>Ein Eintrag, der nicht gelesen werden konnte, kann nicht dupliziert werden: Er behielte seinen Namen.</translation>
     </message>
     <message>
@@ -4276,7 +5271,7 @@
         <translation>Den Kommentar von %1 bearbeiten</translation>
     </message>
     <message>
-        <source>There is no entry of an .ifs file in what was pasted.</source>
+        <source>The pasted text contains no entry of an .ifs file.</source>
         <translation>Im Eingefügten ist kein Eintrag einer .ifs-Datei.</translation>
     </message>
     <message>
@@ -4291,7 +5286,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pasted entries could not be read; their text is kept as it is.</source>
+        <source>%n pasted entries could not be read; their text is kept unchanged.</source>
         <translation>
             <numerusform>%n eingefügter Eintrag konnte nicht gelesen werden; sein Text bleibt, wie er ist.</numerusform>
             <numerusform>%n eingefügte Einträge konnten nicht gelesen werden; ihr Text bleibt, wie er ist.</numerusform>
@@ -4309,15 +5304,15 @@
         </translation>
     </message>
     <message>
-        <source>No entry has “%1” in its name.</source>
+        <source>No entry name contains “%1”.</source>
         <translation>Kein Eintrag hat „%1“ in seinem Namen.</translation>
     </message>
     <message>
-        <source>Shows only the entries whose name has these letters.</source>
+        <source>Shows only the entries whose names contain these letters.</source>
         <translation>Zeigt nur die Einträge, deren Name diese Buchstaben hat.</translation>
     </message>
     <message>
-        <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
+        <source>The fractals in the file. Click one to edit it, drag it to move it, press F2 to rename it.</source>
         <translation>Die Fraktale der Datei. Klicken Sie auf eines, um es zu bearbeiten, ziehen Sie es an einen anderen Platz, drücken Sie F2, um es umzubenennen.</translation>
     </message>
     <message>
@@ -4325,7 +5320,7 @@
         <translation>Nichts wurde eingefügt: In der Zwischenablage ist kein Text.</translation>
     </message>
     <message>
-        <source>Reading what was pasted…</source>
+        <source>Reading the pasted text…</source>
         <translation>Das Eingefügte wird gelesen …</translation>
     </message>
     <message>
@@ -4340,7 +5335,7 @@
         <translation>Daten von „%1“ exportieren</translation>
     </message>
     <message>
-        <source>What the file will hold</source>
+        <source>Preview of the file</source>
         <translation>Was die Datei enthalten wird</translation>
     </message>
     <message>
@@ -4384,31 +5379,31 @@
         <translation>Punkte, farbig (.ply)</translation>
     </message>
     <message>
-        <source>&amp;Turn y around, so that the flame is the same way up</source>
+        <source>Turn &amp;y around so that the flame is the right way up</source>
         <translation>y &amp;umdrehen, damit die Flame gleich herum steht</translation>
     </message>
     <message>
-        <source>&amp;Bake the placement, so that the maps draw what is shown</source>
-        <translation>Die Lage &amp;einrechnen, damit die Abbildungen zeichnen, was gezeigt wird</translation>
+        <source>&amp;Bake the placement so that the maps draw the picture as shown</source>
+        <translation>Die La&amp;ge einrechnen, damit die Abbildungen zeichnen, was gezeigt wird</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
         <translation>&amp;Format:</translation>
     </message>
     <message>
-        <source>&amp;Columns:</source>
-        <translation>&amp;Spalten:</translation>
+        <source>C&amp;olumns:</source>
+        <translation>Spa&amp;lten:</translation>
     </message>
     <message>
         <source>&amp;Points:</source>
         <translation>&amp;Punkte:</translation>
     </message>
     <message>
-        <source>Only the numbers of plane systems can be exported.</source>
+        <source>Only the numbers of systems in the plane can be exported.</source>
         <translation>Nur die Zahlen von Systemen der Ebene können exportiert werden.</translation>
     </message>
     <message>
-        <source>The points of the chaos game where they are shown, without the first 14.</source>
+        <source>The points of the chaos game as shown, without the first 14.</source>
         <translation>Die Punkte des Chaos-Spiels, wo sie gezeigt werden, ohne die ersten 14.</translation>
     </message>
     <message>
@@ -4424,15 +5419,15 @@
         <translation>&amp;Anhalten</translation>
     </message>
     <message>
-        <source>The text is on the clipboard.</source>
-        <translation>Der Text ist in der Zwischenablage.</translation>
+        <source>The text was copied to the clipboard.</source>
+        <translation>Der Text wurde in die Zwischenablage kopiert.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Schließen</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing was written.</source>
+        <source>Export stopped; nothing was written.</source>
         <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
     </message>
     <message>
@@ -4444,11 +5439,11 @@
         <translation>Der Anfang der Datei, wie sie geschrieben wird.</translation>
     </message>
     <message>
-        <source>For which program the data are: each format has what that program reads.</source>
+        <source>The program that will read the data; each format contains what that program understands.</source>
         <translation>Für welches Programm die Daten sind: Jedes Format hat, was dieses Programm liest.</translation>
     </message>
     <message>
-        <source>The order in which each row has its coefficients; other programs expect other orders.</source>
+        <source>The order of the coefficients in each row; programs differ.</source>
         <translation>Die Reihenfolge, in der jede Zeile ihre Koeffizienten hat; andere Programme erwarten andere Reihenfolgen.</translation>
     </message>
     <message>
@@ -4456,15 +5451,15 @@
         <translation>Wie viele Punkte des Chaos-Spiels geschrieben werden.</translation>
     </message>
     <message>
-        <source>Flame programs let y grow downwards. With this the flame looks as the fractal does here; without it the numbers are the same.</source>
+        <source>In flame programs, y points down. With this option, the flame looks as it does here; without it, the numbers stay the same.</source>
         <translation>Flame-Programme lassen y nach unten wachsen. Hiermit sieht die Flame aus wie das Fraktal hier; ohne dies bleiben die Zahlen gleich.</translation>
     </message>
     <message>
-        <source>With this, the cage is made part of the maps. Without it, the maps are written as they stand in the table.</source>
+        <source>With this option, the cage becomes part of the maps. Without it, the maps are written as they are in the table.</source>
         <translation>Hiermit wird der Käfig Teil der Abbildungen. Ohne dies werden die Abbildungen geschrieben, wie sie in der Tabelle stehen.</translation>
     </message>
     <message>
-        <source>Asks for the name of the file and writes it.</source>
+        <source>Asks for a file name and writes the file.</source>
         <translation>Fragt nach dem Namen der Datei und schreibt sie.</translation>
     </message>
     <message>
@@ -4503,7 +5498,7 @@
         <translation>&amp;Durchsichtiger Hintergrund</translation>
     </message>
     <message>
-        <source>Include the &amp;control triangle</source>
+        <source>Include the control t&amp;riangle</source>
         <translation>Mit &amp;Kontrolldreieck</translation>
     </message>
     <message>
@@ -4515,19 +5510,19 @@
         <translation>Größe:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples a pixel</source>
+        <source>Draft: 25 samples per pixel</source>
         <translation>Entwurf: 25 Punkte je Pixel</translation>
     </message>
     <message>
-        <source>Good: 100 samples a pixel</source>
+        <source>Good: 100 samples per pixel</source>
         <translation>Gut: 100 Punkte je Pixel</translation>
     </message>
     <message>
-        <source>Fine: 400 samples a pixel</source>
+        <source>Fine: 400 samples per pixel</source>
         <translation>Fein: 400 Punkte je Pixel</translation>
     </message>
     <message>
-        <source>Finest: 2000 samples a pixel</source>
+        <source>Finest: 2000 samples per pixel</source>
         <translation>Am feinsten: 2000 Punkte je Pixel</translation>
     </message>
     <message>
@@ -4535,15 +5530,15 @@
         <translation>Güte</translation>
     </message>
     <message>
-        <source>Cells along the side of a pixel</source>
+        <source>Cells along each side of a pixel</source>
         <translation>Zellen längs der Seite eines Pixels</translation>
     </message>
     <message>
-        <source>8 bits a channel</source>
+        <source>8 bits per channel</source>
         <translation>8 Bit je Kanal</translation>
     </message>
     <message>
-        <source>16 bits a channel, for further work on the picture</source>
+        <source>16 bits per channel, for further editing</source>
         <translation>16 Bit je Kanal, zur weiteren Arbeit am Bild</translation>
     </message>
     <message>
@@ -4559,7 +5554,7 @@
         <translation>&amp;Güte:</translation>
     </message>
     <message>
-        <source>&amp;Supersampling:</source>
+        <source>S&amp;upersampling:</source>
         <translation>&amp;Überabtastung:</translation>
     </message>
     <message>
@@ -4591,7 +5586,7 @@
         <translation>Anzahl der Punkte</translation>
     </message>
     <message>
-        <source>As deep as a pixel &amp;needs</source>
+        <source>As deep as &amp;needed for the pixels</source>
         <translation>So tief, wie ein Pixel es &amp;braucht</translation>
     </message>
     <message>
@@ -4599,7 +5594,7 @@
         <translation>Ebenen von Kopien</translation>
     </message>
     <message>
-        <source>What the picture will be like</source>
+        <source>Description of the picture</source>
         <translation>Wie das Bild sein wird</translation>
     </message>
     <message>
@@ -4623,7 +5618,7 @@
         <translation>Fortschritt des Exports</translation>
     </message>
     <message>
-        <source>Only plane systems can be exported as a picture.</source>
+        <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Nur Systeme der Ebene können als Bild exportiert werden.</translation>
     </message>
     <message>
@@ -4631,11 +5626,11 @@
         <translation>etwa %1</translation>
     </message>
     <message>
-        <source>One dot for every point of the chaos game that is in view.</source>
+        <source>One dot for every visible point of the chaos game.</source>
         <translation>Ein Fleck für jeden Punkt des Chaos-Spiels, der zu sehen ist.</translation>
     </message>
     <message>
-        <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
+        <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
         <translation> Der Käfig biegt das Bild, was Kopien nicht können: Geschrieben wird die affine Anpassung des Käfigs. Ein PNG zeigt die Biegung.</translation>
     </message>
     <message>
@@ -4655,7 +5650,7 @@
         <translation>Bild exportieren</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing was written.</source>
+        <source>Export stopped; nothing was written.</source>
         <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
     </message>
     <message>
@@ -4675,7 +5670,7 @@
         <translation>PNG ist ein Bild aus Pixeln; SVG und PDF bestehen aus Formen, die in jeder Größe scharf bleiben.</translation>
     </message>
     <message>
-        <source>The picture has no background and can be laid over another.</source>
+        <source>The picture has no background and can be placed over another.</source>
         <translation>Das Bild hat keinen Hintergrund und kann über ein anderes gelegt werden.</translation>
     </message>
     <message>
@@ -4683,15 +5678,15 @@
         <translation>Zeichnet den Käfig über das Bild.</translation>
     </message>
     <message>
-        <source>How many points are drawn for each pixel: more make a smoother picture and take longer.</source>
+        <source>The number of points drawn for each pixel: more points make a smoother picture and take longer.</source>
         <translation>Wie viele Punkte je Pixel gezeichnet werden: Mehr machen ein glatteres Bild und dauern länger.</translation>
     </message>
     <message>
-        <source>Every pixel is drawn from so many finer ones along its side: smoother edges, for more memory and time.</source>
+        <source>The number of smaller cells along each side of a pixel: more cells make smoother edges, at the cost of memory and time.</source>
         <translation>Jedes Pixel wird aus so vielen feineren längs seiner Seite gezeichnet: glattere Ränder für mehr Speicher und Zeit.</translation>
     </message>
     <message>
-        <source>16 bits keep fine steps of brightness for later work in a picture editor; 8 bits are enough to look at.</source>
+        <source>16 bits keep fine gradations for later editing; 8 bits are enough for viewing.</source>
         <translation>16 Bit bewahren feine Helligkeitsstufen für die spätere Bearbeitung; 8 Bit genügen zum Ansehen.</translation>
     </message>
     <message>
@@ -4703,11 +5698,11 @@
         <translation>Wie viele Flecken des Chaos-Spiels gezeichnet werden.</translation>
     </message>
     <message>
-        <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
+        <source>The number of levels of copies. More levels hardly enlarge the file, but the picture takes longer to draw.</source>
         <translation>Wie viele Ebenen von Kopien das Bild hat. Die Datei wächst damit kaum, die Zeit zum Zeichnen schon.</translation>
     </message>
     <message>
-        <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
+        <source>Asks for a file name and writes the file. You can keep working in the meantime.</source>
         <translation>Fragt nach dem Namen der Datei und schreibt sie. Das Fenster lässt sich inzwischen benutzen.</translation>
     </message>
     <message>
@@ -4715,20 +5710,40 @@
         <translation>Das Bild wird kopiert …</translation>
     </message>
     <message>
-        <source>Copies are made smaller until no pixel of this size could tell the difference, or programs would take long to draw them.</source>
+        <source>Makes the copies smaller until they cannot be distinguished from the attractor at this pixel size, or until programs would take long to draw them.</source>
         <translation>Kopien werden so klein gemacht, bis kein Pixel dieser Größe den Unterschied zeigen könnte oder Programme lange an ihnen zeichnen würden.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
+        <source>%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels from the attractor, and no point of the attractor is farther than that from the drawing.</source>
         <translation>%1 Verweise (weniger als %3 sind erlaubt). Nichts Gezeichnetes ist weiter als %2 Pixel vom Attraktor entfernt, und nichts von ihm ist weiter von dem Gezeichneten.</translation>
     </message>
     <message>
-        <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
+        <source> Accuracy to the pixel needs more levels; with these, programs still draw the picture without a long wait.</source>
         <translation> Ein Pixel braucht mehr: Tiefer zeichnen Programme nicht, ohne dass man lange wartet.</translation>
     </message>
     <message>
-        <source>Working out the shapes…</source>
+        <source>Computing the shapes…</source>
         <translation>Die Formen werden berechnet …</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>Die Ansicht auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>Der ganze Attraktor</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>Au&amp;sschnitt:</translation>
     </message>
 </context>
 <context>
@@ -4758,7 +5773,7 @@
         <translation>Längeneinheit</translation>
     </message>
     <message>
-        <source>As on the screen</source>
+        <source>Same as on the screen</source>
         <translation>Wie auf dem Bildschirm</translation>
     </message>
     <message>
@@ -4766,7 +5781,7 @@
         <translation>%1 × der Bildschirm</translation>
     </message>
     <message>
-        <source>Own size</source>
+        <source>Custom size</source>
         <translation>Eigene Größe</translation>
     </message>
     <message>
@@ -4774,11 +5789,11 @@
         <translation>Größe im Verhältnis zum Bildschirm</translation>
     </message>
     <message>
-        <source>Keep shape</source>
+        <source>Keep proportions</source>
         <translation>Form behalten</translation>
     </message>
     <message>
-        <source>Keep the shape of the picture on the screen</source>
+        <source>Keep the proportions of the picture on the screen</source>
         <translation>Die Form des Bildes auf dem Bildschirm behalten</translation>
     </message>
     <message>
@@ -4790,19 +5805,19 @@
         <translation>Auflösung in Punkten je Zoll</translation>
     </message>
     <message>
-        <source>A length in the unit chosen beside it. The other side follows while the shape is kept.</source>
+        <source>A length in the selected unit. The other side follows as long as the proportions are kept.</source>
         <translation>Eine Länge in der daneben gewählten Einheit. Die andere Seite folgt, solange die Form behalten wird.</translation>
     </message>
     <message>
-        <source>In pixels, or on paper at the resolution given.</source>
+        <source>Pixels, or a length on paper at the given resolution.</source>
         <translation>In Pixeln oder auf Papier in der angegebenen Auflösung.</translation>
     </message>
     <message>
-        <source>The picture as on the screen or some times as large.</source>
+        <source>The size of the picture on the screen, or a multiple of it.</source>
         <translation>Das Bild wie auf dem Bildschirm oder einige Male so groß.</translation>
     </message>
     <message>
-        <source>How many pixels go on an inch of paper: 300 is usual in print.</source>
+        <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Wie viele Pixel auf ein Zoll Papier kommen: 300 sind im Druck üblich.</translation>
     </message>
 </context>
@@ -4840,7 +5855,7 @@
         <translation>Marke hinzufügen</translation>
     </message>
     <message>
-        <source>Add a stop after the chosen one</source>
+        <source>Add a stop after the selected one</source>
         <translation>Eine Marke nach der gewählten hinzufügen</translation>
     </message>
     <message>
@@ -4848,7 +5863,7 @@
         <translation>Marke löschen</translation>
     </message>
     <message>
-        <source>Delete the chosen stop</source>
+        <source>Delete the selected stop</source>
         <translation>Die gewählte Marke löschen</translation>
     </message>
     <message>
@@ -4856,7 +5871,7 @@
         <translation>Umkehren</translation>
     </message>
     <message>
-        <source>Turn the palette round</source>
+        <source>Reverse the order of the colours</source>
         <translation>Die Palette umkehren</translation>
     </message>
     <message>
@@ -4864,7 +5879,7 @@
         <translation>Verteilen</translation>
     </message>
     <message>
-        <source>Put the stops at equal distances</source>
+        <source>Space the stops evenly</source>
         <translation>Die Marken in gleiche Abstände setzen</translation>
     </message>
     <message>
@@ -4944,8 +5959,12 @@
         <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
-        <source>The palettes that the file holds. Choose one.</source>
+        <source>The palettes in the file. Select one.</source>
         <translation>Die Paletten, die die Datei enthält. Wählen Sie eine.</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen …</translation>
     </message>
 </context>
 <context>
@@ -4955,8 +5974,8 @@
         <translation>Marken des Farbverlaufs</translation>
     </message>
     <message>
-        <source>Double-click: new stop, or the colour of one. Drag: move. Del: delete it.
-Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
+        <source>Double-click: add a stop, or change the colour of one. Drag: move. Del: delete.
+Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one, Enter opens its colour.</source>
         <translation>Doppelklick: neue Marke oder Farbe der getroffenen. Ziehen: bewegen. Entf: löschen.
 Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg fügt eine hinzu, Eingabe öffnet ihre Farbe.</translation>
     </message>
@@ -4984,7 +6003,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Handbuch</translation>
     </message>
     <message>
-        <source>The user guide: what can be done here, in the order in which one needs it.</source>
+        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
         <translation>Das Handbuch: was sich hier tun lässt, in der Reihenfolge, in der man es braucht.</translation>
     </message>
     <message>
@@ -4992,7 +6011,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Im Handbuch suchen</translation>
     </message>
     <message>
-        <source>Marks these words in the guide. Enter shows the next place, Shift+Enter the one before. Ctrl+F leads here.</source>
+        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
         <translation>Markiert diese Wörter im Handbuch. Die Eingabetaste zeigt die nächste Stelle, mit der Umschalttaste die vorige. Strg+F führt hierher.</translation>
     </message>
     <message>
@@ -5015,11 +6034,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schritte des Verlaufs</translation>
     </message>
     <message>
-        <source>Choose a step to go back to it, or forward.</source>
+        <source>Select a step to go back or forward to it.</source>
         <translation>Wählen Sie einen Schritt, um zu ihm zurück- oder vorzugehen.</translation>
     </message>
     <message>
-        <source>Choose a step to go back to it, or forward. The disk marks what is saved.</source>
+        <source>Select a step to go back or forward to it. The disk marks the saved state.</source>
         <translation>Wählen Sie einen Schritt, um zu ihm zurück- oder vorzugehen. Die Diskette zeigt, was gespeichert ist.</translation>
     </message>
     <message>
@@ -5050,7 +6069,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Skalierung y</translation>
     </message>
     <message>
-        <source>Scale across; negative when the map reflects</source>
+        <source>Scale at right angles to that; negative if the map reflects</source>
         <translation>Skalierung quer dazu; negativ, wenn die Abbildung spiegelt</translation>
     </message>
     <message>
@@ -5058,7 +6077,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Scherung</translation>
     </message>
     <message>
-        <source>Shear along x, applied before everything else</source>
+        <source>Shear along x, applied first</source>
         <translation>Scherung längs x, vor allem anderen angewandt</translation>
     </message>
     <message>
@@ -5086,8 +6105,80 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Abbildung %1</translation>
     </message>
     <message>
-        <source>Change the shape of map %1</source>
-        <translation>Die Form der Abbildung %1 ändern</translation>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation; only its direction matters</source>
+        <translation>Achse der Drehung; nur ihre Richtung zählt</translation>
+    </message>
+    <message>
+        <source>Axis x</source>
+        <translation>Achse x</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>Achse y</translation>
+    </message>
+    <message>
+        <source>Axis z</source>
+        <translation>Achse z</translation>
+    </message>
+    <message>
+        <source>Angle in degrees, counter-clockwise as seen from the tip of the axis looking back</source>
+        <translation>Winkel in Grad, gegen den Uhrzeigersinn, wenn man von der Spitze der Achse zurückblickt</translation>
+    </message>
+    <message>
+        <source>Scale along y, before the rotation</source>
+        <translation>Skalierung längs y, vor der Drehung</translation>
+    </message>
+    <message>
+        <source>Scale z</source>
+        <translation>Skalierung z</translation>
+    </message>
+    <message>
+        <source>Scale along z, before the rotation; negative if the map reflects</source>
+        <translation>Skalierung längs z, vor der Drehung; negativ, wenn die Abbildung spiegelt</translation>
+    </message>
+    <message>
+        <source>Shear xy</source>
+        <translation>Scherung xy</translation>
+    </message>
+    <message>
+        <source>What y adds to x, applied first</source>
+        <translation>Was y zu x beiträgt; zuerst angewandt</translation>
+    </message>
+    <message>
+        <source>Shear xz</source>
+        <translation>Scherung xz</translation>
+    </message>
+    <message>
+        <source>What z adds to x, applied first</source>
+        <translation>Was z zu x beiträgt; zuerst angewandt</translation>
+    </message>
+    <message>
+        <source>Shear yz</source>
+        <translation>Scherung yz</translation>
+    </message>
+    <message>
+        <source>What z adds to y, applied first</source>
+        <translation>Was z zu y beiträgt; zuerst angewandt</translation>
+    </message>
+    <message>
+        <source>Translation j, applied last</source>
+        <translation>Verschiebung j, zuletzt angewandt</translation>
+    </message>
+    <message>
+        <source>Translation k, applied last</source>
+        <translation>Verschiebung k, zuletzt angewandt</translation>
+    </message>
+    <message>
+        <source>Shift z</source>
+        <translation>Verschiebung z</translation>
+    </message>
+    <message>
+        <source>Translation l, applied last</source>
+        <translation>Verschiebung l, zuletzt angewandt</translation>
     </message>
 </context>
 <context>
@@ -5128,19 +6219,19 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Eine Ähnlichkeit erhält Formen: Sie dreht, skaliert und verschiebt.</translation>
     </message>
     <message>
-        <source>A reflected similarity keeps shapes, as a mirror does, and scales and shifts them.</source>
+        <source>A reflected similarity keeps shapes but mirrors them; it also turns, scales and shifts them.</source>
         <translation>Eine gespiegelte Ähnlichkeit erhält Formen wie ein Spiegel, skaliert und verschiebt sie.</translation>
     </message>
     <message>
-        <source>An affine map keeps lines and parallels, not angles.</source>
+        <source>An affine map keeps lines and parallels but not angles.</source>
         <translation>Eine affine Abbildung erhält Geraden und Parallelen, nicht Winkel.</translation>
     </message>
     <message>
-        <source>A singular map takes the plane to a line.</source>
+        <source>A singular map takes the whole plane to a line.</source>
         <translation>Eine singuläre Abbildung führt die Ebene in eine Gerade über.</translation>
     </message>
     <message>
-        <source>A constant map takes the plane to one point.</source>
+        <source>A constant map takes the whole plane to one point.</source>
         <translation>Eine konstante Abbildung führt die Ebene in einen Punkt über.</translation>
     </message>
     <message>
@@ -5168,36 +6259,36 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Die Abbildung führt (x, y) in (a x + b y + e, c x + d y + f) über.</translation>
     </message>
     <message>
-        <source>Effective code: the map as it acts on the picture under the current cage. Bake makes it the code.</source>
-        <translation>Wirksamer Code: die Abbildung, wie sie unter dem jetzigen Käfig auf das Bild wirkt. Einrechnen macht sie zum Code.</translation>
+        <source>Effective code: the map as it acts on the picture under the current cage. Bake turns it into the code.</source>
+        <translation>Effektiver Code: die Abbildung, wie sie unter dem jetzigen Käfig auf das Bild wirkt. Einrechnen macht sie zum Code.</translation>
     </message>
     <message>
-        <source>Whether the map takes part.</source>
-        <translation>Ob die Abbildung teilnimmt.</translation>
+        <source>Whether the map is switched on.</source>
+        <translation>Ob die Abbildung eingeschaltet ist.</translation>
     </message>
     <message>
         <source>Colour of the map, used when the picture is coloured by map.</source>
         <translation>Farbe der Abbildung, wenn das Bild nach Abbildungen gefärbt wird.</translation>
     </message>
     <message>
-        <source>Weight as given: how often the chaos game takes the map. The weights need not sum to 1.</source>
+        <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
         <translation>Gewicht wie angegeben: wie oft das Chaos-Spiel die Abbildung nimmt. Die Summe muss nicht 1 sein.</translation>
     </message>
     <message>
-        <source>Determinant ad − bc: the factor of areas; negative when the map reflects.</source>
+        <source>Determinant ad − bc: the factor by which areas change; negative if the map reflects.</source>
         <translation>Determinante ad − bc: der Faktor der Flächen; negativ, wenn die Abbildung spiegelt.</translation>
     </message>
     <message>
-        <source>Contraction factor ‖A‖, the largest singular value: the most by which distances grow.</source>
-        <translation>Kontraktionsfaktor ‖A‖, der größte Singulärwert: das Meiste, um das Abstände wachsen.</translation>
+        <source>Contraction factor ‖A‖, the largest singular value: the largest factor by which distances are stretched.</source>
+        <translation>Kontraktionsfaktor ‖A‖, der größte Singulärwert: der größte Faktor, um den Abstände gestreckt werden.</translation>
     </message>
     <message>
-        <source>What the map is geometrically.</source>
+        <source>The geometric kind of the map.</source>
         <translation>Was die Abbildung geometrisch ist.</translation>
     </message>
     <message>
-        <source>Map %1 takes part.</source>
-        <translation>Abbildung %1 nimmt teil.</translation>
+        <source>Map %1 is switched on.</source>
+        <translation>Abbildung %1 ist eingeschaltet.</translation>
     </message>
     <message>
         <source>Map %1 is switched off.</source>
@@ -5209,10 +6300,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>The cage is flat or bent: there is no effective code.</source>
-        <translation>Der Käfig ist flach oder gebogen: Es gibt keinen wirksamen Code.</translation>
+        <translation>Der Käfig ist flach oder gebogen: Es gibt keinen effektiven Code.</translation>
     </message>
     <message>
-        <source>No weight is given; the determinant rule makes the probability %1.</source>
+        <source>No weight is given; the determinant rule gives the probability %1.</source>
         <translation>Kein Gewicht ist angegeben; nach der Determinantenregel ist die Wahrscheinlichkeit %1.</translation>
     </message>
     <message>
@@ -5240,14 +6331,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Abbildung %1. Ziehen, um sie umzuordnen.</translation>
     </message>
     <message>
-        <source>Change weight of map %1</source>
-        <translation>Gewicht der Abbildung %1 ändern</translation>
-    </message>
-    <message>
-        <source>Change %1 of map %2</source>
-        <translation>%1 der Abbildung %2 ändern</translation>
-    </message>
-    <message>
         <source>Switch map %1 on</source>
         <translation>Abbildung %1 einschalten</translation>
     </message>
@@ -5256,16 +6339,40 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Abbildung %1 ausschalten</translation>
     </message>
     <message>
-        <source>Change colour of map %1</source>
-        <translation>Farbe der Abbildung %1 ändern</translation>
-    </message>
-    <message>
         <source>on</source>
         <translation>ein</translation>
     </message>
     <message>
         <source>off</source>
         <translation>aus</translation>
+    </message>
+    <message>
+        <source>Set %1 of map %2 to %3</source>
+        <translation>%1 der Abbildung %2 auf %3 setzen</translation>
+    </message>
+    <message>
+        <source>Colour of map %1: %2</source>
+        <translation>Farbe der Abbildung %1: %2</translation>
+    </message>
+    <message>
+        <source>A singular map takes the whole of space to a plane or a line.</source>
+        <translation>Eine singuläre Abbildung führt den ganzen Raum in eine Ebene oder Gerade.</translation>
+    </message>
+    <message>
+        <source>A constant map takes the whole of space to one point.</source>
+        <translation>Eine konstante Abbildung führt den ganzen Raum in einen Punkt.</translation>
+    </message>
+    <message>
+        <source>The map takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l).</source>
+        <translation>Die Abbildung führt (x, y, z) in (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) über.</translation>
+    </message>
+    <message>
+        <source>Effective code: the map as it acts on the picture under the current cage.</source>
+        <translation>Effektiver Code: die Abbildung, wie sie unter dem jetzigen Käfig auf das Bild wirkt.</translation>
+    </message>
+    <message>
+        <source>Determinant: the factor by which volumes change; negative if the map reflects.</source>
+        <translation>Determinante: der Faktor der Volumen; negativ, wenn die Abbildung spiegelt.</translation>
     </message>
 </context>
 <context>
@@ -5347,15 +6454,15 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Einrechnen</translation>
     </message>
     <message>
-        <source>Make the effective code the code; the cage then rests</source>
-        <translation>Den wirksamen Code zum Code machen; der Käfig ruht danach</translation>
+        <source>Turn the effective code into the code; the cage is then at rest</source>
+        <translation>Den effektiven Code zum Code machen; der Käfig ruht danach</translation>
     </message>
     <message>
         <source>By |Determinant|</source>
         <translation>Nach |Determinante|</translation>
     </message>
     <message>
-        <source>Weights in proportion to the areas of the images, so that the picture is even</source>
+        <source>Weights in proportion to the areas of the images, for an even picture</source>
         <translation>Gewichte im Verhältnis der Flächen der Bilder, damit das Bild gleichmäßig wird</translation>
     </message>
     <message>
@@ -5371,7 +6478,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Nach Dimension</translation>
     </message>
     <message>
-        <source>Weights for an even cover of the attractor at its own dimension</source>
+        <source>Weights that cover the attractor evenly at its own dimension</source>
         <translation>Gewichte, die den Attraktor in seiner eigenen Dimension gleichmäßig bedecken</translation>
     </message>
     <message>
@@ -5379,7 +6486,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Normieren</translation>
     </message>
     <message>
-        <source>The same proportions, with the sum 1</source>
+        <source>Scale all weights so that they sum to 1</source>
         <translation>Dieselben Verhältnisse, mit der Summe 1</translation>
     </message>
     <message>
@@ -5387,7 +6494,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Gewichte</translation>
     </message>
     <message>
-        <source>Weights of all maps that are on, by a rule</source>
+        <source>Set the weights of all maps that are switched on by a rule</source>
         <translation>Gewichte aller eingeschalteten Abbildungen nach einer Regel</translation>
     </message>
     <message>
@@ -5403,8 +6510,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Die Koeffizienten a … f zeigen</translation>
     </message>
     <message>
-        <source>Facts</source>
-        <translation>Tatsachen</translation>
+        <source>Properties</source>
+        <translation>Kennwerte</translation>
     </message>
     <message>
         <source>Show determinant, contraction factor and kind of each map</source>
@@ -5412,7 +6519,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Effective code</source>
-        <translation>Wirksamer Code</translation>
+        <translation>Effektiver Code</translation>
     </message>
     <message>
         <source>Show the maps as they act on the picture under the current cage</source>
@@ -5427,13 +6534,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Keine Abbildungen: Fügen Sie eine hinzu oder fügen Sie Zeilen von 6 oder 7 Zahlen ein.</translation>
     </message>
     <message>
-        <source>3D: not yet shown.
-The entry is kept as it is.</source>
-        <translation>3D: noch nicht gezeigt.
-Der Eintrag bleibt, wie er ist.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read. It is kept as it is.</source>
+        <source>This entry could not be read. It is kept unchanged.</source>
         <translation>Dieser Eintrag konnte nicht gelesen werden. Er bleibt, wie er ist.</translation>
     </message>
     <message>
@@ -5443,22 +6544,6 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>Add a map</source>
         <translation>Eine Abbildung hinzufügen</translation>
-    </message>
-    <message>
-        <source>Duplicate a map</source>
-        <translation>Eine Abbildung duplizieren</translation>
-    </message>
-    <message>
-        <source>Duplicate %1 maps</source>
-        <translation>%1 Abbildungen duplizieren</translation>
-    </message>
-    <message>
-        <source>Delete a map</source>
-        <translation>Eine Abbildung löschen</translation>
-    </message>
-    <message>
-        <source>Delete %1 maps</source>
-        <translation>%1 Abbildungen löschen</translation>
     </message>
     <message>
         <source>Reorder maps</source>
@@ -5473,7 +6558,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Nichts wurde eingefügt. %1</translation>
     </message>
     <message>
-        <source>Nothing was pasted: the clipboard holds no rows of 6 or 7 numbers.</source>
+        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
         <translation>Nichts wurde eingefügt: Die Zwischenablage enthält keine Zeilen von 6 oder 7 Zahlen.</translation>
     </message>
     <message>
@@ -5493,10 +6578,6 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Die gewählten Abbildungen wurden ersetzt; eingefügte Abbildungen: %1.</translation>
     </message>
     <message>
-        <source>Set the weights</source>
-        <translation>Die Gewichte setzen</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Den Käfig in den Code einrechnen</translation>
     </message>
@@ -5505,12 +6586,40 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Farbe der Abbildung %1</translation>
     </message>
     <message>
-        <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
+        <source>Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Jede Zeile ist eine Abbildung: (x, y) geht über in (a x + b y + e, c x + d y + f), so oft, wie ihr Gewicht p sagt. Klicken Sie doppelt auf eine Zahl oder beginnen Sie zu tippen, um sie zu ändern; das Bild folgt jeder Taste. Ziehen Sie die Nummer einer Zeile, um sie zu verschieben.</translation>
     </message>
     <message>
-        <source>Reading what was pasted…</source>
+        <source>Reading the pasted text…</source>
         <translation>Das Eingefügte wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Properties of the map</source>
+        <translation>Eigenschaften der Abbildung</translation>
+    </message>
+    <message>
+        <source>det %1    ‖A‖ %2    %3</source>
+        <translation>det %1    ‖A‖ %2    %3</translation>
+    </message>
+    <message>
+        <source>Weights: %1</source>
+        <translation>Gewichte: %1</translation>
+    </message>
+    <message>
+        <source>No maps: add one.</source>
+        <translation>Keine Abbildungen: Fügen Sie eine hinzu.</translation>
+    </message>
+    <message>
+        <source>Weights in proportion to the volumes of the images, for an even picture</source>
+        <translation>Gewichte im Verhältnis der Volumen der Bilder, damit das Bild gleichmäßig wird</translation>
+    </message>
+    <message>
+        <source>Show the coefficients a … l</source>
+        <translation>Die Koeffizienten a … l zeigen</translation>
+    </message>
+    <message>
+        <source>Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
+        <translation>Jede Zeile ist eine Abbildung: (x, y, z) geht über in (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l), so oft, wie ihr Gewicht p sagt. Klicken Sie doppelt auf eine Zahl oder beginnen Sie zu tippen, um sie zu ändern; das Bild folgt jeder Taste. Ziehen Sie die Nummer einer Zeile, um sie zu verschieben.</translation>
     </message>
 </context>
 <context>
@@ -5520,7 +6629,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Nummern der Abbildungen</translation>
     </message>
     <message>
-        <source>Drag a number to put the map elsewhere. A mark warns of a map that does not contract.</source>
+        <source>Drag a number to move the map. A warning sign marks a map that does not contract.</source>
         <translation>Ziehen Sie eine Nummer, um die Abbildung anderswohin zu setzen. Ein Zeichen warnt vor einer Abbildung, die nicht kontrahiert.</translation>
     </message>
 </context>
@@ -5555,16 +6664,16 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>%1 Abbildungen skalieren</translation>
     </message>
     <message>
-        <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
-        <translation>Was auf dem Bildschirm flach ist, lässt sich nicht fassen. Öffnen Sie zuerst den Käfig oder die Abbildungen.</translation>
+        <source>Maps that are flat on the screen cannot be dragged. First open the cage or the maps.</source>
+        <translation>Abbildungen, die auf dem Bildschirm flach sind, lassen sich nicht ziehen. Öffnen Sie zuerst den Käfig oder die Abbildungen.</translation>
     </message>
     <message>
         <source>Select a map first.</source>
         <translation>Erst eine Abbildung wählen.</translation>
     </message>
     <message>
-        <source>Of so many maps only some are shown. Zoom in to see the others.</source>
-        <translation>Von so vielen Abbildungen werden nur einige gezeigt. Die übrigen zeigt ein näherer Ausschnitt.</translation>
+        <source>There are too many maps to show them all. Zoom in to see the others.</source>
+        <translation>Es sind zu viele Abbildungen, um alle zu zeigen. Vergrößern Sie, um die übrigen zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -5574,7 +6683,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Abwandlungen von „%1“</translation>
     </message>
     <message>
-        <source>Fractals by Chance</source>
+        <source>Random Fractals</source>
         <translation>Zufällige Fraktale</translation>
     </message>
     <message>
@@ -5594,7 +6703,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Dieses &amp;abwandeln</translation>
     </message>
     <message>
-        <source>Make the chosen one what the variations start from</source>
+        <source>Use the selected one as the new starting point</source>
         <translation>Das gewählte zum Ausgangspunkt der Abwandlungen machen</translation>
     </message>
     <message>
@@ -5614,7 +6723,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>A&amp;ndere</translation>
     </message>
     <message>
-        <source>Another sheet: the next seed</source>
+        <source>Show another sheet, from the next seed</source>
         <translation>Ein anderes Blatt: der nächste Startwert</translation>
     </message>
     <message>
@@ -5638,23 +6747,23 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Zufälliges Fraktal hinzufügen</translation>
     </message>
     <message>
-        <source>Choose one and press OK, or double-click it: it takes the place of the fractal, as one step that can be undone.</source>
-        <translation>Wählen Sie eines und drücken Sie OK, oder klicken Sie doppelt darauf: Es tritt an die Stelle des Fraktals, in einem Schritt, der sich zurücknehmen lässt.</translation>
+        <source>Select one and confirm, or double-click it: it replaces the fractal, in one step that you can undo.</source>
+        <translation>Wählen Sie eines und bestätigen Sie, oder klicken Sie doppelt darauf: Es ersetzt das Fraktal in einem Schritt, den Sie rückgängig machen können.</translation>
     </message>
     <message>
-        <source>To the left the variations are much like what they start from, to the right they are wild.</source>
+        <source>On the left, the variations stay close to their starting point; on the right, they differ wildly.</source>
         <translation>Links sind die Abwandlungen dem Ausgangspunkt sehr ähnlich, rechts sind sie wild.</translation>
     </message>
     <message>
-        <source>Takes the chosen one, as one step that can be undone.</source>
+        <source>Uses the selected one, in one step that you can undo.</source>
         <translation>Nimmt das gewählte, in einem Schritt, der sich zurücknehmen lässt.</translation>
     </message>
 </context>
 <context>
     <name>view::NumberField</name>
     <message>
-        <source>A number, with a decimal point or comma. Arrow keys and the wheel change it: with Shift ten times as fast, with Alt a tenth. Esc takes back what was typed.</source>
-        <translation>Eine Zahl, mit Dezimalpunkt oder Komma. Pfeiltasten und Rad ändern sie: mit Umschalt zehnmal so schnell, mit Alt ein Zehntel so schnell. Esc nimmt das Getippte zurück.</translation>
+        <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
+        <translation>Eine Zahl mit Dezimalpunkt oder Komma oder ein Ausdruck wie 1/2, sqrt(3)/6, cos(36°) oder pi. Die Pfeiltasten und das Mausrad ändern sie: mit Umschalt zehnmal so schnell, mit Alt ein Zehntel so schnell. Esc stellt die vorherige Zahl wieder her.</translation>
     </message>
 </context>
 <context>
@@ -5668,7 +6777,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Eine Tabelle einfügen</translation>
     </message>
     <message>
-        <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>
+        <source>The rows do not say which column is which, and programs differ. Choose the order that gives the picture you expect in the background.</source>
         <translation>Die Zeilen sagen nicht, welche Spalte welche ist, und Programme unterscheiden sich. Wählen Sie die Reihenfolge, bei der das Bild hinter diesem Dialog das erwartete ist.</translation>
     </message>
     <message>
@@ -5676,7 +6785,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Die Abbildungen, wie sie eingefügt werden</translation>
     </message>
     <message>
-        <source>The maps in the order chosen: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
+        <source>The maps in the chosen order: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
         <translation>Die Abbildungen in der gewählten Reihenfolge: (x, y) geht über in (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
@@ -5688,8 +6797,8 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>&amp;Columns:</source>
-        <translation>&amp;Spalten:</translation>
+        <source>C&amp;olumns:</source>
+        <translation>Spa&amp;lten:</translation>
     </message>
     <message>
         <source>There are no rows of 6 or 7 numbers.</source>
@@ -5704,7 +6813,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>In dieser Reihenfolge kontrahiert jede Abbildung.</translation>
     </message>
     <message>
-        <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
+        <source>In this order these maps do not contract: %1. The columns may have a different meaning.</source>
         <translation>In dieser Reihenfolge kontrahieren diese Abbildungen nicht: %1. Vielleicht bedeuten die Spalten etwas anderes.</translation>
     </message>
     <message>
@@ -5717,13 +6826,54 @@ Der Eintrag bleibt, wie er ist.</translation>
     </message>
 </context>
 <context>
+    <name>view::PolygonTool</name>
+    <message>
+        <source>%1 by %2°</source>
+        <translation>%1 um %2°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 um den Faktor %2</translation>
+    </message>
+    <message>
+        <source>%1 to (%2, %3)</source>
+        <translation>%1 nach (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1 by (%2, %3)</source>
+        <translation>%1 um (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <comment>a factor</comment>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Δ (%1, %2)  length %3</source>
+        <translation>Δ (%1, %2)  Länge %3</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>Kante %1</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2</source>
+        <translation>Kanten %1 und %2</translation>
+    </message>
+</context>
+<context>
     <name>view::PreferencesDialog</name>
     <message>
-        <source>The language changes when Barycage is started again.</source>
+        <source>The new language takes effect when you restart Barycage.</source>
         <translation>Die Sprache wechselt, wenn Barycage neu gestartet wird.</translation>
     </message>
     <message>
-        <source>&amp;Open the files of last time at the start</source>
+        <source>&amp;Open the files of the last session at startup</source>
         <translation>Beim Start die zuletzt geöffneten Dateien &amp;öffnen</translation>
     </message>
     <message>
@@ -5731,8 +6881,8 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>That of the desktop</source>
-        <translation>Die der Arbeitsumgebung</translation>
+        <source>Same as the desktop</source>
+        <translation>Wie die Arbeitsumgebung</translation>
     </message>
     <message>
         <source>Language</source>
@@ -5741,10 +6891,6 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>The language of menus and messages. Files and numbers are the same in every language.</source>
         <translation>Die Sprache der Menüs und Meldungen. Dateien und Zahlen sind in jeder Sprache gleich.</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>Wie die Arbeitsumgebung</translation>
     </message>
     <message>
         <source>Light</source>
@@ -5775,15 +6921,15 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Fein: 1000 Millionen Punkte</translation>
     </message>
     <message>
-        <source>Picture at rest</source>
-        <translation>Ruhendes Bild</translation>
+        <source>Picture quality</source>
+        <translation>Bildqualität</translation>
     </message>
     <message>
-        <source>How many points are drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
+        <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
         <translation>Wie viele Punkte gezeichnet werden, solange sich nichts bewegt. Mehr Punkte machen ein glatteres Bild und beschäftigen den Prozessor länger.</translation>
     </message>
     <message>
-        <source>When on, Barycage opens the files that were open when it was closed, a window each.</source>
+        <source>When this is on, Barycage reopens the files that were open when you closed it, each in its own window.</source>
         <translation>Wenn dies an ist, öffnet Barycage die Dateien, die beim Beenden offen waren, jede in einem Fenster.</translation>
     </message>
     <message>
@@ -5795,12 +6941,16 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>&amp;Farbschema:</translation>
     </message>
     <message>
-        <source>&amp;Picture at rest:</source>
-        <translation>&amp;Ruhendes Bild:</translation>
+        <source>&amp;Picture quality:</source>
+        <translation>&amp;Bildqualität:</translation>
     </message>
     <message>
-        <source>Puts every choice of this dialog back to what it is at first.</source>
+        <source>Resets every setting in this dialog to its default.</source>
         <translation>Setzt jede Wahl dieses Dialogs auf den Anfangswert zurück.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Noch nicht gespeichert: %1.</translation>
     </message>
 </context>
 <context>
@@ -5822,7 +6972,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Eintrag</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Problem</source>
         <translation>Was gefunden wurde</translation>
     </message>
 </context>
@@ -5841,7 +6991,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Probleme</translation>
     </message>
     <message>
-        <source>Choose a line to show the entry it concerns.</source>
+        <source>Select a line to show its entry.</source>
         <translation>Wählen Sie eine Zeile, um den Eintrag zu sehen, den sie betrifft.</translation>
     </message>
     <message>
@@ -5876,16 +7026,16 @@ Der Eintrag bleibt, wie er ist.</translation>
         </translation>
     </message>
     <message>
-        <source>What could not be read is kept as it is.</source>
-        <translation>Was nicht gelesen werden konnte, bleibt, wie es ist.</translation>
+        <source>Text that could not be read is kept unchanged.</source>
+        <translation>Text, der nicht gelesen werden konnte, bleibt unverändert.</translation>
     </message>
     <message>
-        <source>Nothing to report: every entry was read.</source>
-        <translation>Nichts zu berichten: Jeder Eintrag wurde gelesen.</translation>
+        <source>No problems: every entry was read.</source>
+        <translation>Keine Probleme: Alle Einträge wurden gelesen.</translation>
     </message>
     <message>
-        <source>What the reader of the file remarked, with line and column. Double-click a line to go to its entry.</source>
-        <translation>Was beim Lesen der Datei auffiel, mit Zeile und Spalte. Klicken Sie doppelt auf eine Zeile, um zu ihrem Eintrag zu gehen.</translation>
+        <source>The problems found while reading the file, with line and column. Double-click a line to go to its entry.</source>
+        <translation>Die beim Lesen der Datei gefundenen Probleme, mit Zeile und Spalte. Klicken Sie doppelt auf eine Zeile, um zu ihrem Eintrag zu gehen.</translation>
     </message>
 </context>
 <context>
@@ -5919,7 +7069,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Alt + Ziehen, oder der eckige Griff</translation>
     </message>
     <message>
-        <source>Move or scale along one axis, turn in steps of 15°</source>
+        <source>Move or scale along one axis, rotate in steps of 15°</source>
         <translation>Längs einer Achse bewegen oder skalieren, in Schritten von 15° drehen</translation>
     </message>
     <message>
@@ -5927,7 +7077,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Umschalt beim Ziehen</translation>
     </message>
     <message>
-        <source>Take the drag back</source>
+        <source>Cancel the drag</source>
         <translation>Das Ziehen zurücknehmen</translation>
     </message>
     <message>
@@ -5949,14 +7099,6 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>arrow keys; Shift ×10, Alt ×0.1</source>
         <translation>Pfeiltasten; Umschalt ×10, Alt ×0.1</translation>
-    </message>
-    <message>
-        <source>Leave the canvas</source>
-        <translation>Die Zeichenfläche verlassen</translation>
-    </message>
-    <message>
-        <source>F6</source>
-        <translation>F6</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -5999,11 +7141,11 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Wie</translation>
     </message>
     <message>
-        <source>Shows only the lines that have these words.</source>
+        <source>Shows only the lines that contain these words.</source>
         <translation>Zeigt nur die Zeilen, die diese Wörter enthalten.</translation>
     </message>
     <message>
-        <source>What every key and every movement of the mouse does.</source>
+        <source>All keys and mouse gestures, and what they do.</source>
         <translation>Was jede Taste und jede Bewegung der Maus tut.</translation>
     </message>
     <message>
@@ -6019,7 +7161,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Alt + Ziffer, Strg+A</translation>
     </message>
     <message>
-        <source>A deeper or a larger branch</source>
+        <source>Select a deeper or a larger branch</source>
         <translation>Ein tieferer oder größerer Ast</translation>
     </message>
     <message>
@@ -6035,7 +7177,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>von der leeren Fläche aus ziehen; Umschalt fügt hinzu</translation>
     </message>
     <message>
-        <source>Select one more map or vertex, or one less</source>
+        <source>Add a map or vertex to the selection, or remove it</source>
         <translation>Eine Abbildung oder Ecke mehr oder weniger wählen</translation>
     </message>
     <message>
@@ -6047,7 +7189,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Eine Ecke auf einer Kante einfügen, die gewählten Abbildungen verdoppeln</translation>
     </message>
     <message>
-        <source>Take the last vertex back while a triangle is defined</source>
+        <source>Remove the last vertex while defining a triangle</source>
         <translation>Die letzte Ecke zurücknehmen, während ein Dreieck festgelegt wird</translation>
     </message>
     <message>
@@ -6055,7 +7197,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Rücktaste</translation>
     </message>
     <message>
-        <source>Choose another stop</source>
+        <source>Select another stop</source>
         <translation>Eine andere Marke wählen</translation>
     </message>
     <message>
@@ -6095,7 +7237,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Eingabe oder Leertaste, oder Doppelklick darauf</translation>
     </message>
     <message>
-        <source>Take the change back</source>
+        <source>Cancel the change</source>
         <translation>Die Änderung zurücknehmen</translation>
     </message>
     <message>
@@ -6105,6 +7247,87 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>On the strip of the gradient</source>
         <translation>Auf dem Streifen des Verlaufs</translation>
+    </message>
+    <message>
+        <source>Next or previous part of the window</source>
+        <translation>Nächster oder vorheriger Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>F6, Shift+F6</source>
+        <translation>F6, Umschalt+F6</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceInput</name>
+    <message>
+        <source>Rotate Cage</source>
+        <translation>Käfig drehen</translation>
+    </message>
+    <message>
+        <source>Scale Cage</source>
+        <translation>Käfig skalieren</translation>
+    </message>
+    <message>
+        <source>Move Vertex %1</source>
+        <translation>Ecke %1 bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceView</name>
+    <message>
+        <source>Canvas in space</source>
+        <translation>Leinwand im Raum</translation>
+    </message>
+    <message>
+        <source>The solid and its tetrahedron. Drag a corner: X, Y or Z keeps it on an axis, with Shift in a plane, and the wheel pushes it away. Drag anywhere else to turn the view; the wheel zooms at the pointer, the middle button pans. Double-click the solid to turn about that point.</source>
+        <translation>Der Körper und sein Tetraeder. Ziehen Sie eine Ecke: X, Y oder Z hält sie auf einer Achse, mit Umschalt in einer Ebene, und das Rad schiebt sie fort. Ziehen Sie anderswo, um die Ansicht zu drehen; das Rad zoomt am Zeiger, die mittlere Taste verschiebt. Ein Doppelklick auf den Körper macht den Punkt zur Mitte der Drehung.</translation>
+    </message>
+    <message>
+        <source>The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
+        <translation>Der Attraktor und sein Kontrolltetraeder. Tab wechselt von Ecke zu Ecke, die Pfeiltasten bewegen die Ecke mit dem Fokus oder drehen die Ansicht, F6 verlässt die Leinwand.</translation>
+    </message>
+    <message>
+        <source>Vertex %1 at %2, %3, %4</source>
+        <translation>Ecke %1 bei %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Look from the F&amp;ront</source>
+        <translation>Von &amp;vorne sehen</translation>
+    </message>
+    <message>
+        <source>Look from the &amp;Right</source>
+        <translation>Von &amp;rechts sehen</translation>
+    </message>
+    <message>
+        <source>Look from &amp;Above</source>
+        <translation>Von &amp;oben sehen</translation>
+    </message>
+</context>
+<context>
+    <name>view::ToolOptionsBar</name>
+    <message>
+        <source>Tool options</source>
+        <translation>Werkzeugoptionen</translation>
+    </message>
+    <message>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
+        <translation>Ecke, Kante oder Inneres des Käfigs ziehen.  Strg dreht  ·  Alt skaliert  ·  Umschalt behält Richtungen bei  ·  Doppelklick auf eine Kante: neue Ecke</translation>
+    </message>
+    <message>
+        <source>Click the three corners of the new triangle.  Backspace takes a corner back  ·  Esc cancels</source>
+        <translation>Die drei Ecken des neuen Dreiecks anklicken.  Rücktaste nimmt eine Ecke zurück  ·  Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Eine Ecke des Tetraeders ziehen.  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
     </message>
 </context>
 <context>
@@ -6118,8 +7341,8 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>y</translation>
     </message>
     <message>
-        <source>Transform by Numbers</source>
-        <translation>Nach Zahlen transformieren</translation>
+        <source>Transform</source>
+        <translation>Transformieren</translation>
     </message>
     <message>
         <source>x of the fixed point</source>
@@ -6162,7 +7385,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Verschiebung in y</translation>
     </message>
     <message>
-        <source>Done in this order, from top to bottom.</source>
+        <source>Applied in this order, from top to bottom.</source>
         <translation>In dieser Reihenfolge, von oben nach unten.</translation>
     </message>
     <message>
@@ -6170,11 +7393,11 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Problem</translation>
     </message>
     <message>
-        <source>Start Again</source>
+        <source>Reset</source>
         <translation>Von vorn</translation>
     </message>
     <message>
-        <source>All values as they were when the dialog opened</source>
+        <source>Reset all values to what they were when the dialog opened</source>
         <translation>Alle Werte wie beim Öffnen des Dialogs</translation>
     </message>
     <message>
@@ -6182,7 +7405,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Das Bild platzieren</translation>
     </message>
     <message>
-        <source>The code stays; the cage moves</source>
+        <source>The cage moves; the code does not change</source>
         <translation>Der Code bleibt; der Käfig bewegt sich</translation>
     </message>
     <message>
@@ -6194,7 +7417,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Aus jeder Abbildung w wird T∘w∘T⁻¹; der Käfig folgt</translation>
     </message>
     <message>
-        <source>The point that stays</source>
+        <source>Fixed point</source>
         <translation>Der Punkt, der bleibt</translation>
     </message>
     <message>
@@ -6206,11 +7429,11 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>den Mittelwert des invarianten Maßes</translation>
     </message>
     <message>
-        <source>a typed point</source>
+        <source>a point of your choice</source>
         <translation>einen eingetippten Punkt</translation>
     </message>
     <message>
-        <source>in the line at the angle °</source>
+        <source>in the line at the angle (°)</source>
         <translation>an der Geraden im Winkel °</translation>
     </message>
     <message>
@@ -6218,11 +7441,11 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Winkel der Spiegelgeraden in Grad: 0 ist waagrecht, 90 senkrecht</translation>
     </message>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Dieser Eintrag hat keine Abbildungen der Ebene.</translation>
     </message>
     <message>
-        <source>This transformation is too flat to be undone, so it cannot be written into the code. Choose other scales, or place the picture.</source>
+        <source>This transformation is too flat to be inverted, so it cannot be written into the code. Choose other scales, or place the picture.</source>
         <translation>Diese Transformation ist zu flach, um sie umzukehren, und kann nicht in den Code geschrieben werden. Wählen Sie andere Skalierungen oder platzieren Sie das Bild.</translation>
     </message>
     <message>
@@ -6238,11 +7461,11 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Hält den Faktor in y gleich dem in x.</translation>
     </message>
     <message>
-        <source>About which point the fractal is turned, scaled and reflected: it stays where it is.</source>
+        <source>The point about which the fractal is rotated, scaled and reflected; it stays where it is.</source>
         <translation>Um welchen Punkt das Fraktal gedreht, skaliert und gespiegelt wird: Er bleibt, wo er ist.</translation>
     </message>
     <message>
-        <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
+        <source>Reflects in a line through the fixed point; the angle is measured from the x axis.</source>
         <translation>Spiegelt an einer Geraden durch den Punkt, der bleibt; der Winkel zählt von der x-Achse.</translation>
     </message>
     <message>
@@ -6274,7 +7497,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>Verschieben:</translation>
     </message>
     <message>
-        <source>the middle of the picture’s box</source>
+        <source>the centre of the picture’s box</source>
         <translation>die Mitte des Rechtecks um das Bild</translation>
     </message>
 </context>
@@ -6297,7 +7520,7 @@ Der Eintrag bleibt, wie er ist.</translation>
         <translation>y der Ecke</translation>
     </message>
     <message>
-        <source>What is wrong with the numbers</source>
+        <source>Problem with the numbers</source>
         <translation>Was an den Zahlen nicht stimmt</translation>
     </message>
     <message>
@@ -6315,6 +7538,29 @@ Der Eintrag bleibt, wie er ist.</translation>
     <message>
         <source>A coordinate of the vertex, with a decimal point or comma. The picture follows as you type.</source>
         <translation>Eine Koordinate der Ecke, mit Dezimalpunkt oder Komma. Das Bild folgt beim Tippen.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Ecke %1 nach (%2, %3) verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>view::ZoomBox</name>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose.</source>
+        <translation>Zoom in Prozent: Bei 100 % ist eine Einheit der Ebene 100 Pixel lang. Geben Sie einen anderen Wert ein oder wählen Sie einen aus.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

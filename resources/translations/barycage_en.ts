@@ -12,7 +12,7 @@
     </message>
 </context>
 <context>
-    <name>FlameCard</name>
+    <name>FlameBanner</name>
     <message numerus="yes">
         <source>%n flames</source>
         <translation>
@@ -31,17 +31,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n of them could not be read and are kept as they are</source>
+        <source>, %n of them could not be read and are kept unchanged</source>
         <translation>
-            <numerusform>, %n of them could not be read and is kept as it is</numerusform>
-            <numerusform>, %n of them could not be read and are kept as they are</numerusform>
+            <numerusform>, %n of them could not be read and is kept unchanged</numerusform>
+            <numerusform>, %n of them could not be read and are kept unchanged</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n read with a remark</source>
+        <source>, %n read with warnings</source>
         <translation>
-            <numerusform>, %n read with a remark</numerusform>
-            <numerusform>, %n read with a remark</numerusform>
+            <numerusform>, %n read with warnings</numerusform>
+            <numerusform>, %n read with warnings</numerusform>
         </translation>
     </message>
 </context>
@@ -92,10 +92,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pasted entries could not be read; their text is kept as it is.</source>
+        <source>%n pasted entries could not be read; their text is kept unchanged.</source>
         <translation>
-            <numerusform>%n pasted entry could not be read; its text is kept as it is.</numerusform>
-            <numerusform>%n pasted entries could not be read; their text is kept as it is.</numerusform>
+            <numerusform>%n pasted entry could not be read; its text is kept unchanged.</numerusform>
+            <numerusform>%n pasted entries could not be read; their text is kept unchanged.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -21,30 +21,93 @@
     </message>
 </context>
 <context>
+    <name>ActionDetails</name>
+    <message>
+        <source>Drag an edge to move both its ends, the inside to move the whole cage. Ctrl rotates, Alt scales, Shift keeps directions. The fractal follows at once, and each drag is one step of the history.</source>
+        <translation>Una arista mueve sus dos extremos; el interior, toda la jaula. Ctrl gira, Alt escala, Mayús conserva las direcciones. El fractal sigue al instante y cada arrastre es un paso del historial.</translation>
+    </message>
+    <message>
+        <source>Each map is shown as the image of the cage in its colour. A corner changes one map; the inside moves all selected maps. A drag stops where the attractor would be lost.</source>
+        <translation>Cada aplicación se muestra como imagen de la jaula en su color. Un vértice cambia una aplicación; el interior mueve todas las seleccionadas. El arrastre se detiene donde se perdería el atractor.</translation>
+    </message>
+    <message>
+        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, or only this branch.</source>
+        <translation>Mayús + rueda elige la profundidad de la rama. La barra bajo el lienzo dice qué cambia el arrastre: una aplicación nueva para esta rama, la última aplicación de su dirección o solo esta rama.</translation>
+    </message>
+    <message>
+        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace takes the last corner back, Esc cancels.</source>
+        <translation>La imagen se queda donde está: desde ahora la sujeta el nuevo triángulo. Retroceso quita el último vértice, Esc cancela.</translation>
+    </message>
+    <message>
+        <source>The picture stays where it is. Every point of the fractal then has barycentric coordinates that are not negative.</source>
+        <translation>La imagen se queda donde está. Después, cada punto del fractal tiene coordenadas baricéntricas no negativas.</translation>
+    </message>
+    <message>
+        <source>The coefficients do not change. To keep the picture as it is and change the coefficients instead, use Bake.</source>
+        <translation>Los coeficientes no cambian. Para conservar la imagen y cambiar los coeficientes, use Incorporar.</translation>
+    </message>
+    <message>
+        <source>Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
+        <translation>Cada aplicación w se convierte en T w T⁻¹, donde T es lo que la jaula hace con la imagen. Después, la jaula está en reposo. Una jaula plana o que curva la imagen no se puede incorporar.</translation>
+    </message>
+    <message>
+        <source>The table of maps keeps its numbers, and Bake writes the placement into them later.</source>
+        <translation>La tabla de aplicaciones conserva sus números; Incorporar escribe en ellos la colocación más tarde.</translation>
+    </message>
+    <message>
+        <source>The table of maps shows the new numbers during the drag, and the cage is at rest again afterwards.</source>
+        <translation>La tabla de aplicaciones muestra los números nuevos durante el arrastre, y después la jaula vuelve a estar en reposo.</translation>
+    </message>
+    <message>
+        <source>The cage is included where that costs little room. The fractal itself does not change.</source>
+        <translation>La jaula se incluye cuando ocupa poco espacio. El fractal en sí no cambia.</translation>
+    </message>
+    <message>
+        <source>The distance of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
+        <translation>La distancia entre las líneas sigue al zoom. Los vértices se ajustan a ella si así se elige en el menú Ver.</translation>
+    </message>
+    <message>
+        <source>Only the view is turned over: coefficients and coordinates do not change.</source>
+        <translation>Solo se invierte la vista: ni los coeficientes ni las coordenadas cambian.</translation>
+    </message>
+    <message>
+        <source>Cage, handles, grid, axes and outlines come back when you press the key again.</source>
+        <translation>La jaula, los tiradores, la cuadrícula, los ejes y los contornos vuelven al pulsar otra vez la tecla.</translation>
+    </message>
+    <message>
+        <source>A bar appears under the canvas: choose the number of steps, or let the chaos game run point by point at any speed.</source>
+        <translation>Aparece una barra bajo el lienzo: elija el número de pasos o deje correr el juego del caos punto por punto a cualquier velocidad.</translation>
+    </message>
+    <message>
+        <source>As placement, the coefficients stay; as code, they become those of the transformed fractal. The canvas shows the result before you accept it.</source>
+        <translation>Como colocación, los coeficientes no cambian; como código, pasan a ser los del fractal transformado. El lienzo muestra el resultado antes de aceptarlo.</translation>
+    </message>
+    <message>
+        <source>Where a table does not say what its columns are, you are asked. In the Maps panel, Paste replaces the selected maps instead.</source>
+        <translation>Si una tabla no dice cuáles son sus columnas, se le pregunta. En el panel de aplicaciones, Pegar sustituye las aplicaciones seleccionadas.</translation>
+    </message>
+    <message>
+        <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
+        <translation>Un idioma nuevo se aplica al volver a iniciar; todo lo demás, enseguida y en todas las ventanas.</translation>
+    </message>
+</context>
+<context>
     <name>Analysis</name>
     <message>
         <source>Attractor</source>
         <translation>Atractor</translation>
     </message>
     <message>
-        <source>A system has one attractor if some power of it contracts: then every start leads to the same set.</source>
-        <translation>Un sistema tiene un único atractor si alguna de sus potencias es contractiva: entonces, se empiece por donde se empiece, se llega al mismo conjunto.</translation>
-    </message>
-    <message>
         <source>Contraction</source>
         <translation>Contracción</translation>
     </message>
     <message>
-        <source>‖A‖ of each map that takes part: the most by which it stretches distances.</source>
+        <source>‖A‖ of each active map: the largest factor by which it stretches distances.</source>
         <translation>‖A‖ de cada aplicación que interviene: el mayor factor con que alarga las distancias.</translation>
     </message>
     <message>
         <source>Box</source>
         <translation>Rectángulo</translation>
-    </message>
-    <message>
-        <source>The smallest box with sides parallel to the axes that holds the attractor; certified.</source>
-        <translation>El menor rectángulo de lados paralelos a los ejes que contiene el atractor; demostrado.</translation>
     </message>
     <message>
         <source>Canonical simplex</source>
@@ -63,10 +126,6 @@
         <translation>Media</translation>
     </message>
     <message>
-        <source>Mean of the invariant measure, solved exactly: the centre of mass of the picture.</source>
-        <translation>Media de la medida invariante, resuelta de forma exacta: el centro de masas de la imagen.</translation>
-    </message>
-    <message>
         <source>Covariance</source>
         <translation>Covarianza</translation>
     </message>
@@ -75,19 +134,15 @@
         <translation>Puntos fijos</translation>
     </message>
     <message>
-        <source>The point that each map leaves where it is; it lies on the attractor.</source>
+        <source>The point that each map leaves unchanged; it belongs to the attractor.</source>
         <translation>El punto que cada aplicación deja donde está; pertenece al atractor.</translation>
-    </message>
-    <message>
-        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation>El D con Σ sᵢᴰ = 1 sobre las razones sᵢ, cuando todas las aplicaciones son semejanzas en ciertas coordenadas. Es la dimensión del atractor cuando las partes no se solapan.</translation>
     </message>
     <message>
         <source>Affinity dimension</source>
         <translation>Dimensión de afinidad</translation>
     </message>
     <message>
-        <source>Falconer’s dimension: where the sum of the singular value functions of all words of one length neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to it for almost all translations when the maps contract enough.</source>
+        <source>Falconer’s dimension, at most 2: the exponent at which the sum of the singular value functions of all words of one length neither grows nor shrinks as the words get longer. It is an upper bound for the box-counting dimension, and equal to it for almost all translations if the maps contract enough.</source>
         <translation>La dimensión de Falconer: donde la suma de las funciones de valores singulares de todas las palabras de una longitud ni crece ni decrece, a lo sumo 2. Una cota superior de la dimensión por conteo de cajas, igual a ella para casi todas las traslaciones si las aplicaciones contraen lo suficiente.</translation>
     </message>
     <message>
@@ -95,31 +150,15 @@
         <translation>Dimensión por conteo de cajas</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the attractor. An estimate: it depends on the sizes counted.</source>
-        <translation>Pendiente de la recta de mínimos cuadrados de ln N frente a ln 1/ε, donde N cajas de lado ε tocan el atractor. Una estimación: depende de los tamaños contados.</translation>
-    </message>
-    <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. The ellipse is the one on which an even mass has the same mean and covariance.</source>
-        <translation>Covarianza xx, xy, yy de la medida invariante, resuelta exactamente: cuánto se extiende la imagen. La elipse es aquella en la que una masa uniforme tiene la misma media y covarianza.</translation>
-    </message>
-    <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; certified. The signs are the directions of its legs.</source>
-        <translation>El menor triángulo rectángulo isósceles con catetos paralelos a los ejes que contiene el atractor; certificado. Los signos son las direcciones de sus catetos.</translation>
-    </message>
-    <message>
         <source>Hull area</source>
         <translation>Área de la envolvente</translation>
-    </message>
-    <message>
-        <source>Area of the convex hull: of the polygon whose vertices were found on the attractor. The hull itself is larger by at most its border times the error bound.</source>
-        <translation>Área de la envolvente convexa: del polígono cuyos vértices se hallaron en el atractor. La envolvente misma es mayor a lo sumo en su borde por la cota de error.</translation>
     </message>
     <message>
         <source>Hull vertices</source>
         <translation>Vértices de la envolvente</translation>
     </message>
     <message>
-        <source>Corners of the convex hull as found, each a point of the attractor. A hull with infinitely many has as many as its tolerance asks for.</source>
+        <source>Vertices of the computed hull; each is a point of the attractor. If the exact hull has infinitely many, as many are computed as the tolerance requires.</source>
         <translation>Vértices de la envolvente convexa hallados, cada uno un punto del atractor. Una envolvente con infinitos tiene tantos como pide su tolerancia.</translation>
     </message>
     <message>
@@ -127,7 +166,7 @@
         <translation>Cota de error de la envolvente</translation>
     </message>
     <message>
-        <source>The attractor reaches at most this far beyond the polygon; certified.</source>
+        <source>The attractor extends at most this far beyond the polygon; certified.</source>
         <translation>El atractor sobresale del polígono a lo sumo esta distancia; certificado.</translation>
     </message>
     <message numerus="yes">
@@ -138,113 +177,290 @@
         </translation>
     </message>
     <message>
-        <source>Yes: hyperbolic, every map contracts by %1 or less.</source>
+        <source>Yes: hyperbolic, every map has a contraction factor of %1 or less.</source>
         <translation>Sí: hiperbólico, cada aplicación contrae con factor %1 o menos.</translation>
-    </message>
-    <message>
-        <source>Yes: eventually contractive, every word of %1 maps contracts (%2 a map).</source>
-        <translation>Sí: finalmente contractivo, cada palabra de %1 aplicaciones contrae (%2 por aplicación).</translation>
-    </message>
-    <message>
-        <source>None: the word %1 does not contract (%2 a map).</source>
-        <translation>Ninguno: la palabra %1 no contrae (%2 por aplicación).</translation>
     </message>
     <message>
         <source>Undecided: no proof either way was found.</source>
         <translation>Sin decidir: no se halló prueba en ningún sentido.</translation>
     </message>
     <message>
-        <source>None: no map takes part.</source>
-        <translation>Ninguno: no participa ninguna aplicación.</translation>
+        <source>None: no map is active.</source>
+        <translation>Ninguno: ninguna aplicación está activa.</translation>
     </message>
     <message>
-        <source>None: map %1 does not contract (%2 a map).</source>
-        <translation>Ninguno: la aplicación %1 no contrae (%2 por aplicación).</translation>
+        <source>unknown: the error would be larger</source>
+        <translation>desconocido: el error sería mayor</translation>
+    </message>
+    <message>
+        <source>A compact set to which every compact starting set leads, step by step. A system has one exactly if its maps contract in some norm.</source>
+        <translation>Un conjunto compacto al que lleva, paso a paso, todo conjunto compacto inicial. Un sistema lo tiene exactamente si sus aplicaciones contraen en alguna norma.</translation>
+    </message>
+    <message>
+        <source>(of the attractor: its pieces are disjoint)</source>
+        <translation>(del atractor: sus piezas son disjuntas)</translation>
+    </message>
+    <message>
+        <source>(upper bound: pieces coincide)</source>
+        <translation>(cota superior: hay piezas que coinciden)</translation>
+    </message>
+    <message>
+        <source>(if the open set condition holds; else an upper bound)</source>
+        <translation>(si se cumple la condición del conjunto abierto; si no, una cota superior)</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Separación</translation>
+    </message>
+    <message>
+        <source>Whether the pieces that the maps make of the attractor are disjoint (strong separation, proved by disjoint covers), or words of maps coincide, so that the open set condition fails.</source>
+        <translation>Si las piezas que las aplicaciones hacen del atractor son disjuntas (separación fuerte, demostrada con recubrimientos disjuntos) o coinciden palabras de aplicaciones, de modo que no se cumple la condición del conjunto abierto.</translation>
+    </message>
+    <message>
+        <source>strong: no two pieces meet</source>
+        <translation>fuerte: no se tocan dos piezas</translation>
+    </message>
+    <message>
+        <source>none: pieces coincide</source>
+        <translation>ninguna: hay piezas que coinciden</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>Connectedness</source>
+        <translation>Conexión</translation>
+    </message>
+    <message>
+        <source>An attractor is connected exactly if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
+        <translation>Un atractor es conexo exactamente si puntos comunes unen sus piezas (Hata). Los puntos comunes se buscan entre los puntos fijos de palabras cortas; que no los hay se demuestra con recubrimientos disjuntos.</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>conexo</translation>
+    </message>
+    <message>
+        <source>connected, as far as rounding tells</source>
+        <translation>conexo, hasta donde deja ver el redondeo</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>no conexo</translation>
+    </message>
+    <message>
+        <source>Overlaps</source>
+        <translation>Solapamientos</translation>
+    </message>
+    <message>
+        <source>Words of maps that are one and the same map, neither of them the beginning of the other: their pieces coincide.</source>
+        <translation>Palabras de aplicaciones que son una misma aplicación, sin que ninguna sea el comienzo de la otra: sus piezas coinciden.</translation>
+    </message>
+    <message>
+        <source>Joint spectral radius</source>
+        <translation>Radio espectral conjunto</translation>
+    </message>
+    <message>
+        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm exactly if it is less than 1.</source>
+        <translation>El mayor factor por aplicación con que estiran las palabras largas. Los dos extremos del intervalo están demostrados; un sistema contrae en alguna norma exactamente si es menor que 1.</translation>
+    </message>
+    <message>
+        <source>Entropy</source>
+        <translation>Entropía</translation>
+    </message>
+    <message>
+        <source>−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats.</source>
+        <translation>−Σ pᵢ ln pᵢ: cuánto deja abierto un paso del juego del caos, en nats.</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Exponente de Liapunov</translation>
+    </message>
+    <message>
+        <source>Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are similarities in some coordinates.</source>
+        <translation>Σ pᵢ ln sᵢ: cómo cambia el logaritmo de una distancia en cada paso del juego del caos, si todas las aplicaciones son semejanzas en algunas coordenadas.</translation>
+    </message>
+    <message>
+        <source>Dimension of the measure</source>
+        <translation>Dimensión de la medida</translation>
+    </message>
+    <message>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>La entropía dividida por menos el exponente de Liapunov, como mucho 2: la dimensión de la medida invariante bajo la condición del conjunto abierto y, si no, una cota superior.</translation>
+    </message>
+    <message>
+        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>El número D con Σ sᵢᴰ = 1, donde sᵢ son las razones de las aplicaciones, si todas son semejanzas en algunas coordenadas. Es la dimensión del atractor bajo la condición del conjunto abierto y, si no, una cota superior.</translation>
+    </message>
+    <message>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the uncertainty comes from how parts of that range differ, and is no proof.</source>
+        <translation>Pendiente de la recta de mínimos cuadrados de ln N frente a ln 1/ε, donde N es el número de cajas de lado ε que tocan el atractor, en los tamaños en que es más constante. Es una estimación; la incertidumbre sale de cuánto difieren partes de ese intervalo, y no es una demostración.</translation>
+    </message>
+    <message>
+        <source>Mean of the invariant measure, solved without sampling: the centre of mass of the picture.</source>
+        <translation>Media de la medida invariante, calculada sin muestreo: el centro de masa de la imagen.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. An even mass that fills the ellipse has the same mean and covariance.</source>
+        <translation>Covarianza xx, xy, yy de la medida invariante, calculada sin muestreo: cuánto se extiende la imagen. Una masa uniforme que llena la elipse tiene la misma media y covarianza.</translation>
+    </message>
+    <message>
+        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Its sides are off by the error at most.</source>
+        <translation>El menor rectángulo de lados paralelos a los ejes que contiene el atractor; certificado. Sus lados se desvían como mucho en el error.</translation>
+    </message>
+    <message>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <translation>El menor triángulo rectángulo isósceles de catetos paralelos a los ejes que contiene el atractor; certificado. Los signos dan las direcciones de sus catetos. Para un solo punto, el cateto es 1.</translation>
+    </message>
+    <message>
+        <source>Area of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most its perimeter times the error bound e, and πe² for the corners.</source>
+        <translation>Área de la envolvente calculada, cuyos vértices son puntos del atractor. La envolvente convexa exacta es mayor como mucho en su perímetro por la cota de error e, y πe² por las esquinas.</translation>
+    </message>
+    <message>
+        <source>Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.</source>
+        <translation>Sí: en una norma elipsoidal, cada aplicación contrae con factor %1 o menos.</translation>
+    </message>
+    <message>
+        <source>Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of %1 or less.</source>
+        <translation>Sí: en una norma cuya bola unidad es un politopo, cada aplicación contrae con factor %1 o menos.</translation>
+    </message>
+    <message>
+        <source>None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
+        <translation>Ninguno: la aplicación %1 no contrae en ninguna norma (ρ ≥ 1 está demostrado; %2 por aplicación).</translation>
+    </message>
+    <message>
+        <source>None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
+        <translation>Ninguno: la palabra %1 no contrae en ninguna norma (ρ ≥ 1 está demostrado; %2 por aplicación).</translation>
+    </message>
+    <message>
+        <source>Yes: any %1 maps in a row contract, by a factor of %2 or less per map.</source>
+        <translation>Sí: %1 aplicaciones seguidas cualesquiera contraen, con un factor de %2 o menos por aplicación.</translation>
+    </message>
+    <message>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Entropía dividida por menos el exponente de Liapunov, como mucho 3: la dimensión de la medida invariante bajo la condición del conjunto abierto, y si no, una cota superior.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, xz, yy, yz, zz of the invariant measure, solved without sampling: how far the picture spreads.</source>
+        <translation>Covarianza xx, xy, xz, yy, yz, zz de la medida invariante, resuelta sin muestreo: cuánto se extiende la imagen.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <comment>in space</comment>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>The smallest box with edges parallel to the axes that contains the attractor, to the error bound.</source>
+        <translation>La menor caja de aristas paralelas a los ejes que contiene el atractor, salvo la cota de error.</translation>
+    </message>
+    <message>
+        <source>Box error bound</source>
+        <translation>Cota de error de la caja</translation>
+    </message>
+    <message>
+        <source>The attractor extends at most this far beyond the box; certified.</source>
+        <translation>El atractor sobresale de la caja a lo sumo esta distancia; certificado.</translation>
+    </message>
+    <message>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <translation>El menor tetraedro con tres catetos iguales paralelos a los ejes que contiene el atractor; certificado. Los signos dan las direcciones de sus catetos. Para un solo punto, el cateto es 1.</translation>
+    </message>
+    <message>
+        <source>Hull volume</source>
+        <translation>Volumen de la envolvente</translation>
+    </message>
+    <message>
+        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by the error at most.</source>
+        <translation>Volumen de la envolvente calculada, cuyos vértices son puntos del atractor. La envolvente convexa exacta es mayor como mucho en el error.</translation>
+    </message>
+    <message>
+        <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
+        <translation>El atractor sobresale del poliedro a lo sumo esta distancia; certificado.</translation>
     </message>
 </context>
 <context>
     <name>Application</name>
     <message>
-        <source>Take a fractal by its corners: an editor for iterated function systems.</source>
+        <source>Grab a fractal by its corners: an editor for iterated function systems.</source>
         <translation>Tome un fractal por sus esquinas: un editor de sistemas de funciones iteradas.</translation>
     </message>
     <message>
-        <source>.ifs files to open, a window each</source>
+        <source>.ifs files to open, each in its own window</source>
         <translation>archivos .ifs que se abren, cada uno en una ventana</translation>
     </message>
     <message>
-        <source>a window with the maple, whatever was open before</source>
-        <translation>una ventana con el arce, sin importar lo que estuviera abierto</translation>
+        <source>start with the maple instead of the last session</source>
+        <translation>empezar con el arce en lugar de la última sesión</translation>
     </message>
     <message>
-        <source>a window that shows the collection</source>
-        <translation>una ventana que muestra la colección</translation>
+        <source>open a window with the collection</source>
+        <translation>abrir una ventana con la colección</translation>
     </message>
     <message>
-        <source>a window with fractals made by chance to pick from</source>
-        <translation>una ventana con fractales al azar para elegir</translation>
+        <source>open a window with random fractals to choose from</source>
+        <translation>abrir una ventana con fractales al azar para elegir</translation>
     </message>
 </context>
 <context>
     <name>CageEdits</name>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Esta entrada no tiene aplicaciones del plano.</translation>
     </message>
     <message>
-        <source>The cage is at rest: the code is what is displayed.</source>
+        <source>The cage is at rest: the picture shows the code.</source>
         <translation>La jaula está en reposo: lo que se muestra es el código.</translation>
     </message>
     <message>
-        <source>The cage bends the picture, and no affine code has a bent picture. Choose “Affine fit” to bake what comes nearest to it.</source>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
         <translation>La jaula curva la imagen, y ningún código afín tiene una imagen curvada. Elija «Ajuste afín» para incorporar lo que más se le acerca.</translation>
     </message>
     <message>
-        <source>The cage is flat: no code has this picture. Open the cage first.</source>
-        <translation>La jaula está aplastada: ningún código tiene esta imagen. Abra primero la jaula.</translation>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>La jaula es plana, así que su posición no se puede incorporar al código. Abra primero la jaula.</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture. The code stays as it is until you bake.</source>
+        <source>Moving the cage moves the picture. Bake to change the code.</source>
         <translation>Mover la jaula mueve la imagen. El código queda como está hasta que usted incorpore la colocación.</translation>
     </message>
     <message>
-        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can follow, and leaves it.</source>
+        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
         <translation>Mover la jaula entera reescribe el código. Mover vértices sueltos curva la imagen, lo que ningún código puede seguir, y el código no cambia.</translation>
     </message>
     <message>
-        <source>Moving the cage rewrites every coefficient of the code, and the cage rests where it is.</source>
+        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
         <translation>Mover la jaula reescribe todos los coeficientes del código, y la jaula queda en reposo donde está.</translation>
     </message>
     <message>
-        <source>The cage already places the code.</source>
-        <translation>La jaula ya coloca el código.</translation>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>La jaula no está en reposo: ya contiene una posición.</translation>
     </message>
     <message>
-        <source>Only a triangle can be taken out of the code.</source>
+        <source>Only a cage with three vertices can be unbaked.</source>
         <translation>Solo un triángulo se puede extraer del código.</translation>
     </message>
     <message>
-        <source>The cage has a notch: the picture may fold over itself there.</source>
+        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
         <translation>La jaula tiene un entrante: ahí la imagen puede plegarse sobre sí misma.</translation>
     </message>
     <message>
-        <source>The cage is folded: parts of the picture lie over one another. Move the vertices apart to unfold it.</source>
+        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
         <translation>La jaula está plegada: hay partes de la imagen unas sobre otras. Separe los vértices para desplegarla.</translation>
     </message>
     <message>
-        <source>No map takes part, so there is nothing to enclose.</source>
+        <source>No map is active, so there is nothing to enclose.</source>
         <translation>No interviene ninguna aplicación, así que no hay nada que encerrar.</translation>
     </message>
     <message>
-        <source>A bent picture cannot be held by another cage. Reset the cage, or choose “Affine fit”, first.</source>
+        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
         <translation>Una imagen curvada no se puede sujetar con otra jaula. Antes restablezca la jaula o elija «Ajuste afín».</translation>
     </message>
     <message>
-        <source>The cage is flat. Open the triangle, or reset it, first.</source>
+        <source>The cage is flat. First open or reset the triangle.</source>
         <translation>La jaula está aplastada. Antes abra el triángulo o restablézcalo.</translation>
     </message>
     <message>
-        <source>This system has no attractor that could be enclosed.</source>
+        <source>This system has no attractor that can be enclosed.</source>
         <translation>Este sistema no tiene un atractor que se pueda encerrar.</translation>
     </message>
     <message>
@@ -267,7 +483,7 @@
         <translation>Helechos</translation>
     </message>
     <message>
-        <source>Fronds: a long slow map climbs the rachis, two short ones hang the pinnae, a flat one draws the stem.</source>
+        <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
         <translation>Frondes: una aplicación larga y lenta sube por el raquis, dos cortas cuelgan las pinnas y una plana traza el tallo.</translation>
     </message>
     <message>
@@ -275,15 +491,15 @@
         <translation>Árboles</translation>
     </message>
     <message>
-        <source>Trunks that fork: the whole tree stands on its own branches.</source>
-        <translation>Troncos que se bifurcan: el árbol entero se sostiene sobre sus propias ramas.</translation>
+        <source>Forking trunks: the branches of the tree are copies of the whole tree.</source>
+        <translation>Troncos que se bifurcan: las ramas del árbol son copias del árbol entero.</translation>
     </message>
     <message>
         <source>Dragons</source>
         <translation>Dragones</translation>
     </message>
     <message>
-        <source>Folded paper curves and the fractals of two or three twisted similarities.</source>
+        <source>Paper-folding curves, and fractals of two or three rotating similarities.</source>
         <translation>Curvas de papel plegado y los fractales de dos o tres semejanzas con giro.</translation>
     </message>
     <message>
@@ -291,7 +507,7 @@
         <translation>Familia de Sierpiński</translation>
     </message>
     <message>
-        <source>Gaskets and carpets: a polygon holds shrunken copies of itself and keeps its holes.</source>
+        <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
         <translation>Triángulos y alfombras: un polígono contiene copias reducidas de sí mismo y conserva sus agujeros.</translation>
     </message>
     <message>
@@ -299,7 +515,7 @@
         <translation>Familia de Koch</translation>
     </message>
     <message>
-        <source>Curves built by replacing a segment, and the islands they bound.</source>
+        <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
         <translation>Curvas que nacen de sustituir un segmento, y las islas que delimitan.</translation>
     </message>
     <message>
@@ -307,7 +523,7 @@
         <translation>Espirales</translation>
     </message>
     <message>
-        <source>One map that turns and shrinks a little, and small ones that bead its path.</source>
+        <source>One map that turns and shrinks a little, and small maps that set beads along its path.</source>
         <translation>Una aplicación que gira y reduce un poco, y otras pequeñas que ponen cuentas en su camino.</translation>
     </message>
     <message>
@@ -315,7 +531,7 @@
         <translation>Hojas y flores</translation>
     </message>
     <message>
-        <source>Leaf outlines, and flowers whose petals are turned copies of one another.</source>
+        <source>Leaf outlines, and flowers whose petals are rotated copies of one another.</source>
         <translation>Contornos de hojas, y flores cuyos pétalos son copias giradas unos de otros.</translation>
     </message>
     <message>
@@ -323,7 +539,7 @@
         <translation>Teselas y reptiles</translation>
     </message>
     <message>
-        <source>Sets that tile the plane: copies of themselves, rep-tiles, and the central tiles of number systems.</source>
+        <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
         <translation>Conjuntos que teselan el plano: copias de sí mismos, «rep-tiles» y las teselas centrales de los sistemas de numeración.</translation>
     </message>
     <message>
@@ -331,7 +547,7 @@
         <translation>Conjuntos de Cantor y polvo</translation>
     </message>
     <message>
-        <source>Sets full of gaps at every scale: points everywhere near, hardly any of them joined.</source>
+        <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
         <translation>Conjuntos llenos de huecos a toda escala: puntos cercanos por doquier, casi ninguno unido a otro.</translation>
     </message>
     <message>
@@ -339,7 +555,7 @@
         <translation>Cristales y copos de nieve</translation>
     </message>
     <message>
-        <source>Sets with the symmetry of frost: five, six and more arms.</source>
+        <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
         <translation>Conjuntos con la simetría de la escarcha: cinco, seis y más brazos.</translation>
     </message>
     <message>
@@ -347,7 +563,7 @@
         <translation>Curvas y gráficas</translation>
     </message>
     <message>
-        <source>Graphs of strange functions, smooth curves as attractors, space-filling coordinates.</source>
+        <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
         <translation>Gráficas de funciones extrañas, curvas suaves como atractores, coordenadas de curvas que llenan el plano.</translation>
     </message>
     <message>
@@ -355,19 +571,90 @@
         <translation>Abstractos</translation>
     </message>
     <message>
-        <source>Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes.</source>
+        <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
         <translation>Motivos afines sin nombre en la naturaleza: parientes del triángulo de Sierpiński, tejidos, rosetones.</translation>
+    </message>
+    <message>
+        <source>Polyhedra in space</source>
+        <translation>Poliedros en el espacio</translation>
+    </message>
+    <message>
+        <source>A polyhedron made of smaller copies of itself, one at each corner.</source>
+        <translation>Un poliedro formado por copias más pequeñas de sí mismo, una en cada vértice.</translation>
+    </message>
+    <message>
+        <source>Sponges and cubes in space</source>
+        <translation>Esponjas y cubos en el espacio</translation>
+    </message>
+    <message>
+        <source>Cubes divided into smaller cubes, some of which are left out or turned.</source>
+        <translation>Cubos divididos en cubos más pequeños, algunos de los cuales se omiten o se giran.</translation>
+    </message>
+    <message>
+        <source>Plants in space</source>
+        <translation>Plantas en el espacio</translation>
+    </message>
+    <message>
+        <source>Fronds and trees whose branches stand all around the stem.</source>
+        <translation>Frondas y árboles cuyas ramas rodean todo el tallo.</translation>
+    </message>
+    <message>
+        <source>Shells and corals in space</source>
+        <translation>Conchas y corales en el espacio</translation>
+    </message>
+    <message>
+        <source>Helical shells, cones arranged by the golden angle, and corals with thick branches.</source>
+        <translation>Conchas helicoidales, conos dispuestos según el ángulo áureo y corales de ramas gruesas.</translation>
+    </message>
+    <message>
+        <source>Dragons in space</source>
+        <translation>Dragones en el espacio</translation>
+    </message>
+    <message>
+        <source>Folded surfaces, and polyhedra whose copies are turned.</source>
+        <translation>Superficies plegadas y poliedros cuyas copias están giradas.</translation>
+    </message>
+</context>
+<context>
+    <name>DimensionEdits</name>
+    <message>
+        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
+        <translation>«%1» no es un sistema del plano, así que no se puede llevar al espacio.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake or reset it first.</source>
+        <translation>La jaula de «%1» tiene más de tres vértices y no da un tetraedro. Incorpórela o restablézcala antes.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it cannot be flattened.</source>
+        <translation>«%1» no es un sistema del espacio, así que no se puede aplanar.</translation>
+    </message>
+    <message>
+        <source>The direction must have a length other than 0.</source>
+        <translation>La dirección no puede tener longitud 0.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
+        <translation>«%1» tiene ramas movidas, que no se pueden aplanar. Restablézcalas antes.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
+        <translation>La jaula de «%1» no se puede incorporar a las aplicaciones, así que no se puede aplanar.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
+        <translation>La aplicación %1 de «%2» desvía la dirección, así que la sombra no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
     </message>
 </context>
 <context>
     <name>ExportJob</name>
     <message>
-        <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
+        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
         <translation>No hay memoria suficiente para esta imagen. Hágala más pequeña o use menos supermuestreo.</translation>
     </message>
 </context>
 <context>
-    <name>FlameCard</name>
+    <name>FlameBanner</name>
     <message>
         <source>Flames</source>
         <translation>Flames</translation>
@@ -380,15 +667,15 @@
         </translation>
     </message>
     <message>
-        <source>In flames y grows downwards. They were turned over, so that they look here as they do in flame programs.</source>
+        <source>In flame files, y points down. The flames were flipped so that they look the same here as in flame programs.</source>
         <translation>En los flames, y crece hacia abajo. Se han invertido para que se vean aquí como en los programas de flames.</translation>
     </message>
     <message>
-        <source>Leave &amp;y as it is written</source>
+        <source>Keep &amp;y As Written</source>
         <translation>&amp;Dejar y como está escrita</translation>
     </message>
     <message>
-        <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
+        <source>Uses the numbers as they are in the file. The picture is then upside down.</source>
         <translation>Toma los números de los flames como están en el texto. La imagen queda entonces cabeza abajo.</translation>
     </message>
     <message>
@@ -396,18 +683,18 @@
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Leave y as it is written</source>
+        <source>Keep y as written</source>
         <translation>Dejar y como está escrita</translation>
     </message>
     <message>
-        <source>Turn the flames over</source>
+        <source>Flip the flames</source>
         <translation>Invertir los flames</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures that carry their fractal (*.png *.svg);;All files (*)</source>
+        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)</source>
         <translation>Colecciones de Fractint (*.ifs *.par);;Flames (*.flame *.flam3);;Tablas de números (*.csv *.tsv *.txt);;Imágenes que llevan su fractal (*.png *.svg);;Todos los archivos (*)</translation>
     </message>
     <message>
@@ -415,7 +702,7 @@
         <translation>Añadir %1</translation>
     </message>
     <message>
-        <source>Show or hide the panel “%1”</source>
+        <source>Show or hide the “%1” panel</source>
         <translation>Mostrar u ocultar el panel «%1»</translation>
     </message>
     <message>
@@ -451,8 +738,8 @@
         <translation>Problemas</translation>
     </message>
     <message>
-        <source>Take the maple by a corner and pull. Or press D and define another triangle by three clicks.</source>
-        <translation>Tome el arce por una esquina y tire. O pulse D y defina otro triángulo con tres clics.</translation>
+        <source>Drag a corner of the triangle. Or press D and click three points to define another triangle.</source>
+        <translation>Arrastre una esquina del triángulo. O pulse D y haga clic en tres puntos para definir otro triángulo.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
@@ -470,14 +757,14 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n of them could not be read and are kept as they are</source>
+        <source>, %n of them could not be read and are kept unchanged</source>
         <translation>
             <numerusform>; %n de ellas no se pudo leer y se conserva tal cual</numerusform>
             <numerusform>; %n de ellas no se pudieron leer y se conservan tal cual</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n read with a remark</source>
+        <source>, %n read with warnings</source>
         <translation>
             <numerusform>; %n leída con una observación</numerusform>
             <numerusform>; %n leídas con observaciones</numerusform>
@@ -492,7 +779,7 @@
         <translation>Cambios sin guardar</translation>
     </message>
     <message>
-        <source>“%1” has changes that are not saved.</source>
+        <source>“%1” has unsaved changes.</source>
         <translation>«%1» tiene cambios sin guardar.</translation>
     </message>
     <message>
@@ -504,11 +791,11 @@
         <translation>Modificado en el disco</translation>
     </message>
     <message>
-        <source>“%1” was changed by another program since it was opened here.</source>
+        <source>Another program has changed “%1” since you opened it.</source>
         <translation>Otro programa ha modificado «%1» desde que se abrió aquí.</translation>
     </message>
     <message>
-        <source>Saving replaces what the other program wrote.</source>
+        <source>Saving overwrites the changes made by the other program.</source>
         <translation>Al guardar se sustituye lo que escribió el otro programa.</translation>
     </message>
     <message>
@@ -540,11 +827,11 @@
         <translation>Revertir</translation>
     </message>
     <message>
-        <source>Go back to “%1” as it is on disk? The changes made since then are lost.</source>
+        <source>Revert to “%1” as it is on disk? Your changes since then will be lost.</source>
         <translation>¿Volver a «%1» tal como está en el disco? Se perderán los cambios hechos desde entonces.</translation>
     </message>
     <message>
-        <source>%1 could not be read again</source>
+        <source>%1 could not be reloaded</source>
         <translation>No se pudo volver a leer %1</translation>
     </message>
     <message>
@@ -559,11 +846,6 @@
         <source>%1[*] — %2</source>
         <comment>file, entry</comment>
         <translation>%1[*] — %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>what it does, shortcut</comment>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -606,7 +888,7 @@
         <translation>&amp;Guardar</translation>
     </message>
     <message>
-        <source>Save the file; entries not edited keep every byte</source>
+        <source>Save the file; entries that you did not edit stay unchanged to the byte</source>
         <translation>Guardar el archivo; las entradas no editadas conservan cada byte</translation>
     </message>
     <message>
@@ -626,7 +908,7 @@
         <translation>Rever&amp;tir</translation>
     </message>
     <message>
-        <source>Go back to the file as it is on disk</source>
+        <source>Discard your changes and reload the file from disk</source>
         <translation>Volver al archivo tal como está en el disco</translation>
     </message>
     <message>
@@ -666,7 +948,7 @@
         <translation>Copiar la imagen al portapapeles</translation>
     </message>
     <message>
-        <source>The picture is on the clipboard.</source>
+        <source>The picture was copied to the clipboard.</source>
         <translation>La imagen está en el portapapeles.</translation>
     </message>
     <message>
@@ -706,7 +988,7 @@
         <translation>Ctrl+Z</translation>
     </message>
     <message>
-        <source>Take the last edit back</source>
+        <source>Undo the last edit</source>
         <translation>Deshacer la última edición</translation>
     </message>
     <message>
@@ -722,7 +1004,7 @@
         <translation>Ctrl+Y</translation>
     </message>
     <message>
-        <source>Make the edit again that was taken back</source>
+        <source>Redo the last edit that was undone</source>
         <translation>Repetir la edición que se deshizo</translation>
     </message>
     <message>
@@ -734,7 +1016,7 @@
         <translation>Ctrl+T</translation>
     </message>
     <message>
-        <source>Rotate, scale, shear, reflect or move the whole fractal by numbers</source>
+        <source>Rotate, scale, shear, reflect or move the whole fractal by exact amounts</source>
         <translation>Girar, escalar, cizallar, reflejar o mover todo el fractal con números</translation>
     </message>
     <message>
@@ -754,7 +1036,7 @@
         <translation>Ctrl+Shift+M</translation>
     </message>
     <message>
-        <source>Pick one of many fractals made by chance, and add it to the file</source>
+        <source>Choose from a sheet of random fractals and add one to the file</source>
         <translation>Elegir uno entre muchos fractales hechos al azar y añadirlo al archivo</translation>
     </message>
     <message>
@@ -766,7 +1048,7 @@
         <translation>Ctrl+,</translation>
     </message>
     <message>
-        <source>Language, theme, quality of the picture at rest, what is opened at the start</source>
+        <source>Language, theme, picture quality, and what opens at startup</source>
         <translation>Idioma, tema, calidad de la imagen en reposo, qué se abre al inicio</translation>
     </message>
     <message>
@@ -782,8 +1064,8 @@
         <translation>C</translation>
     </message>
     <message>
-        <source>Take the fractal by the vertices of its control triangle</source>
-        <translation>Tomar el fractal por los vértices de su triángulo de control</translation>
+        <source>Drag the corners of the control triangle</source>
+        <translation>Arrastrar los vértices del triángulo de control</translation>
     </message>
     <message>
         <source>De&amp;fine Triangle</source>
@@ -802,7 +1084,7 @@
         <translation>Ajustar el símplex canónico &amp;mínimo</translation>
     </message>
     <message>
-        <source>Hold the attractor in the smallest isosceles right triangle around it</source>
+        <source>Fit the smallest isosceles right triangle with legs parallel to the axes around the attractor</source>
         <translation>Sujetar el atractor con el menor triángulo rectángulo isósceles que lo rodea</translation>
     </message>
     <message>
@@ -810,7 +1092,7 @@
         <translation>Restab&amp;lecer</translation>
     </message>
     <message>
-        <source>Put the cage back to rest: the code is drawn as it is</source>
+        <source>Return the cage to rest: the picture shows the code as it is</source>
         <translation>Devolver la jaula al reposo: el código se dibuja tal como es</translation>
     </message>
     <message>
@@ -822,7 +1104,7 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>Make the placement part of the code: the picture stays, the coefficients change</source>
+        <source>Write the placement into the code: the picture stays, the coefficients change</source>
         <translation>Hacer que la colocación forme parte del código: la imagen no cambia, los coeficientes cambian</translation>
     </message>
     <message>
@@ -830,7 +1112,7 @@
         <translation>&amp;Extraer</translation>
     </message>
     <message>
-        <source>Take the placement out of the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
+        <source>Extract the placement from the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
         <translation>Sacar la colocación del código: la imagen no cambia, el código pasa a ser el del triángulo (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
@@ -838,7 +1120,7 @@
         <translation>Hacer re&amp;gular</translation>
     </message>
     <message>
-        <source>Put the vertices on the regular polygon nearest to them</source>
+        <source>Move the vertices to the nearest regular polygon</source>
         <translation>Llevar los vértices al polígono regular más próximo</translation>
     </message>
     <message>
@@ -846,7 +1128,7 @@
         <translation>&amp;Forma afín invariante…</translation>
     </message>
     <message>
-        <source>Show every map as a row-stochastic matrix over the control triangle</source>
+        <source>Show every map as a matrix over the control triangle, with rows that sum to 1</source>
         <translation>Mostrar cada aplicación como matriz estocástica por filas sobre el triángulo de control</translation>
     </message>
     <message>
@@ -854,7 +1136,7 @@
         <translation>&amp;Colocar</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture; the code stays</source>
+        <source>Moving the cage moves the picture; the code does not change</source>
         <translation>Mover la jaula mueve la imagen; el código no cambia</translation>
     </message>
     <message>
@@ -942,7 +1224,7 @@
         <translation>Y</translation>
     </message>
     <message>
-        <source>Let y grow downwards, as in window coordinates</source>
+        <source>Point the y axis down, as in window coordinates</source>
         <translation>Hacer que y crezca hacia abajo, como en las coordenadas de una ventana</translation>
     </message>
     <message>
@@ -950,7 +1232,7 @@
         <translation>H</translation>
     </message>
     <message>
-        <source>Hide everything on the canvas but the picture</source>
+        <source>Hide everything on the canvas except the picture</source>
         <translation>Ocultar todo lo que hay en el lienzo salvo la imagen</translation>
     </message>
     <message>
@@ -962,7 +1244,7 @@
         <translation>&amp;Vértices</translation>
     </message>
     <message>
-        <source>Let dragged vertices snap to this</source>
+        <source>Make dragged vertices snap to this</source>
         <translation>Enganchar aquí los vértices que se arrastran</translation>
     </message>
     <message>
@@ -978,24 +1260,24 @@
         <translation>F11</translation>
     </message>
     <message>
-        <source>Use the whole screen</source>
+        <source>Fill the whole screen</source>
         <translation>Usar toda la pantalla</translation>
     </message>
     <message>
-        <source>How It Arises</source>
-        <translation>Cómo surge</translation>
+        <source>How It Is Built</source>
+        <translation>Cómo se construye</translation>
     </message>
     <message>
-        <source>&amp;How It Arises</source>
-        <translation>Cómo su&amp;rge</translation>
+        <source>&amp;How It Is Built</source>
+        <translation>Cómo se const&amp;ruye</translation>
     </message>
     <message>
         <source>W</source>
         <translation>W</translation>
     </message>
     <message>
-        <source>Watch the attractor arise: by steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Ver surgir el atractor: por pasos del algoritmo determinista o con el juego del caos</translation>
+        <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
+        <translation>Ver cómo se construye el atractor: por pasos del algoritmo determinista o con el juego del caos</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1046,7 +1328,7 @@
         <translation>Acerca de Barycage</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Take a fractal by its corners: an editor for iterated function systems whose attractors are held in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Grab a fractal by its corners: an editor for iterated function systems that describes their attractors in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Tome un fractal por sus esquinas: un editor de sistemas de funciones iteradas cuyos atractores se sujetan con las coordenadas baricéntricas de un triángulo de control.&lt;/p&gt;&lt;p&gt;Según E. Hadzieva y M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Licencia MIT.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -1062,19 +1344,19 @@
         <translation>Herramientas</translation>
     </message>
     <message>
-        <source>The fractals of the open file. The one chosen here is in the picture.</source>
+        <source>The fractals in the open file. The canvas shows the one you select here.</source>
         <translation>Los fractales del archivo abierto. El que se elige aquí es el que aparece en la imagen.</translation>
     </message>
     <message>
-        <source>Fractals to begin with, by theme, and your own folders of them.</source>
+        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
         <translation>Fractales para empezar, por temas, y las carpetas de fractales de usted.</translation>
     </message>
     <message>
-        <source>The maps of the fractal: its code, one map in a row.</source>
+        <source>The maps of the fractal: its code, one map per row.</source>
         <translation>Las aplicaciones del fractal: su código, una aplicación por fila.</translation>
     </message>
     <message>
-        <source>The control cage by numbers: where its vertices are, where they are at rest, what moving them does, and other cages to choose from.</source>
+        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
         <translation>La jaula de control en números: dónde están sus vértices, dónde están en reposo, qué efecto tiene moverlos y otras jaulas entre las que elegir.</translation>
     </message>
     <message>
@@ -1082,16 +1364,16 @@
         <translation>Colores, brillo y fondo de la imagen. Se guardan con el fractal.</translation>
     </message>
     <message>
-        <source>What mathematics knows of this fractal. Point at a name to read what it means.</source>
-        <translation>Lo que las matemáticas saben de este fractal. Señale un nombre para leer qué significa.</translation>
+        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
+        <translation>Propiedades matemáticas de este fractal. Señale un nombre para leer qué significa.</translation>
     </message>
     <message>
-        <source>Every step since the file was opened. Choose one to go back to it, or forward.</source>
+        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
         <translation>Cada paso desde que se abrió el archivo. Elija uno para volver a él o para avanzar hasta él.</translation>
     </message>
     <message>
-        <source>What was odd in the file, with line and column. It is kept as it is.</source>
-        <translation>Lo que extrañaba en el archivo, con línea y columna. Se conserva tal cual.</translation>
+        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
+        <translation>Problemas encontrados en el archivo, con línea y columna. El texto del archivo se conserva sin cambios.</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
@@ -1106,20 +1388,20 @@
         <translation>¿Qué es &amp;esto?</translation>
     </message>
     <message>
-        <source>Click anything to read what it is for</source>
+        <source>Click anything to see what it does</source>
         <translation>Hacer clic en cualquier cosa para leer para qué sirve</translation>
     </message>
     <message>
-        <source>No recovery</source>
-        <translation>Sin recuperación</translation>
+        <source>Recovery Unavailable</source>
+        <translation>Recuperación no disponible</translation>
     </message>
     <message>
         <source>Allow Systems &amp;without an Attractor</source>
         <translation>Permitir sistemas &amp;sin atractor</translation>
     </message>
     <message>
-        <source>Let maps be dragged to where they no longer contract; otherwise the drag stops there</source>
-        <translation>Dejar arrastrar las aplicaciones hasta donde ya no contraen; si no, el arrastre se detiene ahí</translation>
+        <source>Let a drag of maps continue where an attractor is no longer guaranteed</source>
+        <translation>Dejar que el arrastre de aplicaciones continúe donde ya no se garantiza un atractor</translation>
     </message>
     <message>
         <source>Drag t&amp;he Maps</source>
@@ -1130,8 +1412,8 @@
         <translation>M</translation>
     </message>
     <message>
-        <source>Show the maps as images of the cage and take them by their corners</source>
-        <translation>Mostrar las aplicaciones como imágenes de la jaula y tomarlas por sus esquinas</translation>
+        <source>Show each map as its image of the cage, and drag it by its corners</source>
+        <translation>Mostrar cada aplicación como su imagen de la jaula y arrastrarla por sus esquinas</translation>
     </message>
     <message>
         <source>Drag a Bra&amp;nch</source>
@@ -1142,31 +1424,27 @@
         <translation>B</translation>
     </message>
     <message>
-        <source>Click a point of the attractor and take the branch that it belongs to</source>
-        <translation>Pulsar en un punto del atractor y tomar la rama a la que pertenece</translation>
-    </message>
-    <message>
-        <source>Maps and Branches</source>
-        <translation>Aplicaciones y ramas</translation>
+        <source>Click a point of the attractor and drag the branch that contains it</source>
+        <translation>Pulsar en un punto del atractor y arrastrar la rama que lo contiene</translation>
     </message>
     <message>
         <source>P&amp;aste</source>
         <translation>P&amp;egar</translation>
     </message>
     <message>
-        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
         <translation>Añadir al archivo los fractales del portapapeles: entradas de un archivo .ifs, flames o una tabla de números</translation>
     </message>
     <message>
-        <source>The unsaved work is here all the same.</source>
+        <source>Your unsaved work was recovered nevertheless.</source>
         <translation>El trabajo no guardado está aquí de todos modos.</translation>
     </message>
     <message>
-        <source>%1 was not recovered. It is offered again at the next start.</source>
+        <source>%1 was not recovered. Barycage will offer it again at the next start.</source>
         <translation>%1 no se ha recuperado. Se ofrecerá de nuevo en el próximo inicio.</translation>
     </message>
     <message>
-        <source>Esc brings menus and panels back.</source>
+        <source>Press Esc to bring back the menus and panels.</source>
         <translation>Esc devuelve los menús y los paneles.</translation>
     </message>
     <message>
@@ -1178,7 +1456,7 @@
         <translation>Shift+F11</translation>
     </message>
     <message>
-        <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
+        <source>Show only the canvas, on the whole screen, as for a projector; press Esc to return</source>
         <translation>Dejar toda la pantalla al lienzo, por ejemplo para un proyector; Esc devuelve lo demás</translation>
     </message>
     <message>
@@ -1188,6 +1466,222 @@
     <message>
         <source>Only the Pi&amp;cture</source>
         <translation>&amp;Solo la imagen</translation>
+    </message>
+    <message>
+        <source>Ca&amp;mera</source>
+        <translation>Cá&amp;mara</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Frente</translation>
+    </message>
+    <message>
+        <source>Look along the z axis (1 on the keypad)</source>
+        <translation>Mirar a lo largo del eje z (1 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>At&amp;rás</translation>
+    </message>
+    <message>
+        <source>Look along the z axis from behind (Ctrl+1 on the keypad)</source>
+        <translation>Mirar a lo largo del eje z desde atrás (Ctrl+1 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Derecha</translation>
+    </message>
+    <message>
+        <source>Look along the x axis (3 on the keypad)</source>
+        <translation>Mirar a lo largo del eje x (3 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>I&amp;zquierda</translation>
+    </message>
+    <message>
+        <source>Look along the x axis from behind (Ctrl+3 on the keypad)</source>
+        <translation>Mirar a lo largo del eje x desde atrás (Ctrl+3 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Arriba</translation>
+    </message>
+    <message>
+        <source>Look down (7 on the keypad)</source>
+        <translation>Mirar hacia abajo (7 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>A&amp;bajo</translation>
+    </message>
+    <message>
+        <source>Look up (Ctrl+7 on the keypad)</source>
+        <translation>Mirar hacia arriba (Ctrl+7 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isométrica</translation>
+    </message>
+    <message>
+        <source>Look from a corner (Home)</source>
+        <translation>Mirar desde una esquina (Inicio)</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspectiva</translation>
+    </message>
+    <message>
+        <source>Show what is far away smaller (5 on the keypad)</source>
+        <translation>Mostrar más pequeño lo lejano (5 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>In the menu %1.</source>
+        <translation>En el menú %1.</translation>
+    </message>
+    <message>
+        <source>Shortcut: %1</source>
+        <translation>Atajo: %1</translation>
+    </message>
+    <message>
+        <source>Tool Options</source>
+        <translation>Opciones de la herramienta</translation>
+    </message>
+    <message>
+        <source>Show the options of the tool under the canvas</source>
+        <translation>Mostrar las opciones de la herramienta bajo el lienzo</translation>
+    </message>
+    <message>
+        <source>A bar that keeps its place: it shows the options of the tool that is chosen, or how the tool is used.</source>
+        <translation>Una barra que mantiene su sitio: muestra las opciones de la herramienta elegida, o cómo se usa.</translation>
+    </message>
+    <message>
+        <source>&amp;Maps</source>
+        <translation>A&amp;plicaciones</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Horizontally</source>
+        <translation>Voltear en &amp;horizontal</translation>
+    </message>
+    <message>
+        <source>Mirror the selected maps about the vertical line through their centre</source>
+        <translation>Reflejar las aplicaciones seleccionadas respecto a la vertical por su centro</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Vertically</source>
+        <translation>Voltear en &amp;vertical</translation>
+    </message>
+    <message>
+        <source>Mirror the selected maps about the horizontal line through their centre</source>
+        <translation>Reflejar las aplicaciones seleccionadas respecto a la horizontal por su centro</translation>
+    </message>
+    <message>
+        <source>Rotate 90° &amp;Left</source>
+        <translation>Girar 90° a la &amp;izquierda</translation>
+    </message>
+    <message>
+        <source>Rotate the selected maps counter-clockwise about their centre</source>
+        <translation>Girar las aplicaciones seleccionadas en sentido antihorario en torno a su centro</translation>
+    </message>
+    <message>
+        <source>Rotate 90° &amp;Right</source>
+        <translation>Girar 90° a la &amp;derecha</translation>
+    </message>
+    <message>
+        <source>Rotate the selected maps clockwise about their centre</source>
+        <translation>Girar las aplicaciones seleccionadas en sentido horario en torno a su centro</translation>
+    </message>
+    <message>
+        <source>Ali&amp;gn Centres</source>
+        <translation>A&amp;linear los centros</translation>
+    </message>
+    <message>
+        <source>In a &amp;Row</source>
+        <translation>En una &amp;fila</translation>
+    </message>
+    <message>
+        <source>Move the selected maps up or down until their centres are at the same height</source>
+        <translation>Mover las aplicaciones seleccionadas hacia arriba o abajo hasta que sus centros estén a la misma altura</translation>
+    </message>
+    <message>
+        <source>In a &amp;Column</source>
+        <translation>En una &amp;columna</translation>
+    </message>
+    <message>
+        <source>Move the selected maps left or right until their centres are one below the other</source>
+        <translation>Mover las aplicaciones seleccionadas a izquierda o derecha hasta que sus centros estén uno debajo de otro</translation>
+    </message>
+    <message>
+        <source>D&amp;istribute Centres</source>
+        <translation>Distrib&amp;uir los centros</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontally</source>
+        <translation>En &amp;horizontal</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected maps evenly from left to right</source>
+        <translation>Separar por igual los centros de las aplicaciones seleccionadas de izquierda a derecha</translation>
+    </message>
+    <message>
+        <source>&amp;Vertically</source>
+        <translation>En &amp;vertical</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected maps evenly from bottom to top</source>
+        <translation>Separar por igual los centros de las aplicaciones seleccionadas de abajo arriba</translation>
+    </message>
+    <message>
+        <source>&amp;Fit to Corners</source>
+        <translation>A&amp;justar a los vértices</translation>
+    </message>
+    <message>
+        <source>Move each selected map until it takes the nearest corner of the cage to itself</source>
+        <translation>Mover cada aplicación seleccionada hasta que lleve el vértice más cercano de la jaula a sí mismo</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Elija primero una aplicación.</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected maps</source>
+        <translation>Duplicar las aplicaciones seleccionadas</translation>
+    </message>
+    <message>
+        <source>Delete the selected maps</source>
+        <translation>Eliminar las aplicaciones seleccionadas</translation>
+    </message>
+    <message>
+        <source>Select all maps</source>
+        <translation>Seleccionar todas las aplicaciones</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Maps</source>
+        <translation>Dupli&amp;car aplicaciones</translation>
+    </message>
+    <message>
+        <source>D&amp;elete Maps</source>
+        <translation>&amp;Eliminar aplicaciones</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Maps</source>
+        <translation>Seleccionar &amp;todas las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Missing on disk</source>
+        <translation>Ya no está en el disco</translation>
+    </message>
+    <message>
+        <source>“%1” has been deleted, renamed or moved since you opened it.</source>
+        <translation>«%1» se ha eliminado, renombrado o movido desde que se abrió aquí.</translation>
+    </message>
+    <message>
+        <source>Saving creates it again at its old place.</source>
+        <translation>Al guardar se vuelve a crear en su lugar anterior.</translation>
+    </message>
+    <message>
+        <source>Other names of the file (hard links) keep the old contents.</source>
+        <translation>Los otros nombres del archivo (enlaces duros) conservan el contenido anterior.</translation>
     </message>
 </context>
 <context>
@@ -1211,10 +1705,6 @@
     <message>
         <source>A number is missing here.</source>
         <translation>Aquí falta un número.</translation>
-    </message>
-    <message>
-        <source>“%1” is a fraction: write it as a decimal number.</source>
-        <translation>«%1» es una fracción: escríbala como número decimal.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -1248,7 +1738,7 @@
         <translation>Guardando «%1»…</translation>
     </message>
     <message>
-        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <source>Saving “%1” was cancelled. The file on disk is unchanged.</source>
         <translation>Se canceló el guardado de «%1». El archivo del disco sigue como estaba.</translation>
     </message>
     <message>
@@ -1314,16 +1804,20 @@
 <context>
     <name>PngSystem</name>
     <message>
-        <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
         <translation>La imagen no contiene ningún sistema: no la escribió Barycage, u otro programa eliminó su texto.</translation>
     </message>
     <message>
-        <source>The system in the picture has more than 8 MB.</source>
+        <source>The system in the picture is larger than 8 MB.</source>
         <translation>El sistema de la imagen ocupa más de 8 MB.</translation>
     </message>
     <message>
-        <source>The file is no PNG picture, or it is damaged.</source>
+        <source>The file is not a PNG picture, or it is damaged.</source>
         <translation>El archivo no es una imagen PNG o está dañado.</translation>
+    </message>
+    <message>
+        <source>The picture carries too much text: the limit is 40 MB in all.</source>
+        <translation>La imagen lleva demasiado texto: el límite es de 40 MB en total.</translation>
     </message>
 </context>
 <context>
@@ -1345,7 +1839,7 @@
         <translation>Se ha encontrado trabajo sin guardar</translation>
     </message>
     <message>
-        <source>Barycage ended last time before this work was saved:</source>
+        <source>The last time you used Barycage, it ended before this work was saved:</source>
         <translation>La última vez Barycage terminó antes de que se guardara este trabajo:</translation>
     </message>
     <message>
@@ -1361,16 +1855,23 @@
         <translation>Preguntar después</translation>
     </message>
     <message>
-        <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
+        <source>Unsaved work cannot be kept for recovery: the folder “%1” is not writable, or the disk is full. Save often.</source>
         <translation>El trabajo sin guardar no se puede conservar para recuperarlo: no se puede escribir en la carpeta «%1», o el disco está lleno. Guarde a menudo.</translation>
     </message>
     <message>
-        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <source>The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:</source>
         <translation>El trabajo sin guardar de la última vez está dañado y no se puede recuperar. Lo que queda de él está en:</translation>
     </message>
     <message>
         <source>Looking for unsaved work…</source>
         <translation>Buscando trabajo sin guardar…</translation>
+    </message>
+</context>
+<context>
+    <name>SaveBeside</name>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Guardando «%1»…</translation>
     </message>
 </context>
 <context>
@@ -1392,10 +1893,6 @@
         <translation>hiperbólico, s = %1</translation>
     </message>
     <message>
-        <source>eventually contractive, γ = %1 (words of %2 maps)</source>
-        <translation>contractivo a la larga, γ = %1 (palabras de %2 aplicaciones)</translation>
-    </message>
-    <message>
         <source>no attractor: the word %1 does not contract</source>
         <translation>sin atractor: la palabra %1 no es contractiva</translation>
     </message>
@@ -1404,19 +1901,19 @@
         <translation>la existencia de un atractor está sin decidir</translation>
     </message>
     <message>
-        <source>no map takes part</source>
-        <translation>no interviene ninguna aplicación</translation>
+        <source>no map is active</source>
+        <translation>ninguna aplicación está activa</translation>
     </message>
     <message>
         <source>Pointer position</source>
         <translation>Posición del puntero</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Dictamen</translation>
+        <source>Existence of an attractor</source>
+        <translation>Existencia de un atractor</translation>
     </message>
     <message>
-        <source>Whether the system has an attractor, and the factor by which it contracts</source>
+        <source>Whether the system has an attractor, and its contraction factor</source>
         <translation>Si el sistema tiene atractor, y el factor con que se contrae</translation>
     </message>
     <message>
@@ -1432,10 +1929,6 @@
         <translation>  baricéntricas (%1)</translation>
     </message>
     <message>
-        <source>3D: not yet shown</source>
-        <translation>3D: todavía no se muestra</translation>
-    </message>
-    <message>
         <source>this entry could not be read</source>
         <translation>esta entrada no se pudo leer</translation>
     </message>
@@ -1448,7 +1941,7 @@
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>World and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
+        <source>Plane and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
         <translation>Coordenadas cartesianas y baricéntricas del puntero; la dirección del punto del atractor bajo él, la aplicación más externa primero, y el punto fijo de su rama</translation>
     </message>
     <message>
@@ -1467,11 +1960,43 @@
         <source>no attractor: map %1 does not contract</source>
         <translation>sin atractor: la aplicación %1 no es contractiva</translation>
     </message>
+    <message>
+        <source>latest changes not yet kept for recovery</source>
+        <translation>últimos cambios aún no conservados para recuperarlos</translation>
+    </message>
+    <message>
+        <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
+        <translation>Un fallo haría perder los últimos cambios: conservarlos tarda más de dos segundos, porque el disco es lento o está lleno, o porque el archivo es muy grande. Guarde lo que no deba perderse.</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ = %1</source>
+        <translation>contractivo en una norma elipsoidal, γ = %1</translation>
+    </message>
+    <message>
+        <source>contractive in a polytope norm, γ = %1</source>
+        <translation>contractivo en una norma politopal, γ = %1</translation>
+    </message>
+    <message>
+        <source>any %1 maps in a row contract, γ = %2</source>
+        <translation>%1 aplicaciones seguidas contraen, γ = %2</translation>
+    </message>
+    <message>
+        <source>  depth %1</source>
+        <translation>  profundidad %1</translation>
+    </message>
+    <message>
+        <source>  along %1</source>
+        <translation>  a lo largo de %1</translation>
+    </message>
+    <message>
+        <source>  across %1</source>
+        <translation>  perpendicular a %1</translation>
+    </message>
 </context>
 <context>
     <name>SvgSystem</name>
     <message>
-        <source>The system in the picture has more than 8 MB.</source>
+        <source>The system in the picture is larger than 8 MB.</source>
         <translation>El sistema de la imagen ocupa más de 8 MB.</translation>
     </message>
     <message>
@@ -1479,30 +2004,30 @@
         <translation>El sistema de la imagen está dañado.</translation>
     </message>
     <message>
-        <source>The picture declares a document type, which Barycage never writes and does not read.</source>
+        <source>The picture contains a document type declaration, which Barycage neither writes nor reads.</source>
         <translation>La imagen declara un tipo de documento, cosa que Barycage nunca escribe y no lee.</translation>
     </message>
     <message>
-        <source>The file is no SVG picture, or it is damaged.</source>
+        <source>The file is not an SVG picture, or it is damaged.</source>
         <translation>El archivo no es una imagen SVG o está dañado.</translation>
     </message>
     <message>
-        <source>The picture holds no system: it was not written by Barycage, or another program removed it.</source>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>La imagen no contiene ningún sistema: no la escribió Barycage, u otro programa lo eliminó.</translation>
     </message>
 </context>
 <context>
     <name>Text</name>
     <message>
-        <source>a document type is not accepted in a flame file</source>
+        <source>a flame file cannot contain a document type declaration</source>
         <translation>no se admite un tipo de documento en un archivo flame</translation>
     </message>
     <message>
-        <source>The XML ends here: %1.</source>
+        <source>The XML cannot be read beyond this point: %1.</source>
         <translation>El XML termina aquí: %1.</translation>
     </message>
     <message>
-        <source>There is no flame in this file.</source>
+        <source>The file contains no flames.</source>
         <translation>No hay ningún flame en este archivo.</translation>
     </message>
     <message>
@@ -1526,7 +2051,7 @@
         <translation>sin atractor</translation>
     </message>
     <message>
-        <source>The sheet would be %1 by %2 pixels; at most %3 a side can be drawn. Take smaller tiles, or other columns.</source>
+        <source>The sheet would have %1 by %2 pixels; the limit is %3 per side. Use smaller tiles or another number of columns.</source>
         <translation>La lámina tendría %1 por %2 píxeles; se pueden dibujar a lo sumo %3 por lado. Elija recuadros más pequeños u otro número de columnas.</translation>
     </message>
     <message>
@@ -1538,27 +2063,15 @@
         <translation>usa una variación distinta de «linear»</translation>
     </message>
     <message>
-        <source>it acts in space (“%1”)</source>
-        <translation>actúa en el espacio («%1»)</translation>
-    </message>
-    <message>
         <source>it uses the variation “%1”</source>
         <translation>usa la variación «%1»</translation>
     </message>
     <message>
-        <source>its “coefs” are not six numbers</source>
-        <translation>su «coefs» no son seis números</translation>
-    </message>
-    <message>
-        <source>its “post” is not six numbers</source>
-        <translation>su «post» no son seis números</translation>
-    </message>
-    <message>
-        <source>its “chaos” allows some successors only, which a list of maps cannot say</source>
+        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
         <translation>su «chaos» solo permite algunos sucesores, lo que una lista de aplicaciones no puede expresar</translation>
     </message>
     <message>
-        <source>it takes part without being drawn (opacity 0)</source>
+        <source>it is active but not drawn (opacity 0)</source>
         <translation>interviene sin dibujarse (opacidad 0)</translation>
     </message>
     <message>
@@ -1598,7 +2111,7 @@
         <translation>El flame «%1» no tiene transformaciones.</translation>
     </message>
     <message>
-        <source>The entry that opens here is not closed by “}” before the next entry or the end of the file.</source>
+        <source>The entry that starts here has no closing “}” before the next entry or the end of the file.</source>
         <translation>La entrada que se abre aquí no se cierra con «}» antes de la siguiente entrada o del final del archivo.</translation>
     </message>
     <message>
@@ -1606,15 +2119,15 @@
         <translation>Hay %1 problemas más en esta entrada que no se enumeran.</translation>
     </message>
     <message>
-        <source>The name “%1” holds a blank; Fractint takes only its first word.</source>
+        <source>The name “%1” contains a space; Fractint uses only its first word.</source>
         <translation>El nombre «%1» contiene un espacio; Fractint toma solo la primera palabra.</translation>
     </message>
     <message>
-        <source>The name “%1” is longer than 18 bytes; Fractint cuts it there.</source>
+        <source>The name “%1” is longer than 18 bytes; Fractint truncates it.</source>
         <translation>El nombre «%1» tiene más de 18 bytes; Fractint lo corta ahí.</translation>
     </message>
     <message>
-        <source>The opening brace stands on a line of its own; Fractint does not find this entry.</source>
+        <source>The opening brace is on a line of its own; Fractint does not find this entry.</source>
         <translation>La llave de apertura está sola en una línea; Fractint no encuentra esta entrada.</translation>
     </message>
     <message>
@@ -1622,27 +2135,27 @@
         <translation>La entrada tiene más de %1 aplicaciones, que es el límite.</translation>
     </message>
     <message>
-        <source>“%1”: the comma can be read as a decimal point or between two numbers, and both give whole rows. Write decimal points and blanks.</source>
+        <source>“%1”: the comma can be a decimal comma or a separator; both readings give complete rows. Use decimal points and spaces.</source>
         <translation>«%1»: la coma se puede leer como signo decimal o como separador de números, y en ambos casos salen filas completas. Escriba puntos decimales y espacios.</translation>
     </message>
     <message>
-        <source>“%1”: neither as a decimal point nor between two numbers does the comma give whole rows of 7 numbers (13 with “(3D)”).</source>
+        <source>“%1”: the comma gives complete rows of 7 numbers (13 with “(3D)”) neither as a decimal comma nor as a separator.</source>
         <translation>«%1»: ni como signo decimal ni como separador da la coma filas completas de 7 números (13 con «(3D)»).</translation>
     </message>
     <message>
-        <source>The numbers on the line of the opening brace are ignored, as Fractint ignores them.</source>
+        <source>Numbers on the line of the opening brace are ignored, as in Fractint.</source>
         <translation>Los números de la línea de la llave de apertura no se tienen en cuenta, igual que en Fractint.</translation>
     </message>
     <message>
-        <source>“%1” is not understood by this version of Barycage; the line is kept.</source>
+        <source>This version of Barycage does not understand “%1”; the line is kept.</source>
         <translation>Esta versión de Barycage no entiende «%1»; la línea se conserva.</translation>
     </message>
     <message>
-        <source>The entry holds no numbers.</source>
+        <source>The entry contains no numbers.</source>
         <translation>La entrada no contiene números.</translation>
     </message>
     <message>
-        <source>This line has %1 numbers and the entry %2, which is no multiple of %3: a map is %3 numbers%4.</source>
+        <source>This line has %1 numbers and the entry has %2, which is not a multiple of %3: a map has %3 numbers%4.</source>
         <translation>Esta línea tiene %1 números y la entrada %2, que no es múltiplo de %3: una aplicación son %3 números%4.</translation>
     </message>
     <message>
@@ -1658,11 +2171,11 @@
         <translation>«%1» no es un número finito.</translation>
     </message>
     <message>
-        <source>“%1” is larger than a coefficient can be (3.4e38 in size).</source>
+        <source>“%1” is too large for a coefficient (the largest absolute value is 3.4e38).</source>
         <translation>«%1» es mayor de lo que puede ser un coeficiente (3.4e38 en valor absoluto).</translation>
     </message>
     <message>
-        <source>“%1” begins with a typographic minus sign (U+2212). Write the plain “-”.</source>
+        <source>“%1” begins with a typographic minus sign (U+2212). Use a plain “-”.</source>
         <translation>«%1» empieza con un signo menos tipográfico (U+2212). Escriba el simple «-».</translation>
     </message>
     <message>
@@ -1670,19 +2183,19 @@
         <translation>«%1» no es un número.</translation>
     </message>
     <message>
-        <source>Numbers stand on the line of the opening brace, where Fractint ignores them; they are read.</source>
+        <source>There are numbers on the line of the opening brace, where Fractint ignores them; Barycage reads them.</source>
         <translation>Hay números en la línea de la llave de apertura, donde Fractint los omite; aquí se leen.</translation>
     </message>
     <message>
-        <source>Commas are read as decimal points; Fractint reads other numbers here.</source>
+        <source>Commas are read as decimal points; Fractint reads different numbers here.</source>
         <translation>Las comas se leen como signos decimales; Fractint lee aquí otros números.</translation>
     </message>
     <message>
-        <source>Commas or apostrophes stand between the numbers; Iterated Dynamics cannot read this entry.</source>
+        <source>Commas or apostrophes separate the numbers; Iterated Dynamics cannot read this entry.</source>
         <translation>Hay comas o apóstrofos entre los números; Iterated Dynamics no puede leer esta entrada.</translation>
     </message>
     <message>
-        <source>The maps have no weights (%1 numbers each); weights are taken from the determinants. Fractint cannot read this entry.</source>
+        <source>The maps have no weights (%1 numbers each), so the weights are computed from the determinants. Fractint cannot read this entry.</source>
         <translation>Las aplicaciones no tienen pesos (%1 números cada una); los pesos se toman de los determinantes. Fractint no puede leer esta entrada.</translation>
     </message>
     <message>
@@ -1690,7 +2203,7 @@
         <translation>Las filas de %1 números sin «(3D)» tras el nombre se leen como un sistema 3D; Fractint no puede leer esta entrada.</translation>
     </message>
     <message>
-        <source>The lines do not hold 7 numbers each, but all numbers together fill rows of 7 and are read so, as Fractint does. Probably the weights are missing.</source>
+        <source>The lines do not have 7 numbers each, but together the numbers fill rows of 7 and are read that way, as in Fractint. The weights are probably missing.</source>
         <translation>Las líneas no contienen 7 números cada una, pero todos los números juntos llenan filas de 7 y así se leen, como hace Fractint. Probablemente faltan los pesos.</translation>
     </message>
     <message>
@@ -1698,11 +2211,11 @@
         <translation>La llave de cierre toca el último número; Fractint no puede leer esta entrada.</translation>
     </message>
     <message>
-        <source>The line is longer than 200 bytes; Fractint cuts it there.</source>
+        <source>The line is longer than 200 bytes; Fractint truncates it.</source>
         <translation>La línea tiene más de 200 bytes; Fractint la corta ahí.</translation>
     </message>
     <message>
-        <source>A NUL byte; the rest of the line is ignored, as Fractint ignores it.</source>
+        <source>There is a NUL byte here; the rest of the line is ignored, as in Fractint.</source>
         <translation>Un byte NUL; el resto de la línea se omite, como hace Fractint.</translation>
     </message>
     <message>
@@ -1710,15 +2223,15 @@
         <translation>La entrada tiene %1 aplicaciones; Fractint e Iterated Dynamics leen a lo sumo 63.</translation>
     </message>
     <message>
-        <source>The weight of map %1 is negative; the map counts as switched off.</source>
+        <source>The weight of map %1 is negative; the map is treated as switched off.</source>
         <translation>El peso de la aplicación %1 es negativo; la aplicación cuenta como desactivada.</translation>
     </message>
     <message>
-        <source>The weight of map %1 is 0; the map takes no part.</source>
+        <source>The weight of map %1 is 0, so the map is inactive.</source>
         <translation>El peso de la aplicación %1 es 0; la aplicación no interviene.</translation>
     </message>
     <message>
-        <source>The weights sum to %1, not 1. They are used in proportion; Fractint gives what is missing to the last map and cuts what is too much.</source>
+        <source>The weights sum to %1, not 1. They are scaled in proportion; Fractint gives any shortfall to the last map and cuts off any excess.</source>
         <translation>Los pesos suman %1, no 1. Se usan en proporción; Fractint da lo que falta a la última aplicación y recorta lo que sobra.</translation>
     </message>
     <message>
@@ -1726,11 +2239,11 @@
         <translation>El archivo está vacío.</translation>
     </message>
     <message>
-        <source>These are Fractint parameter sets or formulas; no iterated function system is among them.</source>
+        <source>The file contains Fractint parameter sets or formulas, but no iterated function system.</source>
         <translation>Son conjuntos de parámetros o fórmulas de Fractint; entre ellos no hay ningún sistema de funciones iteradas.</translation>
     </message>
     <message>
-        <source>No iterated function system was found: an entry is a name, “{”, rows of 7 numbers and “}”.</source>
+        <source>No iterated function system was found: an entry consists of a name, “{”, rows of 7 numbers and “}”.</source>
         <translation>No se encontró ningún sistema de funciones iteradas: una entrada es un nombre, «{», filas de 7 números y «}».</translation>
     </message>
     <message>
@@ -1742,7 +2255,7 @@
         <translation>Un bloque sin nombre se conserva como texto; Fractint no lo incluye en su lista.</translation>
     </message>
     <message>
-        <source>Two opening braces on one line: no reader finds an entry here. The text is kept.</source>
+        <source>There are two opening braces on one line: no program finds an entry here. The text is kept.</source>
         <translation>Dos llaves de apertura en una línea: ningún programa encuentra aquí una entrada. El texto se conserva.</translation>
     </message>
     <message>
@@ -1750,31 +2263,31 @@
         <translation>«%1» es un conjunto de parámetros o una fórmula, no un sistema de funciones iteradas; se conserva como texto.</translation>
     </message>
     <message>
-        <source>The name is taken by the entry in line %1 (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
+        <source>The entry in line %1 has the same name (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
         <translation>El nombre ya lo lleva la entrada de la línea %1 (Fractint compara 18 caracteres sin distinguir mayúsculas); Fractint nunca llega a esta.</translation>
     </message>
     <message>
-        <source>The file begins with a byte order mark, which Fractint takes for a part of the first name.</source>
+        <source>The file begins with a byte order mark, which Fractint treats as part of the first name.</source>
         <translation>El archivo empieza con una marca de orden de bytes, que Fractint toma por una parte del primer nombre.</translation>
     </message>
     <message>
-        <source>Fractint stops reading at this byte (^Z); the entries after it are read all the same.</source>
+        <source>Fractint stops reading at this byte (^Z); Barycage reads the entries after it too.</source>
         <translation>Fractint deja de leer en este byte (^Z); aun así se leen las entradas que siguen.</translation>
     </message>
     <message>
-        <source>The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.</source>
+        <source>The file has %1 entries; Fractint and Iterated Dynamics use only the first 2000.</source>
         <translation>El archivo tiene %1 entradas; Fractint e Iterated Dynamics usan las primeras 2000.</translation>
     </message>
     <message>
-        <source>The entry has no map that takes part and is left out.</source>
+        <source>The entry has no active map and is omitted.</source>
         <translation>La entrada no tiene ninguna aplicación que intervenga y se omite.</translation>
     </message>
     <message>
-        <source>%1 maps that take no part are left out.</source>
+        <source>%1 inactive maps are omitted.</source>
         <translation>Se omiten %1 aplicaciones que no intervienen.</translation>
     </message>
     <message>
-        <source>The entry is written under the name “%1”: other programs take 18 plain characters, and each name once.</source>
+        <source>The entry is saved under the name “%1”: other programs need unique names of at most 18 plain characters.</source>
         <translation>La entrada se escribe con el nombre «%1»: otros programas admiten 18 caracteres simples, y cada nombre una sola vez.</translation>
     </message>
     <message>
@@ -1782,28 +2295,16 @@
         <translation>La entrada tiene %1 aplicaciones; Fractint hasta la versión 17.2 lee a lo sumo 31.</translation>
     </message>
     <message>
-        <source>not known</source>
+        <source>unknown</source>
         <translation>desconocido</translation>
-    </message>
-    <message>
-        <source>hyperbolic, s = %1</source>
-        <translation>hiperbólico, s = %1</translation>
-    </message>
-    <message>
-        <source>eventually contractive, γ = %1 from words of length %2</source>
-        <translation>contractivo a la larga, γ = %1 con palabras de longitud %2</translation>
-    </message>
-    <message>
-        <source>none: a word of length %1 does not contract</source>
-        <translation>ninguno: una palabra de longitud %1 no es contractiva</translation>
     </message>
     <message>
         <source>undecided</source>
         <translation>sin decidir</translation>
     </message>
     <message>
-        <source>none: no map takes part</source>
-        <translation>ninguno: no interviene ninguna aplicación</translation>
+        <source>none: no map is active</source>
+        <translation>ninguno: ninguna aplicación está activa</translation>
     </message>
     <message>
         <source>   norm %1, determinant %2</source>
@@ -1850,14 +2351,6 @@
         <translation>dimensión de afinidad</translation>
     </message>
     <message>
-        <source>%1 — in the plane, %2 maps</source>
-        <translation>%1 — en el plano, %2 aplicaciones</translation>
-    </message>
-    <message>
-        <source>%1 — in space, %2 maps</source>
-        <translation>%1 — en el espacio, %2 aplicaciones</translation>
-    </message>
-    <message>
         <source>%1 — could not be read</source>
         <translation>%1 — no se pudo leer</translation>
     </message>
@@ -1870,7 +2363,7 @@
         <translation>jaula actual</translation>
     </message>
     <message>
-        <source>The stored cage is not usable (its lists of vertices do not match, or its rest vertices lie on one line, cross each other or are more than 64) and is not applied.</source>
+        <source>The stored cage is not valid and is not applied: its lists of vertices do not match, or its rest polygon is flat, crosses itself or has more than 64 vertices.</source>
         <translation>La jaula guardada no se puede usar (sus listas de vértices no se corresponden, o sus vértices de reposo están alineados, se cruzan o son más de 64) y no se aplica.</translation>
     </message>
     <message>
@@ -1882,23 +2375,23 @@
         <translation>La aplicación %1 se había desactivado aquí, pero otro programa le ha dado un peso.</translation>
     </message>
     <message>
-        <source>A palette has at most %1 colours; the others are left out.</source>
+        <source>A palette can have at most %1 colours; the rest are ignored.</source>
         <translation>Una paleta tiene a lo sumo %1 colores; los demás se omiten.</translation>
     </message>
     <message>
-        <source>This line is left out: three whole numbers from 0 to 255 make a colour.</source>
+        <source>This line is ignored: a colour consists of three whole numbers from 0 to 255.</source>
         <translation>Esta línea se omite: un color son tres números enteros de 0 a 255.</translation>
     </message>
     <message>
-        <source>The file holds no colours.</source>
+        <source>The file contains no colours.</source>
         <translation>El archivo no contiene colores.</translation>
     </message>
     <message>
-        <source>The file has more than 16 MB, which no palette needs.</source>
+        <source>The file is larger than 16 MB, which is the limit for a palette.</source>
         <translation>El archivo ocupa más de 16 MB, que ninguna paleta necesita.</translation>
     </message>
     <message>
-        <source>The file is no text, so it is no palette.</source>
+        <source>The file is not a text file, so it is not a palette.</source>
         <translation>El archivo no es texto, así que no es una paleta.</translation>
     </message>
     <message>
@@ -1906,35 +2399,31 @@
         <translation>Esto es un degradado de GIMP; las paletas se leen de archivos .gpl, .ugr y .map.</translation>
     </message>
     <message>
-        <source>The file has more than %1 palettes; the others are left out.</source>
+        <source>The file has more than %1 palettes; the rest are ignored.</source>
         <translation>El archivo tiene más de %1 paletas; las demás se omiten.</translation>
     </message>
     <message>
-        <source>The file holds no gradient.</source>
+        <source>The file contains no gradients.</source>
         <translation>El archivo no contiene ningún degradado.</translation>
     </message>
     <message>
-        <source>The gradient of line %1 is not closed.</source>
+        <source>The gradient that starts in line %1 is not closed.</source>
         <translation>El degradado de la línea %1 no está cerrado.</translation>
     </message>
     <message>
-        <source>“%1” is no whole number.</source>
+        <source>“%1” is not a whole number.</source>
         <translation>«%1» no es un número entero.</translation>
     </message>
     <message>
-        <source>“%1” is not a system in the plane, of which alone points are written.</source>
-        <translation>«%1» no es un sistema del plano, y solo de ellos se escriben los puntos.</translation>
-    </message>
-    <message>
-        <source>“%1” has no map that takes part, so it has no points.</source>
+        <source>“%1” has no active map, so it has no points.</source>
         <translation>«%1» no tiene ninguna aplicación que intervenga, así que no tiene puntos.</translation>
     </message>
     <message>
-        <source>A cage of more than three corners bends the picture, and its points are not written.</source>
+        <source>A cage with more than three corners bends the picture; its points cannot be written.</source>
         <translation>Una jaula de más de tres vértices curva la imagen, y sus puntos no se escriben.</translation>
     </message>
     <message>
-        <source>A point cloud has from 1 to %1 points.</source>
+        <source>A point cloud can have from 1 to %1 points.</source>
         <translation>Una nube de puntos tiene de 1 a %1 puntos.</translation>
     </message>
     <message>
@@ -1942,7 +2431,7 @@
         <translation>«%1» es una carpeta. Elija un nombre de archivo.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and is not replaced. Choose another name.</source>
+        <source>“%1” is not an ordinary file and will not be replaced. Choose another name.</source>
         <translation>«%1» no es un archivo corriente y no se sustituye. Elija otro nombre.</translation>
     </message>
     <message>
@@ -1954,11 +2443,11 @@
         <translation>«%1» es de solo lectura. Guarde con otro nombre o cambie los permisos.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on the disk is as it was.</source>
+        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on disk is unchanged.</source>
         <translation>No se guardó «%1»: el disco está lleno. Libere espacio y vuelva a guardar; el archivo del disco sigue como estaba.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.</source>
+        <source>“%1” was not saved: you do not have permission to write to the folder “%2”. Save somewhere else.</source>
         <translation>No se guardó «%1»: no tiene permiso para escribir en la carpeta «%2». Guarde en otro lugar.</translation>
     </message>
     <message>
@@ -1966,7 +2455,7 @@
         <translation>No se guardó «%1»: el nombre es demasiado largo.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: %2. The file on the disk is as it was.</source>
+        <source>“%1” was not saved: %2. The file on disk is unchanged.</source>
         <translation>No se guardó «%1»: %2. El archivo del disco sigue como estaba.</translation>
     </message>
     <message>
@@ -1990,11 +2479,11 @@
         <translation>«%1» no se puede leer: %2.</translation>
     </message>
     <message>
-        <source>Only plane systems can be written as a scalable picture.</source>
-        <translation>Solo los sistemas del plano se pueden escribir como imagen vectorial.</translation>
+        <source>Only systems in the plane can be written as vector graphics.</source>
+        <translation>Solo los sistemas del plano se pueden escribir como gráficos vectoriales.</translation>
     </message>
     <message>
-        <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
+        <source>No outline of an attractor could be certified for this system, so there is nothing to make copies of.</source>
         <translation>El sistema no tiene un atractor cuyo contorno se pueda demostrar, así que no hay nada de lo que hacer copias.</translation>
     </message>
     <message>
@@ -2002,19 +2491,19 @@
         <translation>En esta vista la imagen es demasiado grande para escribirla como formas.</translation>
     </message>
     <message>
-        <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
+        <source>There are no rows of numbers: a row consists of a b c d e f and optionally a weight.</source>
         <translation>No hay filas de números: una fila es a b c d e f y, si acaso, un peso.</translation>
     </message>
     <message>
-        <source>After the count, a map is its weight and a matrix of 3 rows.</source>
+        <source>After the count, a map consists of its weight and a matrix of 3 rows.</source>
         <translation>Tras el número de aplicaciones, cada aplicación es su peso y una matriz de 3 filas.</translation>
     </message>
     <message>
-        <source>The last row of the matrix of an affine map is 0 0 1.</source>
+        <source>The last row of the matrix of an affine map must be 0 0 1.</source>
         <translation>La última fila de la matriz de una aplicación afín es 0 0 1.</translation>
     </message>
     <message>
-        <source>The table says that it has %1 maps, and it has %2.</source>
+        <source>The table declares %1 maps but has %2.</source>
         <translation>La tabla dice que tiene %1 aplicaciones, y tiene %2.</translation>
     </message>
     <message>
@@ -2022,7 +2511,7 @@
         <translation>El encabezado no dice qué columna es a, b, c, d, e y f; elija el orden de las columnas.</translation>
     </message>
     <message>
-        <source>This row has %1 numbers; a map is 6 numbers, or 7 with its weight.</source>
+        <source>This row has %1 numbers; a map has 6 numbers, or 7 with its weight.</source>
         <translation>Esta fila tiene %1 números; una aplicación son 6 números, o 7 con su peso.</translation>
     </message>
     <message>
@@ -2034,11 +2523,11 @@
         <translation>La tabla tiene más de %1 filas, que es el límite.</translation>
     </message>
     <message>
-        <source>This is a %1 file, not a text with iterated function systems.</source>
+        <source>This is a %1 file, not a text file with iterated function systems.</source>
         <translation>Esto es un archivo %1, no un texto con sistemas de funciones iteradas.</translation>
     </message>
     <message>
-        <source>This is a text in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
+        <source>This text is encoded in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
         <translation>Esto es un texto en UTF-16. Guárdelo como UTF-8 o ASCII y vuelva a abrirlo.</translation>
     </message>
     <message>
@@ -2086,23 +2575,23 @@
         <translation>Esto es un guion de StyrofoamIFS, no una colección de Fractint.</translation>
     </message>
     <message>
-        <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
+        <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text file with iterated function systems.</source>
         <translation>Esto es un archivo binario (quizá una imagen con compresión fractal o una biblioteca de iconos), no un texto con sistemas de funciones iteradas.</translation>
     </message>
     <message>
-        <source>No iterated function system was found, and for a table of numbers the file is too large: the limit is 64 MB.</source>
+        <source>No iterated function system was found, and the file is too large for a table of numbers: the limit is 64 MB.</source>
         <translation>No se encontró ningún sistema de funciones iteradas, y para una tabla de números el archivo es demasiado grande: el límite es de 64 MB.</translation>
     </message>
     <message>
-        <source>a number is larger than a coefficient can be (3.4e38 in size)</source>
+        <source>a number is too large for a coefficient (the largest absolute value is 3.4e38)</source>
         <translation>un número es mayor de lo que puede ser un coeficiente (3.4e38 en valor absoluto)</translation>
     </message>
     <message>
-        <source>The file has more than %1 flames; the rest is left out.</source>
+        <source>The file has more than %1 flames; the rest are ignored.</source>
         <translation>El archivo tiene más de %1 llamas; el resto se omite.</translation>
     </message>
     <message>
-        <source>%1 flames in all are no systems of affine maps.</source>
+        <source>%1 flames in total are not systems of affine maps.</source>
         <translation>%1 llamas en total no son sistemas de aplicaciones afines.</translation>
     </message>
     <message>
@@ -2126,11 +2615,11 @@
         <translation>ajuste afín</translation>
     </message>
     <message>
-        <source>A number of this row is larger than a coefficient can be (3.4e38 in size).</source>
+        <source>A number in this row is too large for a coefficient (the largest absolute value is 3.4e38).</source>
         <translation>Un número de esta fila es mayor de lo que puede ser un coeficiente (3.4e38 en valor absoluto).</translation>
     </message>
     <message>
-        <source>The text has more than 64 MB, which is the limit for a table of numbers.</source>
+        <source>The text is larger than 64 MB, which is the limit for a table of numbers.</source>
         <translation>El texto tiene más de 64 MB, que es el límite para una tabla de números.</translation>
     </message>
     <message>
@@ -2138,11 +2627,11 @@
         <translation>Una etiqueta tiene más de %1 atributos, que es el límite.</translation>
     </message>
     <message>
-        <source>The elements are nested more than %1 deep, which is the limit.</source>
+        <source>The elements are nested more than %1 levels deep, which is the limit.</source>
         <translation>Los elementos están anidados a más de %1 niveles, que es el límite.</translation>
     </message>
     <message>
-        <source>The file has more than 64 MB, which is the limit for XML.</source>
+        <source>The file is larger than 64 MB, which is the limit for XML.</source>
         <translation>El archivo tiene más de 64 MB, que es el límite para XML.</translation>
     </message>
     <message>
@@ -2150,11 +2639,11 @@
         <translation>rama desplazada</translation>
     </message>
     <message>
-        <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
+        <source>The stored position of a branch is not valid and is not applied: its map is incomplete, its address names maps that do not exist or occurs twice, or there are too many.</source>
         <translation>Un lugar guardado de una rama no es utilizable (su aplicación está incompleta, su dirección nombra aplicaciones que no existen o aparece dos veces, o hay demasiados) y no se aplica.</translation>
     </message>
     <message>
-        <source>%1 lines of blocks that are no iterated function systems are left out.</source>
+        <source>%1 lines of blocks that are not iterated function systems are omitted.</source>
         <translation>Se omiten %1 líneas de bloques que no son sistemas de funciones iteradas.</translation>
     </message>
     <message>
@@ -2162,27 +2651,19 @@
         <translation>Una celda de esta fila está vacía.</translation>
     </message>
     <message>
-        <source>A comma can be read as a decimal point or between two numbers here, and both give whole rows. Write decimal points.</source>
+        <source>A comma can be a decimal comma or a separator here; both readings give complete rows. Use decimal points.</source>
         <translation>Aquí la coma se puede leer como signo decimal o como separador de números, y en ambos casos salen filas completas. Escriba puntos decimales.</translation>
     </message>
     <message>
-        <source>The cage and the colours of the entry are left out.</source>
-        <translation>Se omiten la jaula y los colores de la entrada.</translation>
-    </message>
-    <message>
-        <source>The code is written without its cage and moved branches: other programs draw another picture.</source>
-        <translation>El código se escribe sin su jaula ni sus ramas desplazadas: otros programas dibujan otra imagen.</translation>
-    </message>
-    <message>
-        <source>The table has maps of the plane and maps of space.</source>
+        <source>The table mixes maps of the plane and maps of space.</source>
         <translation>La tabla tiene aplicaciones del plano y aplicaciones del espacio.</translation>
     </message>
     <message>
-        <source>This is a list of other files, as the program Fraktale has one, not a Fractint collection.</source>
+        <source>This is a list of other files, as used by the program Fraktale, not a Fractint collection.</source>
         <translation>Esto es una lista de otros archivos, como la del programa Fraktale, no una colección de Fractint.</translation>
     </message>
     <message>
-        <source>This row has %1 numbers, and the header names %2 columns.</source>
+        <source>This row has %1 numbers, but the header names %2 columns.</source>
         <translation>Esta fila tiene %1 números, y el encabezado nombra %2 columnas.</translation>
     </message>
     <message>
@@ -2197,19 +2678,19 @@
         </translation>
     </message>
     <message>
-        <source>No column is called “%1”: they are a b c d or r s theta phi, e f, and p or cumulative.</source>
+        <source>There is no column “%1”: the columns are a b c d or r s theta phi, e f, and p or cumulative.</source>
         <translation>Ninguna columna se llama «%1»: son a b c d o r s theta phi, e f, y p o cumulative.</translation>
     </message>
     <message>
-        <source>“%1” is there twice.</source>
+        <source>“%1” occurs twice.</source>
         <translation>«%1» aparece dos veces.</translation>
     </message>
     <message>
-        <source>A row has one weight: p or cumulative.</source>
+        <source>A row has only one weight: p or cumulative.</source>
         <translation>Una fila tiene un solo peso: p o cumulative.</translation>
     </message>
     <message>
-        <source>a b c d and r s theta phi do not go together.</source>
+        <source>a b c d and r s theta phi cannot be combined.</source>
         <translation>a b c d y r s theta phi no van juntos.</translation>
     </message>
     <message>
@@ -2217,20 +2698,400 @@
         <translation>Falta: %1.</translation>
     </message>
     <message>
-        <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
+        <source>The outline has more corners than other programs can read in one path. Choose a smaller depth.</source>
         <translation>El contorno tiene más vértices de los que los programas leen en un solo trazado. Elija una profundidad menor.</translation>
     </message>
     <message>
-        <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
+        <source>The cage bends or flattens the picture. The numbers describe the picture at rest.</source>
         <translation>La jaula dobla o aplana la imagen. Los números son los de la imagen en reposo.</translation>
     </message>
     <message>
-        <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
-        <translation>El nombre «%1» no está en UTF-8. Cambie el nombre del archivo o llegue a él por un enlace.</translation>
+        <source>The name “%1” is not valid UTF-8. Rename the file, or open it through a symbolic link.</source>
+        <translation>El nombre «%1» no es UTF-8 válido. Cambie el nombre del archivo o ábralo mediante un enlace simbólico.</translation>
     </message>
     <message>
-        <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
+        <source>Map %1 has no weight, so all weights are computed from the determinants and the given ones are ignored.</source>
         <translation>La aplicación %1 no tiene peso; por eso los pesos de todas las aplicaciones se toman de los determinantes, y los indicados no se usan.</translation>
+    </message>
+    <message>
+        <source>The stored cage is not valid and is not applied: its lists of vertices do not match, or its vertices at rest are in one plane or coincide.</source>
+        <translation>La jaula guardada no se puede usar (sus listas de vértices no se corresponden, o sus vértices de reposo están en un mismo plano o coinciden) y no se aplica.</translation>
+    </message>
+    <message>
+        <source>This entry is %1-dimensional, but its stored cage or moved branches are not: they are not applied, and their lines are kept.</source>
+        <translation>Esta entrada tiene %1 dimensiones, pero su jaula guardada o sus ramas desplazadas no: no se aplican y sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>none: ρ(A) ≥ 1 for the word %1</source>
+        <translation>ninguno: ρ(A) ≥ 1 para la palabra %1</translation>
+    </message>
+    <message>
+        <source>(of the attractor: its pieces are disjoint)</source>
+        <translation>(del atractor: sus piezas son disjuntas)</translation>
+    </message>
+    <message>
+        <source>(upper bound: pieces coincide)</source>
+        <translation>(cota superior: hay piezas que coinciden)</translation>
+    </message>
+    <message>
+        <source>(if the open set condition holds; else an upper bound)</source>
+        <translation>(si se cumple la condición del conjunto abierto; si no, una cota superior)</translation>
+    </message>
+    <message>
+        <source>strong: no two pieces meet</source>
+        <translation>fuerte: no se tocan dos piezas</translation>
+    </message>
+    <message>
+        <source>none: pieces coincide</source>
+        <translation>ninguna: hay piezas que coinciden</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>conexo</translation>
+    </message>
+    <message>
+        <source>connected, as far as rounding tells</source>
+        <translation>conexo, hasta donde deja ver el redondeo</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>no conexo</translation>
+    </message>
+    <message>
+        <source>separation</source>
+        <translation>separación</translation>
+    </message>
+    <message>
+        <source>connectedness</source>
+        <translation>conexión</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>solapamiento</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map</source>
+        <translation>las palabras %1 y %2 son la misma aplicación</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map to rounding</source>
+        <translation>las palabras %1 y %2 son la misma aplicación salvo redondeo</translation>
+    </message>
+    <message>
+        <source>joint spectral radius</source>
+        <translation>radio espectral conjunto</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>entre %1 y %2</translation>
+    </message>
+    <message>
+        <source>entropy</source>
+        <translation>entropía</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Exponente de Liapunov</translation>
+    </message>
+    <message>
+        <source>dimension of measure</source>
+        <translation>dimensión de la medida</translation>
+    </message>
+    <message>
+        <source>The numbers can be read as %1 maps of 6 numbers, line by line, or as %2 maps of 7 numbers, whose weights then sum to 1. They are read line by line; for the other reading, put 7 numbers on each line.</source>
+        <translation>Los números pueden leerse línea a línea como %1 aplicaciones de 6 números, o como %2 aplicaciones de 7 números, cuyos pesos suman entonces 1. Se leen línea a línea; para la otra lectura, ponga 7 números en cada línea.</translation>
+    </message>
+    <message>
+        <source>The block names no maps: a line such as “A=(f1|f2)*A” is missing.</source>
+        <translation>El bloque no nombra aplicaciones: falta una línea como «A=(f1|f2)*A».</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood: Barycage reads blocks of affine maps, such as “f1=[e,f]*[a,b,c,d]” and “A=(f1|f2)*A”.</source>
+        <translation>No se entiende «%1»: Barycage lee bloques de aplicaciones afines, como «f1=[e,f]*[a,b,c,d]» y «A=(f1|f2)*A».</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 blocks, which is the limit; the rest was not read.</source>
+        <translation>El archivo tiene más de %1 bloques, que es el límite; el resto no se ha leído.</translation>
+    </message>
+    <message>
+        <source>This IFStile file contains no affine system.</source>
+        <translation>Este archivo de IFStile no contiene ningún sistema afín.</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written to.</source>
+        <translation>No se puede escribir en la salida estándar.</translation>
+    </message>
+    <message>
+        <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
+        <translation>Los números pueden leerse línea a línea como %1 aplicaciones de %2 números, o como %3 aplicaciones de 7 números, cuyos pesos suman entonces 1. Se leen línea a línea, a diferencia de Fractint; para la otra lectura, ponga 7 números en cada línea.</translation>
+    </message>
+    <message>
+        <source>The numbers are read line by line, as %1 maps of %2 numbers. Fractint ignores line ends and reads %3 maps of 7 numbers.</source>
+        <translation>Los números se leen línea a línea, como %1 aplicaciones de %2 números. Fractint no tiene en cuenta los finales de línea y lee %3 aplicaciones de 7 números.</translation>
+    </message>
+    <message>
+        <source>Entries whose names begin with “ifs:” belong in parameter files (.par); in a collection, Fractint takes the prefix as part of the name.</source>
+        <translation>Las entradas cuyo nombre empieza por «ifs:» pertenecen a los archivos de parámetros (.par); en una colección, Fractint toma el prefijo como parte del nombre.</translation>
+    </message>
+    <message>
+        <source>The lines end with CR alone, as on old Macintosh computers; Fractint reads such a file as a single line.</source>
+        <translation>Las líneas terminan solo con CR, como en los antiguos Macintosh; Fractint lee un archivo así como una sola línea.</translation>
+    </message>
+    <message>
+        <source>The convex hull has an error of up to %1: the tolerance %2 was not reached.</source>
+        <translation>La envolvente convexa tiene un error de hasta %1: no se alcanzó la tolerancia %2.</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ %1</source>
+        <translation>contractivo en una norma elipsoidal, γ %1</translation>
+    </message>
+    <message>
+        <source>contractive in a polytope norm, γ %1</source>
+        <translation>contractivo en una norma politopal, γ %1</translation>
+    </message>
+    <message>
+        <source>eventually contractive, γ %1 from words of length %2</source>
+        <translation>finalmente contractivo, γ %1 a partir de palabras de longitud %2</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s %1</source>
+        <translation>hiperbólico, s %1</translation>
+    </message>
+    <message>
+        <source>1 map</source>
+        <translation>1 aplicación</translation>
+    </message>
+    <message>
+        <source>%1 maps</source>
+        <translation>%1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>%1 — in space, %2</source>
+        <translation>%1: en el espacio, %2</translation>
+    </message>
+    <message>
+        <source>%1 — in the plane, %2</source>
+        <translation>%1: en el plano, %2</translation>
+    </message>
+    <message>
+        <source>could not be read</source>
+        <translation>no se pudo leer</translation>
+    </message>
+    <message>
+        <source>in space, %1</source>
+        <translation>en el espacio, %1</translation>
+    </message>
+    <message>
+        <source>in the plane, %1</source>
+        <translation>en el plano, %1</translation>
+    </message>
+    <message>
+        <source>its cage</source>
+        <translation>su jaula</translation>
+    </message>
+    <message>
+        <source>its moved branches</source>
+        <translation>sus ramas movidas</translation>
+    </message>
+    <message>
+        <source>its palette</source>
+        <translation>su paleta</translation>
+    </message>
+    <message>
+        <source>its background</source>
+        <translation>su fondo</translation>
+    </message>
+    <message>
+        <source>its other colour settings</source>
+        <translation>sus demás ajustes de color</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>“%1” is written without %2: other programs will draw a different picture.</source>
+        <translation>«%1» se escribe sin %2: otros programas dibujarán una imagen diferente.</translation>
+    </message>
+    <message>
+        <source>“%1” is written without %2.</source>
+        <translation>«%1» se escribe sin %2.</translation>
+    </message>
+    <message>
+        <source>The stored animation is not applied, because “%1” is not understood; its lines are kept.</source>
+        <translation>La animación guardada no se aplica porque no se entiende «%1»; sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>The entry has more than one stored animation: the last valid one is used, and the lines of the others are kept.</source>
+        <translation>La entrada tiene más de una animación guardada: se usa la última válida y se conservan las líneas de las demás.</translation>
+    </message>
+    <message>
+        <source>The stored animation is not valid and is not applied: it moves maps or vertices that do not exist, a frame, number or curve is out of its range, or keys are not in order. Its lines are kept.</source>
+        <translation>La animación guardada no es válida y no se aplica: mueve aplicaciones o vértices que no existen, un fotograma, un número o una curva están fuera de su intervalo, o los fotogramas clave no están en orden. Sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>in a cycle</source>
+        <translation>en bucle</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>ida y vuelta</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>una vez</translation>
+    </message>
+    <message>
+        <source>animation</source>
+        <translation>animación</translation>
+    </message>
+    <message>
+        <source>%1 frames at %2 per second, %3; %4 tracks, %5 motions</source>
+        <translation>%1 fotogramas a %2 por segundo, %3; %4 pistas, %5 movimientos</translation>
+    </message>
+    <message>
+        <source>This is not a format of fractal programs. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.</source>
+        <translation>Esto no es un formato de programas de fractales. Sus listas de números se leen como tablas de aplicaciones (sistemas: %1, aplicaciones: %2), en el orden a b c d e f donde los nombres no indican otro.</translation>
+    </message>
+    <message>
+        <source>it acts in space after its variations (“%1”)</source>
+        <translation>actúa en el espacio después de sus variaciones («%1»)</translation>
+    </message>
+    <message>
+        <source>its “%1” is not six numbers</source>
+        <translation>su «%1» no son seis números</translation>
+    </message>
+    <message>
+        <source>The flame names a palette of another program by its number; its colours are not in the file.</source>
+        <translation>El flame indica solo el número de una paleta de otro programa; sus colores no están en el archivo.</translation>
+    </message>
+    <message>
+        <source>“%1” could not be read, so it has no points.</source>
+        <translation>«%1» no se pudo leer, así que no tiene puntos.</translation>
+    </message>
+    <message>
+        <source>This is JSON text (data of another program), not a Fractint collection, and none of its lists are affine maps.</source>
+        <translation>Esto es texto JSON (datos de otro programa), no una colección de Fractint, y ninguna de sus listas es de aplicaciones afines.</translation>
+    </message>
+    <message>
+        <source>This is the text of a program, not a Fractint collection, and none of its lists are affine maps.</source>
+        <translation>Esto es el texto de un programa, no una colección de Fractint, y ninguna de sus listas es de aplicaciones afines.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it has no solid.</source>
+        <translation>«%1» no es un sistema del espacio, así que no tiene sólido.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” bends the picture, so its solid cannot be written.</source>
+        <translation>La jaula de «%1» curva la imagen, así que su sólido no se puede escribir.</translation>
+    </message>
+    <message>
+        <source>“%1” has no certified attractor, so it has no solid.</source>
+        <translation>«%1» no tiene un atractor certificado, así que no tiene sólido.</translation>
+    </message>
+    <message>
+        <source>“%1” would need more than %2 parts in OpenSCAD. Choose larger voxels.</source>
+        <translation>«%1» necesitaría más de %2 partes en OpenSCAD. Elija vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
+        <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger voxels.</source>
+        <translation>Las partes de «%1» se solapan demasiado para encontrar sus vóxeles en un tiempo razonable. Elija vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large for a solid.</source>
+        <translation>«%1» es demasiado grande para un sólido.</translation>
+    </message>
+    <message>
+        <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
+        <translation>«%1» es un solo punto: solo se puede elegir el tamaño de su vóxel.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for voxels of this size. Choose larger voxels.</source>
+        <translation>La pared es demasiado gruesa para vóxeles de este tamaño. Elija vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” would have more than %2 million triangles. Choose larger voxels.</source>
+        <translation>La superficie de «%1» tendría más de %2 millones de triángulos. Elija vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” is not closed, so it was not written.</source>
+        <translation>La superficie de «%1» no es cerrada, así que no se escribió.</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for its distance from the origin: the numbers of the file cannot tell its points apart. Move it to the origin.</source>
+        <translation>«%1» es demasiado pequeño para su distancia al origen: los números del archivo no distinguen sus puntos. Muévalo al origen.</translation>
+    </message>
+    <message>
+        <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
+        <translation>Tamaño: %1 × %2 × %3 mm; volumen: %4 mm³; triángulos: %5.</translation>
+    </message>
+    <message>
+        <source>Distance from the attractor: at most %1 mm = √3 · %2 mm + %3 mm for the wall.</source>
+        <translation>Distancia al atractor: como mucho %1 mm = √3 · %2 mm + %3 mm por la pared.</translation>
+    </message>
+    <message>
+        <source>Cavities filled: %1, with %2 mm³.</source>
+        <translation>Cavidades rellenadas: %1, con %2 mm³.</translation>
+    </message>
+    <message>
+        <source>Closed cavities: %1, with %2 mm³.</source>
+        <translation>Cavidades cerradas: %1, con %2 mm³.</translation>
+    </message>
+    <message>
+        <source>Separate bodies: %1.</source>
+        <translation>Cuerpos separados: %1.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>«%1»: %2</translation>
+    </message>
+    <message>
+        <source>“%1” is of another picture: the entry, the view, the size, the seed or the format differs.</source>
+        <translation>«%1» es de otra imagen: la entrada, la vista, el tamaño, la semilla o el formato son distintos.</translation>
+    </message>
+    <message>
+        <source>“%1” is of a picture with another number of points, so the sums do not add up.</source>
+        <translation>«%1» es de una imagen con otro número de puntos, así que las sumas no se pueden añadir.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” hold the same part of the picture, which would be counted twice.</source>
+        <translation>«%1» y «%2» contienen la misma parte de la imagen, que se contaría dos veces.</translation>
+    </message>
+    <message>
+        <source>“%1” was written by another version of the program, which may draw other pixels.</source>
+        <translation>«%1» fue escrito por otra versión del programa, que puede dibujar otros píxeles.</translation>
+    </message>
+    <message>
+        <source>The picture is not complete: %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <translation>La imagen no está completa: hay un %1 %. Añada los archivos de las otras partes o escriba un archivo .sum.</translation>
+    </message>
+    <message>
+        <source>This is not a file of sums.</source>
+        <translation>No es un archivo de sumas.</translation>
+    </message>
+    <message>
+        <source>The file of sums is damaged or incomplete.</source>
+        <translation>El archivo de sumas está dañado o incompleto.</translation>
+    </message>
+    <message>
+        <source>“%1” is a symbolic link that leads back to itself, or through too many others.</source>
+        <translation>«%1» es un enlace simbólico que vuelve a sí mismo o pasa por demasiados otros.</translation>
+    </message>
+    <message>
+        <source>You do not have permission to enter the folder “%1”.</source>
+        <translation>No tiene permiso para entrar en la carpeta «%1».</translation>
+    </message>
+    <message>
+        <source>not computed within the budget</source>
+        <translation>no calculado dentro del tiempo asignado</translation>
+    </message>
+    <message>
+        <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
+        <translation>%1 vértices, área %2; error máximo %3; direcciones periódicas no calculadas dentro del tiempo asignado</translation>
     </message>
 </context>
 <context>
@@ -2240,7 +3101,7 @@
         <translation>Contracción</translation>
     </message>
     <message>
-        <source>Every row of this table is a map that makes a smaller copy of the whole, and the picture is all copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the most by which a map stretches. While it is less than 1, the map contracts. Ctrl+Z takes everything back.</source>
+        <source>Each row of this table is a map that makes a smaller copy of the whole; the picture is all the copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the largest factor by which a map stretches distances. As long as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes.</source>
         <translation>Cada fila de esta tabla es una aplicación que hace una copia más pequeña del todo, y la imagen es la reunión de todas las copias. Haga doble clic en un número y escriba otro: la copia se mueve mientras usted escribe. ‖A‖ es el mayor factor con que una aplicación alarga las distancias. Mientras sea menor que 1, la aplicación es contractiva. Ctrl+Z lo deshace todo.</translation>
     </message>
     <message>
@@ -2248,7 +3109,7 @@
         <translation>Punto fijo</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left of the table, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
+        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the check boxes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
         <translation>Una aplicación contractiva deja exactamente un punto donde está: su punto fijo. Desactive todas las aplicaciones menos dos con las casillas de la izquierda de la tabla y vea qué poco queda de la imagen. Con una sola aplicación no queda más que su punto fijo. Ctrl+Z recupera las aplicaciones.</translation>
     </message>
     <message>
@@ -2256,15 +3117,15 @@
         <translation>Juego del caos</translation>
     </message>
     <message>
-        <source>Press Chaos Game and then the triangle that starts it. One point jumps about, each time by a map drawn at random, and leaves a dot where it lands. Let it go faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
-        <translation>Pulse «Juego del caos» y después el triángulo que lo pone en marcha. Un punto salta de un lado a otro, cada vez con una aplicación elegida al azar, y deja una marca donde cae. Déjelo ir más deprisa: digan lo que digan los dados, las marcas llenan siempre la misma imagen, el atractor.</translation>
+        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
+        <translation>Pulse «Juego del caos» y después «Reproducir». Un solo punto salta de un lado a otro, cada vez con una aplicación elegida al azar, y deja una marca donde cae. Hágalo ir más deprisa: digan lo que digan los dados, las marcas llenan siempre la misma imagen, el atractor.</translation>
     </message>
     <message>
         <source>Address</source>
         <translation>Dirección</translation>
     </message>
     <message>
-        <source>The map that made the last jump to a point, the one before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike lie close together, and now they look alike.</source>
+        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike are close together, and now they look alike.</source>
         <translation>La aplicación que dio el último salto hasta un punto, la que dio el anterior, y así sucesivamente: estos números son la dirección del punto. En «Colorear por» elija «Dirección». Los puntos cuyas direcciones empiezan igual están cerca unos de otros, y ahora se parecen también en el color.</translation>
     </message>
     <message>
@@ -2272,16 +3133,16 @@
         <translation>Coordenadas baricéntricas</translation>
     </message>
     <message>
-        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Take a corner and pull: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights at the pointer stand at the bottom of the window.</source>
-        <translation>Cada punto de la imagen es una media ponderada de los tres vértices del triángulo. Tome un vértice y tire: los puntos conservan sus pesos, y todo el fractal los sigue. Aplaste el triángulo y vuelva a abrirlo: no se pierde nada. Los pesos del puntero se leen en la parte inferior de la ventana.</translation>
+        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights under the pointer are shown in the status bar.</source>
+        <translation>Cada punto de la imagen es una media ponderada de los tres vértices del triángulo. Arrastre un vértice: los puntos conservan sus pesos, y todo el fractal los sigue. Aplaste el triángulo y vuelva a abrirlo: no se pierde nada. Los pesos bajo el puntero aparecen en la barra de estado.</translation>
     </message>
     <message>
         <source>Dimension</source>
         <translation>Dimensión</translation>
     </message>
     <message>
-        <source>How much of the plane does the attractor fill? The dimension of a curve is 1, that of an area is 2, and most attractors lie between the two. Change a map and look here again. That was the tour; the user guide under Help tells the rest.</source>
-        <translation>¿Cuánto del plano llena el atractor? La dimensión de una curva es 1, la de una superficie es 2, y la mayoría de los atractores están entre ambas. Cambie una aplicación y vuelva a mirar aquí. Este era el recorrido; lo demás lo cuenta la guía del usuario, en el menú Ayuda.</translation>
+        <source>How much of the plane does the attractor fill? A curve has dimension 1, an area has dimension 2, and most attractors are in between. Change a map and look here again. This is the end of the tour; the user guide in the Help menu tells you more.</source>
+        <translation>¿Cuánto del plano llena el atractor? Una curva tiene dimensión 1, una superficie tiene dimensión 2, y la mayoría de los atractores están entre ambas. Cambie una aplicación y vuelva a mirar aquí. Aquí termina el recorrido; en la guía del usuario, en el menú Ayuda, encontrará más.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -2296,7 +3157,7 @@
         <translation>¿Es la primera vez?</translation>
     </message>
     <message>
-        <source>Six short steps show what an attractor is, by pulling on one. You can take the tour later, too: it is in the Help menu.</source>
+        <source>Six short steps show you what an attractor is while you drag one. You can also take the tour later: it is in the Help menu.</source>
         <translation>Seis pasos breves muestran qué es un atractor, tirando de uno. También puede hacer el recorrido más tarde: está en el menú Ayuda.</translation>
     </message>
     <message>
@@ -2327,7 +3188,7 @@
 <context>
     <name>Welcome</name>
     <message>
-        <source>The last files, and the collection.</source>
+        <source>Recent files and the collection.</source>
         <translation>Los últimos archivos y la colección.</translation>
     </message>
     <message>
@@ -2335,7 +3196,7 @@
         <translation>Bienvenida</translation>
     </message>
     <message>
-        <source>Go on with</source>
+        <source>Continue with</source>
         <translation>Continuar con</translation>
     </message>
     <message>
@@ -2347,11 +3208,11 @@
         <translation>A&amp;brir…</translation>
     </message>
     <message>
-        <source>A file, or the collection.</source>
+        <source>A file or the collection.</source>
         <translation>Un archivo o la colección.</translation>
     </message>
     <message>
-        <source>Begin with</source>
+        <source>Start with</source>
         <translation>Empezar con</translation>
     </message>
     <message>
@@ -2362,11 +3223,11 @@
 <context>
     <name>WhatsThis</name>
     <message>
-        <source>Takes what the dialog shows, and closes it.</source>
+        <source>Accepts the settings and closes the dialog.</source>
         <translation>Acepta lo que muestra el diálogo y lo cierra.</translation>
     </message>
     <message>
-        <source>Closes the dialog and changes nothing.</source>
+        <source>Closes the dialog without changing anything.</source>
         <translation>Cierra el diálogo sin cambiar nada.</translation>
     </message>
     <message>
@@ -2377,11 +3238,203 @@
         <source>Clear</source>
         <translation>Borrar</translation>
     </message>
+    <message>
+        <source>%1 Panel “%2”: %3</source>
+        <comment>what it does, panel, what the panel is for</comment>
+        <translation>%1 Panel «%2»: %3</translation>
+    </message>
+</context>
+<context>
+    <name>document::CageActions</name>
+    <message>
+        <source>This entry is not a system in the plane, so it has no control cage.</source>
+        <translation>Esta entrada no es un sistema del plano, así que no tiene jaula de control.</translation>
+    </message>
+    <message>
+        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <translation>La jaula está demasiado aplastada para invertir su efecto. Ábrala arrastrando un vértice, o restablézcala, y vuelva a intentarlo.</translation>
+    </message>
+    <message>
+        <source>The three points are on one line, so they define no coordinates. Click a third point off the line.</source>
+        <translation>Los tres puntos están alineados y no determinan coordenadas. Ponga el tercero fuera de la recta.</translation>
+    </message>
+    <message>
+        <source>Fit the minimal canonical simplex</source>
+        <translation>Ajustar el símplex canónico mínimo</translation>
+    </message>
+    <message>
+        <source>Reset the cage</source>
+        <translation>Restablecer la jaula</translation>
+    </message>
+    <message>
+        <source>Bake the placement into the code</source>
+        <translation>Incorporar la colocación al código</translation>
+    </message>
+    <message>
+        <source>Define the control triangle</source>
+        <translation>Definir el triángulo de control</translation>
+    </message>
+    <message>
+        <source>Vertex %1 is already there.</source>
+        <translation>El vértice %1 ya está ahí.</translation>
+    </message>
+    <message>
+        <source>A cage can have at most %1 vertices.</source>
+        <translation>Una jaula tiene a lo sumo %1 vértices.</translation>
+    </message>
+    <message>
+        <source>There is no room for a vertex here.</source>
+        <translation>Aquí no hay sitio para un vértice.</translation>
+    </message>
+    <message>
+        <source>Insert a vertex</source>
+        <translation>Insertar un vértice</translation>
+    </message>
+    <message>
+        <source>A cage needs at least three vertices.</source>
+        <translation>Una jaula tiene al menos tres vértices.</translation>
+    </message>
+    <message>
+        <source>Without this vertex the cage at rest would cross itself or be flat.</source>
+        <translation>Sin este vértice, la jaula en reposo se cruzaría a sí misma o quedaría aplastada.</translation>
+    </message>
+    <message>
+        <source>Delete vertex %1</source>
+        <translation>Eliminar el vértice %1</translation>
+    </message>
+    <message>
+        <source>Make the cage regular</source>
+        <translation>Hacer regular la jaula</translation>
+    </message>
+    <message>
+        <source>Unbake: extract the placement from the code</source>
+        <translation>Extraer: sacar la colocación del código</translation>
+    </message>
+    <message>
+        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
+        <translation>Sin estos vértices, la jaula en reposo se cruzaría a sí misma o quedaría aplastada.</translation>
+    </message>
+    <message>
+        <source>Delete %1 vertices</source>
+        <translation>Eliminar %1 vértices</translation>
+    </message>
+    <message>
+        <source>The cage is already the minimal canonical simplex.</source>
+        <translation>La jaula ya es el símplex canónico mínimo.</translation>
+    </message>
+    <message>
+        <source>The cage is already regular.</source>
+        <translation>La jaula ya es regular.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Mover el vértice %1 a (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>document::EntriesEdits</name>
+    <message>
+        <source>An entry needs a name.</source>
+        <translation>Una entrada necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>A name cannot contain spaces: Fractint would read only its first word.</source>
+        <translation>Un nombre no contiene espacios: Fractint leería solo su primera palabra.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
+        <translation>«%1» no puede formar parte de un nombre, porque tiene un significado en los archivos .ifs.</translation>
+    </message>
+    <message>
+        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
+        <translation>Un nombre tiene a lo sumo %1 caracteres; Fractint omite el resto.</translation>
+    </message>
+    <message>
+        <source>Fractint does not list an entry called “%1”; choose another name.</source>
+        <translation>Fractint no incluye en su lista una entrada llamada «%1»; elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
+        <translation>Otra entrada se llama «%1» (no se distinguen mayúsculas y minúsculas).</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapsArrange</name>
+    <message>
+        <source>Flip maps</source>
+        <translation>Voltear aplicaciones</translation>
+    </message>
+    <message>
+        <source>Rotate maps by 90°</source>
+        <translation>Girar aplicaciones 90°</translation>
+    </message>
+    <message>
+        <source>Rotate maps by −90°</source>
+        <translation>Girar aplicaciones −90°</translation>
+    </message>
+    <message>
+        <source>Align maps</source>
+        <translation>Alinear aplicaciones</translation>
+    </message>
+    <message>
+        <source>Distribute maps</source>
+        <translation>Distribuir aplicaciones</translation>
+    </message>
+    <message>
+        <source>Fit maps to the corners</source>
+        <translation>Ajustar aplicaciones a los vértices</translation>
+    </message>
+    <message>
+        <source>Only maps in the plane can be arranged.</source>
+        <translation>Solo se pueden ordenar aplicaciones del plano.</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Elija primero una aplicación.</translation>
+    </message>
+    <message>
+        <source>Select at least two maps first.</source>
+        <translation>Elija primero al menos dos aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Select at least three maps first.</source>
+        <translation>Elija primero al menos tres aplicaciones.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
+        <translation>La jaula es plana, así que las aplicaciones no se pueden mover en ella. Restablezca antes la jaula.</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapsEdits</name>
+    <message>
+        <source>Duplicate %1 maps</source>
+        <translation>Duplicar %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Delete %1 maps</source>
+        <translation>Eliminar %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Duplicate a map</source>
+        <translation>Duplicar una aplicación</translation>
+    </message>
+    <message>
+        <source>Delete a map</source>
+        <translation>Eliminar una aplicación</translation>
+    </message>
+</context>
+<context>
+    <name>document::SpaceGeometry</name>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Esta entrada no es un sistema en el espacio.</translation>
+    </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Esta entrada no tiene aplicaciones del plano.</translation>
     </message>
     <message>
@@ -2389,7 +3442,7 @@
         <translation>Forma afín invariante</translation>
     </message>
     <message>
-        <source>Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. The matrices do not change when the triangle is dragged. Where no entry is negative, the map takes the triangle into itself.</source>
+        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle into itself.</source>
         <translation>La fila j de una matriz contiene las coordenadas baricéntricas de la imagen del vértice j en el triángulo, de modo que cada fila suma 1. Las matrices no cambian cuando se arrastra el triángulo. Si ningún elemento es negativo, la aplicación lleva el triángulo dentro de sí mismo.</translation>
     </message>
     <message>
@@ -2397,16 +3450,16 @@
         <translation>&amp;Copiar</translation>
     </message>
     <message>
-        <source>Every map as a matrix that takes barycentric coordinates over the control triangle to barycentric coordinates: each row has the sum 1.</source>
+        <source>Each map as a matrix that acts on barycentric coordinates in the control triangle; every row sums to 1.</source>
         <translation>Cada aplicación como matriz que lleva coordenadas baricéntricas respecto del triángulo de control a coordenadas baricéntricas: cada fila suma 1.</translation>
     </message>
     <message>
-        <source>Copies the triangle and the matrices with all digits.</source>
+        <source>Copies the triangle and the matrices at full precision.</source>
         <translation>Copia el triángulo y las matrices con todas las cifras.</translation>
     </message>
     <message>
         <source>
-… and %1 more. Copy takes all of them.
+… and %1 more. Copy includes all of them.
 </source>
         <translation>
 … y %1 más. «Copiar» las toma todas.
@@ -2424,27 +3477,23 @@
         <translation>Copiar todo</translation>
     </message>
     <message>
-        <source>Copy all facts with all digits</source>
-        <translation>Copiar todos los datos con todas sus cifras</translation>
+        <source>Copy all properties at full precision</source>
+        <translation>Copiar todas las propiedades con todas sus cifras</translation>
     </message>
     <message>
-        <source>3D: not yet shown.</source>
-        <translation>3D: todavía no se muestra.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read, so nothing is known of it.</source>
+        <source>This entry could not be read, so it cannot be analysed.</source>
         <translation>Esta entrada no se pudo leer, así que nada se sabe de ella.</translation>
     </message>
     <message>
-        <source>Copy with All Digits</source>
+        <source>Copy at Full Precision</source>
         <translation>Copiar con todas las cifras</translation>
     </message>
     <message>
-        <source>Copy All Facts</source>
-        <translation>Copiar todos los datos</translation>
+        <source>Copy All Properties</source>
+        <translation>Copiar todas las propiedades</translation>
     </message>
     <message>
-        <source>Copies every line as its name and its value with all digits.</source>
+        <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Copia cada línea como su nombre y su valor con todas las cifras.</translation>
     </message>
     <message>
@@ -2480,7 +3529,7 @@
         <translation>Elipse</translation>
     </message>
     <message>
-        <source>Show the mean and the ellipse of the covariance</source>
+        <source>Show the mean and the covariance ellipse</source>
         <translation>Mostrar la media y la elipse de la covarianza</translation>
     </message>
     <message>
@@ -2496,7 +3545,7 @@
         <translation>Cilindros</translation>
     </message>
     <message>
-        <source>Outline the hulls of all pieces with an address of the same length, in the colour of its first map</source>
+        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map</source>
         <translation>Dibujar las envolventes de todas las partes con dirección de igual longitud, en el color de su primera aplicación</translation>
     </message>
     <message>
@@ -2504,7 +3553,7 @@
         <translation>Longitud de las direcciones</translation>
     </message>
     <message>
-        <source>How many symbols the addresses of the cylinders have; fewer where there would be thousands</source>
+        <source>The number of symbols in the addresses of the cylinders; fewer if there would be thousands of cylinders</source>
         <translation>Cuántos símbolos tienen las direcciones de los cilindros; menos donde habría miles</translation>
     </message>
     <message>
@@ -2512,8 +3561,8 @@
         <translation>Longitud de dirección</translation>
     </message>
     <message>
-        <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
-        <translation>La jaula curva la imagen, y ningún sistema la tiene. Estos son hechos del código; en el lienzo se curvan con la imagen.</translation>
+        <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
+        <translation>La jaula curva la imagen, y ningún sistema produce una imagen curvada. Estas son las propiedades del código; en el lienzo, los contornos se curvan con la imagen.</translation>
     </message>
 </context>
 <context>
@@ -2527,7 +3576,7 @@
         <translation>Restablecer</translation>
     </message>
     <message>
-        <source>Every setting of this panel as in a new fractal</source>
+        <source>Reset every setting of this panel to its default</source>
         <translation>Todos los ajustes de este panel como en un fractal nuevo</translation>
     </message>
     <message>
@@ -2539,7 +3588,7 @@
         <translation>Densidad</translation>
     </message>
     <message>
-        <source>The palette follows the density of points</source>
+        <source>Colour by the density of points</source>
         <translation>La paleta sigue la densidad de los puntos</translation>
     </message>
     <message>
@@ -2547,7 +3596,7 @@
         <translation>Aplicación</translation>
     </message>
     <message>
-        <source>The colour of the last map applied</source>
+        <source>Colour by the last map applied</source>
         <translation>El color de la última aplicación aplicada</translation>
     </message>
     <message>
@@ -2555,7 +3604,7 @@
         <translation>Dirección</translation>
     </message>
     <message>
-        <source>The palette follows the address of each point</source>
+        <source>Colour by the address of each point</source>
         <translation>La paleta sigue la dirección de cada punto</translation>
     </message>
     <message>
@@ -2563,20 +3612,12 @@
         <translation>Color único</translation>
     </message>
     <message>
-        <source>One colour; the density is its opacity</source>
+        <source>One colour, with the density as its opacity</source>
         <translation>Un solo color; la densidad es su opacidad</translation>
-    </message>
-    <message>
-        <source>Change what the colour shows</source>
-        <translation>Cambiar lo que muestra el color</translation>
     </message>
     <message>
         <source>Plain colour</source>
         <translation>Color único</translation>
-    </message>
-    <message>
-        <source>Change the plain colour</source>
-        <translation>Cambiar el color único</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -2585,10 +3626,6 @@
     <message>
         <source>Palette</source>
         <translation>Paleta</translation>
-    </message>
-    <message>
-        <source>Change the palette</source>
-        <translation>Cambiar la paleta</translation>
     </message>
     <message>
         <source>Edit Palette</source>
@@ -2601,10 +3638,6 @@
     <message>
         <source>Background colour</source>
         <translation>Color de fondo</translation>
-    </message>
-    <message>
-        <source>Change the background colour</source>
-        <translation>Cambiar el color de fondo</translation>
     </message>
     <message>
         <source>Transparent</source>
@@ -2627,20 +3660,12 @@
         <translation>Brillo</translation>
     </message>
     <message>
-        <source>Change the brightness</source>
-        <translation>Cambiar el brillo</translation>
-    </message>
-    <message>
-        <source>How early thin parts become visible: κ of the logarithmic tone curve</source>
+        <source>How strongly thin parts show: κ of the logarithmic tone curve</source>
         <translation>Cuán pronto se hacen visibles las partes tenues: κ de la curva tonal logarítmica</translation>
     </message>
     <message>
         <source>Gamma</source>
         <translation>Gamma</translation>
-    </message>
-    <message>
-        <source>Change the gamma</source>
-        <translation>Cambiar la gamma</translation>
     </message>
     <message>
         <source>Exponent of the tone curve: higher values lift the dark parts</source>
@@ -2659,10 +3684,6 @@
         <translation>%1 × %1 subpíxeles</translation>
     </message>
     <message>
-        <source>Change the supersampling</source>
-        <translation>Cambiar el supermuestreo</translation>
-    </message>
-    <message>
         <source>Map colours</source>
         <translation>Colores de las aplicaciones</translation>
     </message>
@@ -2675,11 +3696,7 @@
         <translation>Color de la aplicación %1</translation>
     </message>
     <message>
-        <source>Change the colour of map %1</source>
-        <translation>Cambiar el color de la aplicación %1</translation>
-    </message>
-    <message>
-        <source>What the colour of a point tells: how many points fall there, which map came last, or the whole address.</source>
+        <source>What the colour of a point shows: how many points fall there, which map came last, or the whole address.</source>
         <translation>Lo que dice el color de un punto: cuántos puntos caen allí, qué aplicación fue la última o la dirección entera.</translation>
     </message>
     <message>
@@ -2687,126 +3704,35 @@
         <translation>Los colores, de las partes más tenues a las más densas, o a lo largo de las direcciones.</translation>
     </message>
     <message>
-        <source>Leaves the background out of exported pictures.</source>
+        <source>Makes the background of exported pictures transparent.</source>
         <translation>Prescinde del fondo en las imágenes exportadas.</translation>
     </message>
     <message>
-        <source>Draws every pixel from several finer ones: smoother edges, for more memory and time.</source>
+        <source>Computes every pixel from several smaller ones: smoother edges, at the cost of memory and time.</source>
         <translation>Dibuja cada píxel a partir de varios más finos: bordes más suaves, a cambio de más memoria y tiempo.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Colour by: %1</source>
+        <translation>Colorear según: %1</translation>
+    </message>
+    <message>
+        <source>Palette: %1</source>
+        <translation>Paleta: %1</translation>
+    </message>
+    <message>
+        <source>Supersampling: %1</source>
+        <translation>Sobremuestreo: %1</translation>
     </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
     <message>
-        <source>Drag, or use the arrow keys. The number beside it is the same value.</source>
+        <source>Drag, or use the arrow keys. The field next to it shows the same value.</source>
         <translation>Arrastre o use las teclas de flecha. El número de al lado es el mismo valor.</translation>
-    </message>
-</context>
-<context>
-    <name>view::ArisingBar</name>
-    <message>
-        <source>How the attractor arises</source>
-        <translation>Cómo surge el atractor</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Densidad</translation>
-    </message>
-    <message>
-        <source>The invariant measure, refined while nothing moves</source>
-        <translation>La medida invariante, que se refina mientras nada se mueve</translation>
-    </message>
-    <message>
-        <source>Steps Wⁿ</source>
-        <translation>Pasos Wⁿ</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>El algoritmo determinista: todas las aplicaciones, aplicadas n veces a la jaula en reposo</translation>
-    </message>
-    <message>
-        <source>Chaos Game</source>
-        <translation>Juego del caos</translation>
-    </message>
-    <message>
-        <source>One point that jumps by maps drawn at random; the first 14 points are not plotted</source>
-        <translation>Un punto que salta con aplicaciones elegidas al azar; los 14 primeros puntos no se dibujan</translation>
-    </message>
-    <message>
-        <source>n: how often all maps are applied</source>
-        <translation>n: cuántas veces se aplican todas las aplicaciones</translation>
-    </message>
-    <message>
-        <source>Begin Again</source>
-        <translation>Empezar de nuevo</translation>
-    </message>
-    <message>
-        <source>No points yet, and other dice</source>
-        <translation>Ningún punto todavía, y otros dados</translation>
-    </message>
-    <message>
-        <source>One Point</source>
-        <translation>Un punto</translation>
-    </message>
-    <message>
-        <source>Plot one more point</source>
-        <translation>Dibujar un punto más</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Iniciar</translation>
-    </message>
-    <message>
-        <source>Let points appear</source>
-        <translation>Hacer que aparezcan puntos</translation>
-    </message>
-    <message>
-        <source>Points a second</source>
-        <translation>Puntos por segundo</translation>
-    </message>
-    <message>
-        <source>%1 a second</source>
-        <translation>%1 por segundo</translation>
-    </message>
-    <message>
-        <source>W%1: the cage itself</source>
-        <translation>W%1: la propia jaula</translation>
-    </message>
-    <message>
-        <source>W%1: %2 copies of the cage</source>
-        <translation>W%1: %2 copias de la jaula</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pausa</translation>
-    </message>
-    <message>
-        <source>Stay at these points</source>
-        <translation>Detenerse en estos puntos</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 puntos</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 punto</translation>
-    </message>
-    <message>
-        <source>, the last by map %1</source>
-        <translation>, el último con la aplicación %1</translation>
-    </message>
-    <message>
-        <source>How often all maps are applied to the cage: 0 is the cage itself, and with every step the picture comes closer to the attractor.</source>
-        <translation>Cuántas veces se aplican todas las aplicaciones a la jaula: con 0 se ve la propia jaula, y con cada paso la imagen se acerca más al atractor.</translation>
-    </message>
-    <message>
-        <source>How many points the chaos game plots in a second.</source>
-        <translation>Cuántos puntos dibuja el juego del caos en un segundo.</translation>
-    </message>
-    <message>
-        <source>no points yet: press ▶</source>
-        <translation>aún no hay puntos: pulse ▶</translation>
     </message>
 </context>
 <context>
@@ -2816,7 +3742,7 @@
         <translation>Diagrama del conteo de cajas</translation>
     </message>
     <message>
-        <source>How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the line: there the size of the whole or of a cell shows.</source>
+        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: there the size of the whole or of a cell has an effect.</source>
         <translation>Cuántas cajas tocan el atractor según su finura: log₂ N frente a k para cajas de lado L·2⁻ᵏ, L el lado del cuadrado alrededor del atractor. Los puntos huecos no cuentan para la recta: ahí se nota el tamaño del conjunto o de una celda.</translation>
     </message>
     <message>
@@ -2855,32 +3781,32 @@
         <translation>Profundidad de la rama</translation>
     </message>
     <message>
-        <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
+        <source>The number of maps in the address of the branch (Shift + wheel over the canvas)</source>
         <translation>Cuántas aplicaciones de la dirección nombran la rama (Mayús + rueda sobre el lienzo)</translation>
     </message>
     <message>
-        <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
-        <translation>La dirección del punto pulsado, la aplicación más externa primero; la rama es lo que está en negrita</translation>
+        <source>The address of the clicked point, outermost map first; the bold part is the address of the branch</source>
+        <translation>La dirección del punto pulsado, con la aplicación más externa primero; la parte en negrita es la dirección de la rama</translation>
     </message>
     <message>
-        <source>this branch, as a map of its own</source>
-        <translation>esta rama, como aplicación propia</translation>
+        <source>New map for this branch</source>
+        <translation>Una aplicación nueva para esta rama</translation>
     </message>
     <message>
-        <source>The system gets a map for this branch and one for every branch beside it. Its change is seen again at all smaller scales.</source>
-        <translation>El sistema recibe una aplicación para esta rama y una para cada rama vecina. El cambio se ve de nuevo en todas las escalas menores.</translation>
+        <source>Gives this branch and each of its sibling branches a map of its own. The change appears again at all smaller scales.</source>
+        <translation>Esta rama y cada una de sus ramas hermanas reciben una aplicación propia. El cambio reaparece en todas las escalas menores.</translation>
     </message>
     <message>
-        <source>the last map of its address</source>
-        <translation>la última aplicación de su dirección</translation>
+        <source>Last map of the address</source>
+        <translation>La última aplicación de la dirección</translation>
     </message>
     <message>
-        <source>The code keeps its maps. All branches that this map makes change alike.</source>
-        <translation>El código conserva sus aplicaciones. Todas las ramas que hace esta aplicación cambian igual.</translation>
+        <source>The system keeps its number of maps. All branches that this map makes change in the same way.</source>
+        <translation>El sistema conserva su número de aplicaciones. Todas las ramas que produce esta aplicación cambian de la misma manera.</translation>
     </message>
     <message>
-        <source>What changing the branch changes</source>
-        <translation>Qué cambia al cambiar la rama</translation>
+        <source>What editing the branch changes</source>
+        <translation>Qué cambia al editar la rama</translation>
     </message>
     <message>
         <source>&amp;Weave</source>
@@ -2891,7 +3817,7 @@
         <translation>Ángulo en que las aplicaciones elegidas oscilan sobre sus raíces</translation>
     </message>
     <message>
-        <source>Lets the selected maps swing, each about the image of the lowest point of the fractal; the slider goes back to the middle when it is let go</source>
+        <source>Swings the selected maps, each about the image of the lowest point of the fractal; the slider returns to the middle when you release it</source>
         <translation>Hace oscilar las aplicaciones elegidas, cada una sobre la imagen del punto más bajo del fractal; al soltarlo, el deslizador vuelve al centro</translation>
     </message>
     <message>
@@ -2907,16 +3833,16 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Let maps swing</source>
+        <source>Swing maps</source>
         <translation>Hacer oscilar aplicaciones</translation>
     </message>
     <message>
-        <source>where it is shown, and it alone</source>
-        <translation>dónde se muestra, y solo ella</translation>
+        <source>Only here</source>
+        <translation>Solo aquí</translation>
     </message>
     <message>
-        <source>The code stays as it is. This branch is shown elsewhere, and nothing like it at other scales.</source>
-        <translation>El código queda como está. Esta rama se muestra en otro lugar, y nada semejante a otras escalas.</translation>
+        <source>The code does not change. Only this branch is shown elsewhere; the same change does not appear at other scales.</source>
+        <translation>El código no cambia. Solo esta rama se muestra en otro lugar; el cambio no se repite a otras escalas.</translation>
     </message>
     <message>
         <source>Put &amp;Back</source>
@@ -2927,11 +3853,11 @@
         <translation>&amp;Devolver todas</translation>
     </message>
     <message>
-        <source>Shows the branch where its maps put it</source>
+        <source>Shows the branch in its original position, given by its maps</source>
         <translation>Muestra la rama donde la ponen sus aplicaciones</translation>
     </message>
     <message>
-        <source>Shows every branch where its maps put it</source>
+        <source>Shows all branches in their original positions, given by their maps</source>
         <translation>Muestra cada rama donde la ponen sus aplicaciones</translation>
     </message>
     <message>
@@ -2974,95 +3900,8 @@
         <translation>Escalar la rama %1</translation>
     </message>
     <message>
-        <source>This branch is map 1 now. Numbers in the table change it further.</source>
+        <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Esta rama es ahora la aplicación 1. Los números de la tabla la siguen cambiando.</translation>
-    </message>
-</context>
-<context>
-    <name>view::CageActions</name>
-    <message>
-        <source>This entry is not a system of the plane, so it has no control cage.</source>
-        <translation>Esta entrada no es un sistema del plano, así que no tiene jaula de control.</translation>
-    </message>
-    <message>
-        <source>The cage is too flat to be undone. Open it by dragging a vertex, or reset it, and try again.</source>
-        <translation>La jaula está demasiado aplastada para invertir su efecto. Ábrala arrastrando un vértice, o restablézcala, y vuelva a intentarlo.</translation>
-    </message>
-    <message>
-        <source>The three points lie on one line and hold no coordinates. Put the third one beside the line.</source>
-        <translation>Los tres puntos están alineados y no determinan coordenadas. Ponga el tercero fuera de la recta.</translation>
-    </message>
-    <message>
-        <source>Fit the minimal canonical simplex</source>
-        <translation>Ajustar el símplex canónico mínimo</translation>
-    </message>
-    <message>
-        <source>Reset the cage</source>
-        <translation>Restablecer la jaula</translation>
-    </message>
-    <message>
-        <source>Bake the placement into the code</source>
-        <translation>Incorporar la colocación al código</translation>
-    </message>
-    <message>
-        <source>Define the control triangle</source>
-        <translation>Definir el triángulo de control</translation>
-    </message>
-    <message>
-        <source>Vertex %1 is there already.</source>
-        <translation>El vértice %1 ya está ahí.</translation>
-    </message>
-    <message>
-        <source>Move vertex %1</source>
-        <translation>Mover el vértice %1</translation>
-    </message>
-    <message>
-        <source>A cage has at most %1 vertices.</source>
-        <translation>Una jaula tiene a lo sumo %1 vértices.</translation>
-    </message>
-    <message>
-        <source>There is no room for a vertex here.</source>
-        <translation>Aquí no hay sitio para un vértice.</translation>
-    </message>
-    <message>
-        <source>Insert a vertex</source>
-        <translation>Insertar un vértice</translation>
-    </message>
-    <message>
-        <source>A cage has at least three vertices.</source>
-        <translation>Una jaula tiene al menos tres vértices.</translation>
-    </message>
-    <message>
-        <source>Without this vertex the cage at rest would cross itself or be flat.</source>
-        <translation>Sin este vértice, la jaula en reposo se cruzaría a sí misma o quedaría aplastada.</translation>
-    </message>
-    <message>
-        <source>Delete vertex %1</source>
-        <translation>Eliminar el vértice %1</translation>
-    </message>
-    <message>
-        <source>Make the cage regular</source>
-        <translation>Hacer regular la jaula</translation>
-    </message>
-    <message>
-        <source>Unbake: take the placement out of the code</source>
-        <translation>Extraer: sacar la colocación del código</translation>
-    </message>
-    <message>
-        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
-        <translation>Sin estos vértices, la jaula en reposo se cruzaría a sí misma o quedaría aplastada.</translation>
-    </message>
-    <message>
-        <source>Delete %1 vertices</source>
-        <translation>Eliminar %1 vértices</translation>
-    </message>
-    <message>
-        <source>The cage is the minimal canonical simplex already.</source>
-        <translation>La jaula ya es el símplex canónico mínimo.</translation>
-    </message>
-    <message>
-        <source>The cage is regular already.</source>
-        <translation>La jaula ya es regular.</translation>
     </message>
 </context>
 <context>
@@ -3088,7 +3927,7 @@
         <translation>Reescribir</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture; the code stays</source>
+        <source>Moving the cage moves the picture; the code does not change</source>
         <translation>Mover la jaula mueve la imagen; el código no cambia</translation>
     </message>
     <message>
@@ -3104,11 +3943,11 @@
         <translation>Ajuste afín</translation>
     </message>
     <message>
-        <source>Every vertex is followed; the picture bends, which cannot be baked into a code</source>
+        <source>The picture follows every vertex and bends; a bent picture cannot be baked into the code</source>
         <translation>La imagen sigue a todos los vértices y se curva, lo que no se puede incorporar a un código</translation>
     </message>
     <message>
-        <source>The picture moves by the affine map that comes nearest to the vertices; it can be baked</source>
+        <source>The picture follows the vertices by the closest affine map; it can be baked</source>
         <translation>La imagen se mueve según la aplicación afín que más se acerca a los vértices; se puede incorporar</translation>
     </message>
     <message>
@@ -3179,7 +4018,7 @@
         <translation>Jaula de reposo</translation>
     </message>
     <message>
-        <source>Show the vertices that hold the attractor while the cage is at rest</source>
+        <source>Show the positions of the vertices when the cage is at rest</source>
         <translation>Mostrar los vértices que sujetan el atractor mientras la jaula está en reposo</translation>
     </message>
     <message>
@@ -3207,7 +4046,7 @@
         <translation>Símplex canónico mínimo</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs say to which side its legs point from the right angle.</source>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs give the directions in which its legs point from the right angle.</source>
         <translation>El menor triángulo rectángulo isósceles de catetos paralelos a los ejes que contiene la imagen. Los signos dicen hacia qué lado apuntan sus catetos desde el ángulo recto.</translation>
     </message>
     <message>
@@ -3215,7 +4054,7 @@
         <translation>Coordenadas baricéntricas de un punto</translation>
     </message>
     <message>
-        <source>The weights a, b, c with a + b + c = 1 that the vertices take to balance in the point.</source>
+        <source>The weights a, b, c with a + b + c = 1 for which the point is the weighted mean of the vertices.</source>
         <translation>Los pesos a, b, c con a + b + c = 1 que hay que poner en los vértices para que el punto sea su centro de masas.</translation>
     </message>
     <message>
@@ -3239,20 +4078,12 @@
         <translation>%1 del vértice de reposo %2</translation>
     </message>
     <message>
-        <source>Move vertex %1</source>
-        <translation>Mover el vértice %1</translation>
-    </message>
-    <message>
         <source>The three points are on one line: the rest cage must enclose an area.</source>
         <translation>Los tres puntos están alineados: la jaula de reposo debe encerrar un área.</translation>
     </message>
     <message>
         <source>The rest cage must be a polygon that does not cross itself.</source>
         <translation>La jaula de reposo debe ser un polígono que no se cruce a sí mismo.</translation>
-    </message>
-    <message>
-        <source>Define vertex %1</source>
-        <translation>Definir el vértice %1</translation>
     </message>
     <message>
         <source>The picture is too thin for such a cage.</source>
@@ -3267,35 +4098,31 @@
         <translation>Incorporar la jaula al código</translation>
     </message>
     <message>
-        <source>3D: not yet shown.</source>
-        <translation>3D: todavía no se muestra.</translation>
-    </message>
-    <message>
         <source>This entry could not be read, so it has no cage.</source>
         <translation>Esta entrada no se pudo leer, así que no tiene jaula.</translation>
     </message>
     <message>
-        <source>At rest: the picture is that of the code.</source>
+        <source>At rest: the picture shows the code.</source>
         <translation>En reposo: la imagen es la del código.</translation>
     </message>
     <message>
-        <source>%1 vertices, at rest: the picture is that of the code.</source>
+        <source>%1 vertices, at rest: the picture shows the code.</source>
         <translation>%1 vértices, en reposo: la imagen es la del código.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by Wachspress coordinates, not bakeable.</source>
+        <source>%1 vertices: bent by Wachspress coordinates, cannot be baked.</source>
         <translation>%1 vértices: curvada con coordenadas de Wachspress, no se puede incorporar.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by mean value coordinates, not bakeable.</source>
+        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
         <translation>%1 vértices: curvada con coordenadas de valor medio, no se puede incorporar.</translation>
     </message>
     <message>
-        <source>Flat: the picture lies on one line. Open the cage and it comes back.</source>
+        <source>Flat: the picture is squeezed onto a line. Open the cage to get it back.</source>
         <translation>Aplastada: la imagen está en una recta. Abra la jaula y volverá.</translation>
     </message>
     <message>
-        <source>Placed and mirrored: areas change by the factor %1, and the sense of rotation is reversed.</source>
+        <source>Placed and mirrored: areas change by the factor %1, and the orientation is reversed.</source>
         <translation>Colocada y reflejada: las áreas se multiplican por %1 y el sentido de giro se invierte.</translation>
     </message>
     <message>
@@ -3303,7 +4130,7 @@
         <translation>Colocada: las áreas se multiplican por %1.</translation>
     </message>
     <message>
-        <source>The triangle is flat: it holds no coordinates.</source>
+        <source>The triangle is flat: it defines no coordinates.</source>
         <translation>El triángulo está aplastado: no determina coordenadas.</translation>
     </message>
     <message>
@@ -3311,24 +4138,100 @@
         <translation>%1, cateto %2, vértice (%3, %4)</translation>
     </message>
     <message>
-        <source>Hold the picture by a fitted cage; the picture stays</source>
+        <source>Replace the cage by one fitted to the picture; the picture stays</source>
         <translation>Sujetar la imagen con una jaula ajustada; la imagen no cambia</translation>
     </message>
     <message>
-        <source>Put the cage and the picture back to rest</source>
+        <source>Return the cage and the picture to rest</source>
         <translation>Devolver la jaula y la imagen al reposo</translation>
     </message>
     <message>
-        <source>Make the displayed picture the code; the cage then rests</source>
+        <source>Write the displayed picture into the code; the cage is then at rest</source>
         <translation>Convertir la imagen mostrada en el código; la jaula queda entonces en reposo</translation>
     </message>
     <message>
-        <source>The cage is there already.</source>
+        <source>The cage is already there.</source>
         <translation>La jaula ya está ahí.</translation>
     </message>
     <message>
-        <source>The coordinates are read over a triangle.</source>
-        <translation>Las coordenadas se leen sobre un triángulo.</translation>
+        <source>Only a cage with three vertices has barycentric coordinates.</source>
+        <translation>Solo una jaula con tres vértices tiene coordenadas baricéntricas.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Mover el vértice %1 a (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Define vertex %1 at (%2, %3)</source>
+        <translation>Definir el vértice %1 en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>z at rest</source>
+        <translation>z en reposo</translation>
+    </message>
+    <message>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the picture. The signs give the directions in which its legs point from their common corner.</source>
+        <translation>El menor tetraedro con tres aristas iguales paralelas a los ejes que contiene la imagen. Los signos dicen hacia dónde apuntan estas aristas desde su vértice común.</translation>
+    </message>
+    <message>
+        <source>The weights a, b, c, d with a + b + c + d = 1 for which the point is the weighted mean of the vertices.</source>
+        <translation>Los pesos a, b, c, d con a + b + c + d = 1 que hay que poner en los vértices para que el punto sea su centro de masas.</translation>
+    </message>
+    <message>
+        <source>z of the point</source>
+        <translation>z del punto</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3, %4)</source>
+        <translation>Mover el vértice %1 a (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>The vertices are in one plane: the rest cage must enclose a volume.</source>
+        <translation>Los vértices están en un mismo plano: la jaula de reposo debe encerrar un volumen.</translation>
+    </message>
+    <message>
+        <source>Define vertex %1 at (%2, %3, %4)</source>
+        <translation>Definir el vértice %1 en (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>Three clicks define a triangle in the plane. In space, show the rest cage and type the coordinates of its vertices.</source>
+        <translation>Tres clics definen un triángulo en el plano. En el espacio, muestre la jaula de reposo y escriba las coordenadas de sus vértices.</translation>
+    </message>
+    <message>
+        <source>These cages are polygons in the plane. In space, the cage is the minimal canonical simplex until you change it.</source>
+        <translation>Estas jaulas son polígonos del plano. En el espacio, la jaula es el símplex canónico mínimo hasta que usted la cambie.</translation>
+    </message>
+    <message>
+        <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
+        <translation>Aplastada: el sólido está en un plano o en una recta. Abra la jaula y volverá.</translation>
+    </message>
+    <message>
+        <source>Placed and mirrored: volumes change by the factor %1, and the orientation is reversed.</source>
+        <translation>Colocada y reflejada: los volúmenes se multiplican por %1 y la orientación se invierte.</translation>
+    </message>
+    <message>
+        <source>Placed: volumes change by the factor %1.</source>
+        <translation>Colocada: los volúmenes se multiplican por %1.</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices has barycentric coordinates.</source>
+        <translation>Solo una jaula con cuatro vértices tiene coordenadas baricéntricas.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron is flat: it defines no coordinates.</source>
+        <translation>El tetraedro está aplastado: no determina coordenadas.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Este sistema no tiene ningún atractor que se pueda encerrar.</translation>
+    </message>
+    <message>
+        <source>%1, leg %2, corner (%3, %4, %5)</source>
+        <translation>%1, arista %2, vértice (%3, %4, %5)</translation>
     </message>
 </context>
 <context>
@@ -3362,7 +4265,7 @@
         <translation>Elija primero un vértice.</translation>
     </message>
     <message>
-        <source>Point at an edge, or select a vertex, to insert one.</source>
+        <source>To insert a vertex, point to an edge or select a vertex.</source>
         <translation>Para insertar un vértice, señale una arista o elija un vértice.</translation>
     </message>
 </context>
@@ -3373,35 +4276,31 @@
         <translation>Sin atractor: la aplicación %1 no es contractiva (mayor valor singular %2, radio espectral %3). Redúzcala o desactívela.</translation>
     </message>
     <message>
-        <source>No attractor: the maps %1, one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
+        <source>No attractor: the maps %1, applied one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
         <translation>Sin atractor: las aplicaciones %1, una tras otra, no son contractivas (mayor valor singular %2, radio espectral %3). Reduzca una de ellas o desactívela.</translation>
     </message>
     <message>
-        <source>It is not settled whether this system has an attractor: map %1 stretches by %2. Points that run away are left out.</source>
+        <source>It is undecided whether this system has an attractor: map %1 stretches by up to %2. Points that escape are left out.</source>
         <translation>No está decidido si este sistema tiene atractor: la aplicación %1 alarga las distancias con factor %2. Los puntos que se escapan no se dibujan.</translation>
     </message>
     <message>
-        <source>It is not settled whether this system has an attractor. Points that run away are left out.</source>
+        <source>It is undecided whether this system has an attractor. Points that escape are left out.</source>
         <translation>No está decidido si este sistema tiene atractor. Los puntos que se escapan no se dibujan.</translation>
     </message>
     <message>
-        <source>This entry is a system in space: not yet shown. It is kept as it is.</source>
-        <translation>Esta entrada es un sistema del espacio: todavía no se muestra. Se conserva tal cual.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read. Its text is kept as it is in the file.</source>
+        <source>This entry could not be read. Its text is kept unchanged in the file.</source>
         <translation>Esta entrada no se pudo leer. Su texto se conserva tal cual en el archivo.</translation>
     </message>
     <message>
-        <source>No map takes part, so there is nothing to draw. Add a map or switch one on.</source>
-        <translation>No interviene ninguna aplicación, así que no hay nada que dibujar. Añada una aplicación o active alguna.</translation>
+        <source>No map is active, so there is nothing to draw. Add a map or switch one on.</source>
+        <translation>Ninguna aplicación está activa, así que no hay nada que dibujar. Añada una aplicación o active alguna.</translation>
     </message>
     <message>
-        <source>This is as deep as the arithmetic reaches: zoom out a little for a true picture.</source>
+        <source>This is the limit of numerical precision: zoom out a little for an accurate picture.</source>
         <translation>Más profundo no llega la aritmética: aleje un poco la vista para obtener una imagen fiel.</translation>
     </message>
     <message>
-        <source>Drawn with fewer iterations than asked for: more would need more memory than allowed.</source>
+        <source>Drawn with fewer iterations than requested: more would exceed the memory limit.</source>
         <translation>Dibujado con menos iteraciones de las pedidas: más necesitarían más memoria de la permitida.</translation>
     </message>
     <message>
@@ -3409,28 +4308,36 @@
         <translation>La jaula está aplastada, y la imagen también. Arrastre un vértice para abrirla: no se pierde nada.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <source>Stopped: beyond this, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
         <translation>Detenido: más allá, la aplicación %1 no contraería (mayor valor singular %2, radio espectral %3) y no habría atractor.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, the maps %1, one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <source>Stopped: beyond this, the maps %1, applied one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
         <translation>Detenido: más allá, las aplicaciones %1, una tras otra, no contraerían (mayor valor singular %2, radio espectral %3) y no habría atractor.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
-        <translation>Detenido: más allá, no está resuelto si habría atractor (la aplicación %1 tiene el mayor valor singular, %2).</translation>
+        <source>Stopped: beyond this, an attractor is not guaranteed (map %1 has the largest singular value, %2).</source>
+        <translation>Detenido: más allá no se garantiza un atractor (la aplicación %1 tiene el mayor valor singular, %2).</translation>
     </message>
     <message>
-        <source>One map alone: nothing is left but its fixed point.</source>
+        <source>With a single map, only its fixed point is left.</source>
         <translation>Una sola aplicación: no queda más que su punto fijo.</translation>
     </message>
     <message>
-        <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
+        <source>With a single map, only its fixed point (%1, %2) is left.</source>
         <translation>Una sola aplicación: no queda más que su punto fijo (%1, %2).</translation>
     </message>
     <message>
-        <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
+        <source>No map that is switched on has a positive weight, so there is nothing to draw. Give one of them a weight.</source>
         <translation>Ninguna aplicación activa tiene un peso mayor que 0, así que no hay nada que dibujar. Dé un peso a alguna.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor. The picture shows where its points spend their time.</source>
+        <translation>Este sistema no tiene atractor. La imagen muestra dónde permanecen sus puntos.</translation>
+    </message>
+    <message>
+        <source>Whether this system has an attractor is undecided.</source>
+        <translation>No se ha decidido si este sistema tiene un atractor.</translation>
     </message>
 </context>
 <context>
@@ -3444,15 +4351,15 @@
         <translation>&amp;Coordenadas…</translation>
     </message>
     <message>
-        <source>Types the place of this vertex</source>
-        <translation>Permite escribir la posición de este vértice</translation>
+        <source>Lets you type the coordinates of this vertex</source>
+        <translation>Permite escribir las coordenadas de este vértice</translation>
     </message>
     <message>
         <source>&amp;Reset This Vertex</source>
         <translation>&amp;Restablecer este vértice</translation>
     </message>
     <message>
-        <source>Puts this vertex back to rest</source>
+        <source>Returns this vertex to its position at rest</source>
         <translation>Devuelve este vértice al reposo</translation>
     </message>
     <message>
@@ -3484,7 +4391,7 @@
         <translation>&amp;Eliminar este vértice</translation>
     </message>
     <message>
-        <source>Takes this vertex out of the cage</source>
+        <source>Removes this vertex from the cage</source>
         <translation>Quita este vértice de la jaula</translation>
     </message>
     <message>
@@ -3492,7 +4399,7 @@
         <translation>Poner aquí el &amp;pivote</translation>
     </message>
     <message>
-        <source>Turns and scales the cage about this vertex</source>
+        <source>Rotates and scales the cage about this vertex</source>
         <translation>Gira y escala la jaula en torno a este vértice</translation>
     </message>
     <message>
@@ -3504,15 +4411,15 @@
         <translation>&amp;Insertar aquí un vértice</translation>
     </message>
     <message>
-        <source>Puts one more vertex on this edge; a double click does the same</source>
+        <source>Inserts a vertex on this edge; double-clicking does the same</source>
         <translation>Pone un vértice más en esta arista; un doble clic hace lo mismo</translation>
     </message>
     <message>
-        <source>Rotate: Shift turns in steps of 15°</source>
+        <source>Rotate: hold Shift for steps of 15°</source>
         <translation>Girar: con Mayús, en pasos de 15°</translation>
     </message>
     <message>
-        <source>Scale: Shift keeps to x or y</source>
+        <source>Scale: hold Shift for x or y only</source>
         <translation>Escalar: con Mayús, solo en x o en y</translation>
     </message>
     <message>
@@ -3520,11 +4427,11 @@
         <translation>Pivote</translation>
     </message>
     <message>
-        <source>Put the &amp;Pivot in the Middle</source>
+        <source>Put the &amp;Pivot in the Centre</source>
         <translation>Poner el &amp;pivote en el centro</translation>
     </message>
     <message>
-        <source>Turns and scales the cage about its middle</source>
+        <source>Rotates and scales the cage about its centre</source>
         <translation>Gira y escala la jaula en torno a su centro</translation>
     </message>
     <message>
@@ -3536,15 +4443,15 @@
         <translation>Ajustar el símplex canónico &amp;mínimo</translation>
     </message>
     <message>
-        <source>Holds the picture by the smallest right-angled triangle around it</source>
-        <translation>Sujeta la imagen con el menor triángulo rectángulo que la rodea</translation>
+        <source>Fits the smallest isosceles right triangle with legs parallel to the axes around the picture</source>
+        <translation>Ajusta alrededor de la imagen el menor triángulo rectángulo isósceles de catetos paralelos a los ejes</translation>
     </message>
     <message>
         <source>&amp;Define Triangle</source>
         <translation>&amp;Definir el triángulo</translation>
     </message>
     <message>
-        <source>Holds the picture by three points that are clicked</source>
+        <source>Defines the triangle by three clicks; the picture stays</source>
         <translation>Sujeta la imagen con tres puntos en los que se hace clic</translation>
     </message>
     <message>
@@ -3552,7 +4459,7 @@
         <translation>Res&amp;tablecer la jaula</translation>
     </message>
     <message>
-        <source>Puts every vertex back to rest</source>
+        <source>Returns every vertex to its position at rest</source>
         <translation>Devuelve todos los vértices al reposo</translation>
     </message>
     <message>
@@ -3560,7 +4467,7 @@
         <translation>Hacer re&amp;gular</translation>
     </message>
     <message>
-        <source>Puts the vertices on the regular polygon nearest to them</source>
+        <source>Moves the vertices to the nearest regular polygon</source>
         <translation>Lleva los vértices al polígono regular más próximo</translation>
     </message>
     <message>
@@ -3568,7 +4475,7 @@
         <translation>I&amp;ncorporar la colocación al código</translation>
     </message>
     <message>
-        <source>Rewrites the maps so that they draw what is shown, with the cage at rest</source>
+        <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
         <translation>Reescribe las aplicaciones para que dibujen lo que se muestra, con la jaula en reposo</translation>
     </message>
     <message>
@@ -3588,7 +4495,7 @@
         <translation>&amp;100 %	1</translation>
     </message>
     <message>
-        <source>Shows one unit of the plane as a hundred pixels</source>
+        <source>Shows one unit of the plane as one hundred pixels</source>
         <translation>Muestra una unidad del plano como cien píxeles</translation>
     </message>
     <message>
@@ -3612,8 +4519,8 @@
         <translation>Eje &amp;Y hacia abajo</translation>
     </message>
     <message>
-        <source>Turns the plane over, as on the screen of a computer</source>
-        <translation>Da la vuelta al plano, como en las coordenadas de la pantalla</translation>
+        <source>Points the y axis down, as in window coordinates</source>
+        <translation>Dirige el eje y hacia abajo, como en las coordenadas de una ventana</translation>
     </message>
     <message>
         <source>&amp;Only the Picture	H</source>
@@ -3628,7 +4535,7 @@
         <translation>&amp;Copiar imagen</translation>
     </message>
     <message>
-        <source>Copies the picture as it is seen, without the cage</source>
+        <source>Copies the picture as shown, without the cage</source>
         <translation>Copia la imagen tal como se ve, sin la jaula</translation>
     </message>
     <message>
@@ -3648,7 +4555,7 @@
         <translation>&amp;Desactivar</translation>
     </message>
     <message>
-        <source>Lets this map take part, or not</source>
+        <source>Switches this map on or off</source>
         <translation>Hace participar a esta aplicación, o no</translation>
     </message>
     <message>
@@ -3664,7 +4571,7 @@
         <translation>D&amp;uplicar</translation>
     </message>
     <message>
-        <source>Puts a copy of this map beside it</source>
+        <source>Adds a copy of this map</source>
         <translation>Pone una copia de esta aplicación al lado</translation>
     </message>
     <message>
@@ -3672,7 +4579,7 @@
         <translation>&amp;Eliminar</translation>
     </message>
     <message>
-        <source>Takes this map out of the system</source>
+        <source>Removes this map from the system</source>
         <translation>Quita esta aplicación del sistema</translation>
     </message>
 </context>
@@ -3693,14 +4600,6 @@
     <message>
         <source>Pivot</source>
         <translation>Pivote</translation>
-    </message>
-    <message>
-        <source>Rotate handle</source>
-        <translation>Tirador de giro</translation>
-    </message>
-    <message>
-        <source>Scale handle</source>
-        <translation>Tirador de escala</translation>
     </message>
     <message>
         <source>the arrow keys move both its ends</source>
@@ -3731,16 +4630,24 @@
         <translation>las flechas escalan un uno por ciento</translation>
     </message>
     <message>
-        <source>Drag the pivot: turning and scaling are about it.</source>
+        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
         <translation>Arrastre el pivote: se gira y se escala en torno a él.</translation>
     </message>
     <message>
-        <source>Drag to turn about the pivot; Shift: in steps of 15°.</source>
+        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
         <translation>Arrastre para girar en torno al pivote; Mayús: en pasos de 15°.</translation>
     </message>
     <message>
-        <source>Drag to scale about the pivot; Shift: along x or y only.</source>
+        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
         <translation>Arrastre para escalar en torno al pivote; Mayús: solo en x o en y.</translation>
+    </message>
+    <message>
+        <source>Round handle</source>
+        <translation>Tirador redondo</translation>
+    </message>
+    <message>
+        <source>Square handle</source>
+        <translation>Tirador cuadrado</translation>
     </message>
 </context>
 <context>
@@ -3750,7 +4657,7 @@
         <translation>Lienzo</translation>
     </message>
     <message>
-        <source>The attractor and its control cage. Tab goes from handle to handle, the arrow keys move the one in focus, F6 leaves the canvas.</source>
+        <source>The attractor and its control cage. Tab moves from handle to handle, the arrow keys move the handle in focus, F6 leaves the canvas.</source>
         <translation>El atractor y su jaula de control. Tab pasa de un tirador a otro, las teclas de flecha mueven el que tiene el foco, F6 sale del lienzo.</translation>
     </message>
     <message>
@@ -3762,7 +4669,7 @@
         <translation>La jaula está aplastada, así que no se pueden relacionar vértices nuevos con la imagen.</translation>
     </message>
     <message>
-        <source>Put the cage back to rest first?</source>
+        <source>Reset the cage first?</source>
         <translation>¿Devolver antes la jaula al reposo?</translation>
     </message>
     <message>
@@ -3778,7 +4685,7 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the plane. Tab goes from handle to handle, arrow keys move them, F6 leaves.</source>
+        <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas.</source>
         <translation>La imagen y su jaula. Arrastre un vértice, una arista o el interior de la jaula; Ctrl gira, Alt escala, Mayús conserva la dirección. La rueda amplía o reduce en torno al puntero, el botón central mueve el plano. Tab pasa de un tirador a otro, las teclas de flecha los mueven, F6 sale.</translation>
     </message>
 </context>
@@ -3824,19 +4731,15 @@
         <translation>Fractales de la colección</translation>
     </message>
     <message>
-        <source>No favourites yet. Choose a fractal and press Ctrl+D.</source>
+        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
         <translation>Todavía no hay favoritos. Elija un fractal y pulse Ctrl+D.</translation>
     </message>
     <message>
-        <source>Nothing here has these words.</source>
+        <source>No fractal here contains these words.</source>
         <translation>Nada contiene aquí estas palabras.</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>&amp;Abrir</translation>
-    </message>
-    <message>
-        <source>Open the chosen fractal as a document of its own.</source>
+        <source>Open the selected fractal as a separate document.</source>
         <translation>Abrir el fractal elegido como documento propio.</translation>
     </message>
     <message>
@@ -3844,7 +4747,7 @@
         <translation>Aña&amp;dir a este archivo</translation>
     </message>
     <message>
-        <source>Add the chosen fractal to the open file.</source>
+        <source>Add the selected fractal to the open file.</source>
         <translation>Añadir el fractal elegido al archivo abierto.</translation>
     </message>
     <message>
@@ -3852,7 +4755,7 @@
         <translation>Fa&amp;vorito</translation>
     </message>
     <message>
-        <source>Mark the chosen fractal as one of your favourites.</source>
+        <source>Add the selected fractal to your favourites.</source>
         <translation>Marcar el fractal elegido como uno de sus favoritos.</translation>
     </message>
     <message>
@@ -3860,7 +4763,7 @@
         <translation>S&amp;olo favoritos</translation>
     </message>
     <message>
-        <source>Show nothing but your favourites.</source>
+        <source>Show only your favourites.</source>
         <translation>Mostrar únicamente sus favoritos.</translation>
     </message>
     <message>
@@ -3868,7 +4771,7 @@
         <translation>Añadir &amp;carpeta…</translation>
     </message>
     <message>
-        <source>Show the .ifs files of a folder of yours here, too.</source>
+        <source>Add the .ifs files of one of your own folders to this list.</source>
         <translation>Mostrar aquí también los archivos .ifs de una carpeta suya.</translation>
     </message>
     <message>
@@ -3876,23 +4779,23 @@
         <translation>&amp;Quitar la carpeta «%1»</translation>
     </message>
     <message>
-        <source>Show this folder here no more. Its files stay as they are.</source>
-        <translation>No mostrar más esta carpeta aquí. Sus archivos quedan como están.</translation>
+        <source>Remove this folder from the list. Its files are not changed.</source>
+        <translation>Quitar esta carpeta de la lista. Sus archivos no cambian.</translation>
     </message>
     <message>
         <source>Folder of .ifs Files</source>
         <translation>Carpeta de archivos .ifs</translation>
     </message>
     <message>
-        <source>Shows only the fractals whose name, theme or comment has these words. Enter opens the first of them.</source>
+        <source>Shows only the fractals whose name, theme or comment contains these words. Enter opens the first of them.</source>
         <translation>Muestra solo los fractales cuyo nombre, tema o comentario contiene estas palabras. Intro abre el primero.</translation>
     </message>
     <message>
-        <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
+        <source>Ready-made fractals. Double-click one or press Enter to open it in this window; right-click it to add it to the file instead.</source>
         <translation>Fractales para empezar. Un doble clic o Intro abre uno en esta ventana; en cambio, el menú del botón derecho lo añade al archivo.</translation>
     </message>
     <message>
-        <source>Files of the collection that were read</source>
+        <source>Progress of reading the collection</source>
         <translation>Archivos leídos de la colección</translation>
     </message>
     <message>
@@ -3900,7 +4803,7 @@
         <translation>Dejar de leer</translation>
     </message>
     <message>
-        <source>Stop reading this folder. What was read so far stays here.</source>
+        <source>Stop reading this folder. Files that were already read stay in the list.</source>
         <translation>Dejar de leer esta carpeta. Lo ya leído queda aquí.</translation>
     </message>
     <message>
@@ -3910,6 +4813,18 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Usar</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file, or open it if you have not edited anything.</source>
+        <translation>Añadir el fractal seleccionado al archivo abierto, o abrirlo si aún no se ha editado nada.</translation>
+    </message>
+    <message>
+        <source>&amp;Open as New Document</source>
+        <translation>&amp;Abrir como documento nuevo</translation>
     </message>
 </context>
 <context>
@@ -3934,7 +4849,7 @@
         <translation>a b c d e f p: Fractint, Barnsley</translation>
     </message>
     <message>
-        <source>a b e c d f p: each equation in a row</source>
+        <source>a b e c d f p: one equation after the other</source>
         <translation>a b e c d f p: cada ecuación en una fila</translation>
     </message>
     <message>
@@ -3950,7 +4865,7 @@
         <translation>r s theta phi e f p: escalas, y ángulos en grados</translation>
     </message>
     <message>
-        <source>a b c d e f, and weights that add up row by row</source>
+        <source>a b c d e f, and cumulative weights</source>
         <translation>a b c d e f, y pesos que se acumulan fila a fila</translation>
     </message>
     <message>
@@ -3962,11 +4877,11 @@
         <translation>Orden de las columnas</translation>
     </message>
     <message>
-        <source>Names of the columns in their order</source>
+        <source>Column names in order</source>
         <translation>Nombres de las columnas en su orden</translation>
     </message>
     <message>
-        <source>The names of the columns in their order: a b c d or r s theta phi, then e and f, each once, and p for a weight or cumulative for a sum of weights where there is one. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
+        <source>The names of the columns in order: a b c d or r s theta phi, then e and f, each once; if there are weights, also p, or cumulative for running sums of weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
         <translation>Los nombres de las columnas en su orden: a b c d o r s theta phi, además e y f, cada uno una vez, y p para un peso o cumulative para una suma de pesos donde la haya. x′ = a·x + b·y + e e y′ = c·x + d·y + f.</translation>
     </message>
 </context>
@@ -3989,31 +4904,138 @@
         <translation>Órdenes que coinciden</translation>
     </message>
     <message>
-        <source>Type some letters of what you want to do. Arrow keys choose, Enter does it.</source>
+        <source>Type some letters of what you want to do. The arrow keys select a command, Enter runs it.</source>
         <translation>Escriba algunas letras de lo que quiere hacer. Las teclas de flecha eligen, Intro lo ejecuta.</translation>
     </message>
     <message>
-        <source>The commands whose names have these letters.</source>
+        <source>The commands whose names contain these letters.</source>
         <translation>Las órdenes cuyo nombre contiene estas letras.</translation>
     </message>
     <message>
-        <source>No command is called that.</source>
-        <translation>Ninguna orden se llama así.</translation>
+        <source>No matching command.</source>
+        <translation>Ninguna orden coincide.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ConstructionBar</name>
+    <message>
+        <source>How the attractor is built</source>
+        <translation>Cómo se construye el atractor</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densidad</translation>
+    </message>
+    <message>
+        <source>The invariant measure, refined while nothing moves</source>
+        <translation>La medida invariante, que se refina mientras nada se mueve</translation>
+    </message>
+    <message>
+        <source>Steps Wⁿ</source>
+        <translation>Pasos Wⁿ</translation>
+    </message>
+    <message>
+        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
+        <translation>El algoritmo determinista: todas las aplicaciones, aplicadas n veces a la jaula en reposo</translation>
+    </message>
+    <message>
+        <source>Chaos Game</source>
+        <translation>Juego del caos</translation>
+    </message>
+    <message>
+        <source>One point that jumps by maps chosen at random; the first 14 points are not plotted</source>
+        <translation>Un punto que salta con aplicaciones elegidas al azar; los 14 primeros puntos no se dibujan</translation>
+    </message>
+    <message>
+        <source>n: how many times all maps are applied</source>
+        <translation>n: cuántas veces se aplican todas las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Empezar de nuevo</translation>
+    </message>
+    <message>
+        <source>Clear the points and start with new random numbers</source>
+        <translation>Ningún punto todavía, y otros dados</translation>
+    </message>
+    <message>
+        <source>One Point</source>
+        <translation>Un punto</translation>
+    </message>
+    <message>
+        <source>Plot one more point</source>
+        <translation>Dibujar un punto más</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Plot points continuously</source>
+        <translation>Hacer que aparezcan puntos</translation>
+    </message>
+    <message>
+        <source>Points per second</source>
+        <translation>Puntos por segundo</translation>
+    </message>
+    <message>
+        <source>%1 per second</source>
+        <translation>%1 por segundo</translation>
+    </message>
+    <message>
+        <source>W%1: the cage itself</source>
+        <translation>W%1: la propia jaula</translation>
+    </message>
+    <message>
+        <source>W%1: %2 copies of the cage</source>
+        <translation>W%1: %2 copias de la jaula</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Stop at these points</source>
+        <translation>Detenerse en estos puntos</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 puntos</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 punto</translation>
+    </message>
+    <message>
+        <source>, the last by map %1</source>
+        <translation>, el último con la aplicación %1</translation>
+    </message>
+    <message>
+        <source>How many times all maps are applied to the cage: 0 is the cage itself, and with every step the picture gets closer to the attractor.</source>
+        <translation>Cuántas veces se aplican todas las aplicaciones a la jaula: con 0 se ve la propia jaula, y con cada paso la imagen se acerca más al atractor.</translation>
+    </message>
+    <message>
+        <source>How many points the chaos game plots per second.</source>
+        <translation>Cuántos puntos dibuja el juego del caos en un segundo.</translation>
+    </message>
+    <message>
+        <source>no points yet: press Play (▶)</source>
+        <translation>aún no hay puntos: pulse Reproducir (▶)</translation>
     </message>
 </context>
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc leaves.</source>
-        <translation>Haga clic en el primero de los tres vértices. La imagen queda donde está; Esc sale.</translation>
+        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
+        <translation>Haga clic en el primero de los tres vértices. La imagen queda donde está; Esc cancela.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace takes the first one back.</source>
-        <translation>Haga clic en el segundo vértice. Retroceso anula el primero.</translation>
+        <source>Click the second vertex. Backspace removes the last point.</source>
+        <translation>Haga clic en el segundo vértice. Retroceso borra el último punto.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace takes the second one back.</source>
-        <translation>Haga clic en el tercer vértice. Retroceso anula el segundo.</translation>
+        <source>Click the third vertex. Backspace removes the last point.</source>
+        <translation>Haga clic en el tercer vértice. Retroceso borra el último punto.</translation>
     </message>
 </context>
 <context>
@@ -4023,7 +5045,7 @@
         <translation>Comentario de «%1»</translation>
     </message>
     <message>
-        <source>Comment behind the name</source>
+        <source>Comment after the name</source>
         <translation>Comentario detrás del nombre</translation>
     </message>
     <message>
@@ -4035,7 +5057,7 @@
         <translation>Líneas de comentario</translation>
     </message>
     <message>
-        <source>Written as lines of their own below the name, each behind a semicolon.</source>
+        <source>Written on separate lines below the name, each after a semicolon.</source>
         <translation>Se escriben en líneas propias debajo del nombre, cada una tras un punto y coma.</translation>
     </message>
     <message>
@@ -4047,7 +5069,7 @@
         <translation>Conservar o descartar el comentario</translation>
     </message>
     <message>
-        <source>&amp;Behind the name:</source>
+        <source>&amp;After the name:</source>
         <translation>&amp;Detrás del nombre:</translation>
     </message>
     <message>
@@ -4055,11 +5077,11 @@
         <translation>&amp;Líneas de comentario:</translation>
     </message>
     <message>
-        <source>A comment cannot begin with “barycage:”; such lines keep the cage and the colours.</source>
+        <source>A comment cannot begin with “barycage:”; such lines store the cage and the colours.</source>
         <translation>Un comentario no puede empezar por «barycage:»; esas líneas guardan la jaula y los colores.</translation>
     </message>
     <message>
-        <source>A line holds at most %1 bytes; Fractint cuts longer ones. Break it in two.</source>
+        <source>A line can have at most %1 bytes; Fractint truncates longer ones. Split it in two.</source>
         <translation>Una línea contiene a lo sumo %1 bytes; Fractint corta las más largas. Pártala en dos.</translation>
     </message>
 </context>
@@ -4071,41 +5093,10 @@
     </message>
 </context>
 <context>
-    <name>view::EntriesEdits</name>
-    <message>
-        <source>An entry needs a name.</source>
-        <translation>Una entrada necesita un nombre.</translation>
-    </message>
-    <message>
-        <source>A name holds no blanks: Fractint would read its first word only.</source>
-        <translation>Un nombre no contiene espacios: Fractint leería solo su primera palabra.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>«%1» no puede formar parte de un nombre, porque tiene un significado en los archivos .ifs.</translation>
-    </message>
-    <message>
-        <source>A name has at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Un nombre tiene a lo sumo %1 caracteres; Fractint omite el resto.</translation>
-    </message>
-    <message>
-        <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint no incluye en su lista una entrada llamada «%1»; elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>Another entry is called “%1” (upper and lower case count as equal).</source>
-        <translation>Otra entrada se llama «%1» (no se distinguen mayúsculas y minúsculas).</translation>
-    </message>
-</context>
-<context>
     <name>view::EntriesModel</name>
     <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Cambiar el nombre «%1» por «%2»</translation>
-    </message>
-    <message>
-        <source>3D: not yet shown</source>
-        <translation>3D: todavía no se muestra</translation>
     </message>
     <message>
         <source>could not be read</source>
@@ -4142,6 +5133,10 @@
         <source>has warnings</source>
         <translation>tiene avisos</translation>
     </message>
+    <message>
+        <source>%1 in space</source>
+        <translation>%1 en el espacio</translation>
+    </message>
 </context>
 <context>
     <name>view::EntriesPanel</name>
@@ -4166,7 +5161,7 @@
         <translation>Entradas</translation>
     </message>
     <message>
-        <source>This file holds no entries. Add one, or paste the text of an .ifs file.</source>
+        <source>This file contains no entries. Add one, or paste the text of an .ifs file.</source>
         <translation>Este archivo no contiene entradas. Añada una o pegue el texto de un archivo .ifs.</translation>
     </message>
     <message>
@@ -4238,7 +5233,7 @@
         <translation>&amp;Pegar</translation>
     </message>
     <message>
-        <source>Paste the entries of .ifs text behind the current entry.</source>
+        <source>Paste entries from .ifs text after the current entry.</source>
         <translation>Pegar las entradas de un texto .ifs detrás de la entrada actual.</translation>
     </message>
     <message>
@@ -4257,7 +5252,7 @@
         </translation>
     </message>
     <message>
-        <source>An entry that could not be read cannot be duplicated: it would keep its name.</source>
+        <source>An entry that could not be read cannot be duplicated: the copy would have the same name.</source>
         <translation>Una entrada que no se pudo leer no se puede duplicar: conservaría su nombre.</translation>
     </message>
     <message>
@@ -4276,7 +5271,7 @@
         <translation>Editar el comentario de %1</translation>
     </message>
     <message>
-        <source>There is no entry of an .ifs file in what was pasted.</source>
+        <source>The pasted text contains no entry of an .ifs file.</source>
         <translation>En lo que se pegó no hay ninguna entrada de un archivo .ifs.</translation>
     </message>
     <message>
@@ -4291,7 +5286,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pasted entries could not be read; their text is kept as it is.</source>
+        <source>%n pasted entries could not be read; their text is kept unchanged.</source>
         <translation>
             <numerusform>%n entrada pegada no se pudo leer; su texto se conserva tal cual.</numerusform>
             <numerusform>%n entradas pegadas no se pudieron leer; su texto se conserva tal cual.</numerusform>
@@ -4309,15 +5304,15 @@
         </translation>
     </message>
     <message>
-        <source>No entry has “%1” in its name.</source>
+        <source>No entry name contains “%1”.</source>
         <translation>Ninguna entrada tiene «%1» en su nombre.</translation>
     </message>
     <message>
-        <source>Shows only the entries whose name has these letters.</source>
+        <source>Shows only the entries whose names contain these letters.</source>
         <translation>Muestra solo las entradas cuyo nombre contiene estas letras.</translation>
     </message>
     <message>
-        <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
+        <source>The fractals in the file. Click one to edit it, drag it to move it, press F2 to rename it.</source>
         <translation>Los fractales del archivo. Haga clic en uno para editarlo, arrástrelo a otro lugar, pulse F2 para darle otro nombre.</translation>
     </message>
     <message>
@@ -4325,7 +5320,7 @@
         <translation>No se pegó nada: no hay texto en el portapapeles.</translation>
     </message>
     <message>
-        <source>Reading what was pasted…</source>
+        <source>Reading the pasted text…</source>
         <translation>Leyendo lo pegado…</translation>
     </message>
     <message>
@@ -4340,7 +5335,7 @@
         <translation>Exportar los datos de «%1»</translation>
     </message>
     <message>
-        <source>What the file will hold</source>
+        <source>Preview of the file</source>
         <translation>Lo que contendrá el archivo</translation>
     </message>
     <message>
@@ -4384,11 +5379,11 @@
         <translation>Puntos con color (.ply)</translation>
     </message>
     <message>
-        <source>&amp;Turn y around, so that the flame is the same way up</source>
+        <source>Turn &amp;y around so that the flame is the right way up</source>
         <translation>&amp;Invertir y para que el flame no salga cabeza abajo</translation>
     </message>
     <message>
-        <source>&amp;Bake the placement, so that the maps draw what is shown</source>
+        <source>&amp;Bake the placement so that the maps draw the picture as shown</source>
         <translation>Incor&amp;porar la colocación para que las aplicaciones dibujen lo que se muestra</translation>
     </message>
     <message>
@@ -4396,7 +5391,7 @@
         <translation>&amp;Formato:</translation>
     </message>
     <message>
-        <source>&amp;Columns:</source>
+        <source>C&amp;olumns:</source>
         <translation>&amp;Columnas:</translation>
     </message>
     <message>
@@ -4404,11 +5399,11 @@
         <translation>Pu&amp;ntos:</translation>
     </message>
     <message>
-        <source>Only the numbers of plane systems can be exported.</source>
+        <source>Only the numbers of systems in the plane can be exported.</source>
         <translation>Solo se pueden exportar los números de los sistemas del plano.</translation>
     </message>
     <message>
-        <source>The points of the chaos game where they are shown, without the first 14.</source>
+        <source>The points of the chaos game as shown, without the first 14.</source>
         <translation>Los puntos del juego del caos donde se muestran, sin los 14 primeros.</translation>
     </message>
     <message>
@@ -4424,7 +5419,7 @@
         <translation>&amp;Detener</translation>
     </message>
     <message>
-        <source>The text is on the clipboard.</source>
+        <source>The text was copied to the clipboard.</source>
         <translation>El texto está en el portapapeles.</translation>
     </message>
     <message>
@@ -4432,7 +5427,7 @@
         <translation>Ce&amp;rrar</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing was written.</source>
+        <source>Export stopped; nothing was written.</source>
         <translation>La exportación se detuvo; no se escribió nada.</translation>
     </message>
     <message>
@@ -4444,11 +5439,11 @@
         <translation>El principio del archivo tal como se escribirá.</translation>
     </message>
     <message>
-        <source>For which program the data are: each format has what that program reads.</source>
+        <source>The program that will read the data; each format contains what that program understands.</source>
         <translation>Para qué programa son los datos: cada formato contiene lo que lee ese programa.</translation>
     </message>
     <message>
-        <source>The order in which each row has its coefficients; other programs expect other orders.</source>
+        <source>The order of the coefficients in each row; programs differ.</source>
         <translation>El orden de los coeficientes en cada fila; otros programas esperan otros órdenes.</translation>
     </message>
     <message>
@@ -4456,15 +5451,15 @@
         <translation>Cuántos puntos del juego del caos se escriben.</translation>
     </message>
     <message>
-        <source>Flame programs let y grow downwards. With this the flame looks as the fractal does here; without it the numbers are the same.</source>
+        <source>In flame programs, y points down. With this option, the flame looks as it does here; without it, the numbers stay the same.</source>
         <translation>En los programas de flames, y crece hacia abajo. Con esto, el flame se ve como aquí el fractal; sin esto, los números son los mismos.</translation>
     </message>
     <message>
-        <source>With this, the cage is made part of the maps. Without it, the maps are written as they stand in the table.</source>
+        <source>With this option, the cage becomes part of the maps. Without it, the maps are written as they are in the table.</source>
         <translation>Con esto, la jaula pasa a formar parte de las aplicaciones. Sin esto, las aplicaciones se escriben como están en la tabla.</translation>
     </message>
     <message>
-        <source>Asks for the name of the file and writes it.</source>
+        <source>Asks for a file name and writes the file.</source>
         <translation>Pide el nombre del archivo y lo escribe.</translation>
     </message>
     <message>
@@ -4503,7 +5498,7 @@
         <translation>Fondo &amp;transparente</translation>
     </message>
     <message>
-        <source>Include the &amp;control triangle</source>
+        <source>Include the control t&amp;riangle</source>
         <translation>Incluir el triángulo de &amp;control</translation>
     </message>
     <message>
@@ -4515,19 +5510,19 @@
         <translation>Tamaño:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples a pixel</source>
+        <source>Draft: 25 samples per pixel</source>
         <translation>Borrador: 25 muestras por píxel</translation>
     </message>
     <message>
-        <source>Good: 100 samples a pixel</source>
+        <source>Good: 100 samples per pixel</source>
         <translation>Buena: 100 muestras por píxel</translation>
     </message>
     <message>
-        <source>Fine: 400 samples a pixel</source>
+        <source>Fine: 400 samples per pixel</source>
         <translation>Fina: 400 muestras por píxel</translation>
     </message>
     <message>
-        <source>Finest: 2000 samples a pixel</source>
+        <source>Finest: 2000 samples per pixel</source>
         <translation>Finísima: 2000 muestras por píxel</translation>
     </message>
     <message>
@@ -4535,15 +5530,15 @@
         <translation>Calidad</translation>
     </message>
     <message>
-        <source>Cells along the side of a pixel</source>
+        <source>Cells along each side of a pixel</source>
         <translation>Celdas a lo largo del lado de un píxel</translation>
     </message>
     <message>
-        <source>8 bits a channel</source>
+        <source>8 bits per channel</source>
         <translation>8 bits por canal</translation>
     </message>
     <message>
-        <source>16 bits a channel, for further work on the picture</source>
+        <source>16 bits per channel, for further editing</source>
         <translation>16 bits por canal, para seguir trabajando con la imagen</translation>
     </message>
     <message>
@@ -4559,7 +5554,7 @@
         <translation>Ca&amp;lidad:</translation>
     </message>
     <message>
-        <source>&amp;Supersampling:</source>
+        <source>S&amp;upersampling:</source>
         <translation>&amp;Supermuestreo:</translation>
     </message>
     <message>
@@ -4591,7 +5586,7 @@
         <translation>Número de puntos</translation>
     </message>
     <message>
-        <source>As deep as a pixel &amp;needs</source>
+        <source>As deep as &amp;needed for the pixels</source>
         <translation>Tan profundo como &amp;necesite un píxel</translation>
     </message>
     <message>
@@ -4599,7 +5594,7 @@
         <translation>Niveles de copias</translation>
     </message>
     <message>
-        <source>What the picture will be like</source>
+        <source>Description of the picture</source>
         <translation>Cómo será la imagen</translation>
     </message>
     <message>
@@ -4623,7 +5618,7 @@
         <translation>Progreso de la exportación</translation>
     </message>
     <message>
-        <source>Only plane systems can be exported as a picture.</source>
+        <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Solo los sistemas del plano se pueden exportar como imagen.</translation>
     </message>
     <message>
@@ -4631,11 +5626,11 @@
         <translation>unos %1</translation>
     </message>
     <message>
-        <source>One dot for every point of the chaos game that is in view.</source>
+        <source>One dot for every visible point of the chaos game.</source>
         <translation>Una marca por cada punto del juego del caos que está a la vista.</translation>
     </message>
     <message>
-        <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
+        <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
         <translation> La jaula curva la imagen, y las copias no pueden seguirla: se escribe el ajuste afín de la jaula. Un PNG sí muestra la curvatura.</translation>
     </message>
     <message>
@@ -4655,7 +5650,7 @@
         <translation>Exportar imagen</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing was written.</source>
+        <source>Export stopped; nothing was written.</source>
         <translation>La exportación se detuvo; no se escribió nada.</translation>
     </message>
     <message>
@@ -4675,7 +5670,7 @@
         <translation>PNG es una imagen de píxeles; SVG y PDF están hechos de formas, que se ven nítidas a cualquier tamaño.</translation>
     </message>
     <message>
-        <source>The picture has no background and can be laid over another.</source>
+        <source>The picture has no background and can be placed over another.</source>
         <translation>La imagen no tiene fondo y se puede poner encima de otra.</translation>
     </message>
     <message>
@@ -4683,15 +5678,15 @@
         <translation>Dibuja la jaula encima de la imagen.</translation>
     </message>
     <message>
-        <source>How many points are drawn for each pixel: more make a smoother picture and take longer.</source>
+        <source>The number of points drawn for each pixel: more points make a smoother picture and take longer.</source>
         <translation>Cuántos puntos se dibujan por cada píxel: con más, la imagen es más suave y tarda más.</translation>
     </message>
     <message>
-        <source>Every pixel is drawn from so many finer ones along its side: smoother edges, for more memory and time.</source>
+        <source>The number of smaller cells along each side of a pixel: more cells make smoother edges, at the cost of memory and time.</source>
         <translation>Cada píxel se dibuja a partir de ese número de píxeles más finos por lado: bordes más suaves, a cambio de más memoria y tiempo.</translation>
     </message>
     <message>
-        <source>16 bits keep fine steps of brightness for later work in a picture editor; 8 bits are enough to look at.</source>
+        <source>16 bits keep fine gradations for later editing; 8 bits are enough for viewing.</source>
         <translation>16 bits conservan gradaciones finas de brillo para seguir trabajando en un editor de imágenes; para mirar bastan 8 bits.</translation>
     </message>
     <message>
@@ -4703,11 +5698,11 @@
         <translation>Cuántas marcas del juego del caos se dibujan.</translation>
     </message>
     <message>
-        <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
+        <source>The number of levels of copies. More levels hardly enlarge the file, but the picture takes longer to draw.</source>
         <translation>Cuántos niveles de copias tiene la imagen. El archivo apenas crece con ello; el tiempo de dibujo, sí.</translation>
     </message>
     <message>
-        <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
+        <source>Asks for a file name and writes the file. You can keep working in the meantime.</source>
         <translation>Pide el nombre del archivo y lo escribe. Entretanto se puede usar la ventana.</translation>
     </message>
     <message>
@@ -4715,20 +5710,40 @@
         <translation>Copiando la imagen…</translation>
     </message>
     <message>
-        <source>Copies are made smaller until no pixel of this size could tell the difference, or programs would take long to draw them.</source>
+        <source>Makes the copies smaller until they cannot be distinguished from the attractor at this pixel size, or until programs would take long to draw them.</source>
         <translation>Se hacen copias cada vez más pequeñas hasta que ningún píxel de este tamaño pueda notar la diferencia, o hasta que los programas tarden mucho en dibujarlas.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
+        <source>%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels from the attractor, and no point of the attractor is farther than that from the drawing.</source>
         <translation>%1 referencias (se permiten menos de %3). Nada de lo dibujado dista del atractor más de %2 píxeles, y nada del atractor dista más de lo dibujado.</translation>
     </message>
     <message>
-        <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
+        <source> Accuracy to the pixel needs more levels; with these, programs still draw the picture without a long wait.</source>
         <translation> Un píxel necesita más: esta es la mayor profundidad que los programas dibujan sin una larga espera.</translation>
     </message>
     <message>
-        <source>Working out the shapes…</source>
+        <source>Computing the shapes…</source>
         <translation>Calculando las formas…</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>La vista del lienzo</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>El atractor completo</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Encuadre</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un pequeño margen, mire donde mire el lienzo.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Encuadre:</translation>
     </message>
 </context>
 <context>
@@ -4758,7 +5773,7 @@
         <translation>Unidad de longitud</translation>
     </message>
     <message>
-        <source>As on the screen</source>
+        <source>Same as on the screen</source>
         <translation>Como en la pantalla</translation>
     </message>
     <message>
@@ -4766,7 +5781,7 @@
         <translation>%1 × la pantalla</translation>
     </message>
     <message>
-        <source>Own size</source>
+        <source>Custom size</source>
         <translation>Tamaño propio</translation>
     </message>
     <message>
@@ -4774,11 +5789,11 @@
         <translation>Tamaño con respecto a la pantalla</translation>
     </message>
     <message>
-        <source>Keep shape</source>
+        <source>Keep proportions</source>
         <translation>Mantener la proporción</translation>
     </message>
     <message>
-        <source>Keep the shape of the picture on the screen</source>
+        <source>Keep the proportions of the picture on the screen</source>
         <translation>Mantener la proporción que tiene la imagen en la pantalla</translation>
     </message>
     <message>
@@ -4790,19 +5805,19 @@
         <translation>Resolución en puntos por pulgada</translation>
     </message>
     <message>
-        <source>A length in the unit chosen beside it. The other side follows while the shape is kept.</source>
+        <source>A length in the selected unit. The other side follows as long as the proportions are kept.</source>
         <translation>Una longitud en la unidad elegida al lado. El otro lado la sigue mientras se mantenga la proporción.</translation>
     </message>
     <message>
-        <source>In pixels, or on paper at the resolution given.</source>
+        <source>Pixels, or a length on paper at the given resolution.</source>
         <translation>En píxeles, o en papel con la resolución indicada.</translation>
     </message>
     <message>
-        <source>The picture as on the screen or some times as large.</source>
+        <source>The size of the picture on the screen, or a multiple of it.</source>
         <translation>La imagen como en la pantalla o varias veces más grande.</translation>
     </message>
     <message>
-        <source>How many pixels go on an inch of paper: 300 is usual in print.</source>
+        <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Cuántos píxeles caben en una pulgada de papel: lo habitual en la imprenta es 300.</translation>
     </message>
 </context>
@@ -4840,7 +5855,7 @@
         <translation>Añadir parada</translation>
     </message>
     <message>
-        <source>Add a stop after the chosen one</source>
+        <source>Add a stop after the selected one</source>
         <translation>Añadir una parada después de la elegida</translation>
     </message>
     <message>
@@ -4848,7 +5863,7 @@
         <translation>Eliminar parada</translation>
     </message>
     <message>
-        <source>Delete the chosen stop</source>
+        <source>Delete the selected stop</source>
         <translation>Eliminar la parada elegida</translation>
     </message>
     <message>
@@ -4856,7 +5871,7 @@
         <translation>Invertir</translation>
     </message>
     <message>
-        <source>Turn the palette round</source>
+        <source>Reverse the order of the colours</source>
         <translation>Dar la vuelta a la paleta</translation>
     </message>
     <message>
@@ -4864,7 +5879,7 @@
         <translation>Distribuir</translation>
     </message>
     <message>
-        <source>Put the stops at equal distances</source>
+        <source>Space the stops evenly</source>
         <translation>Poner las paradas a distancias iguales</translation>
     </message>
     <message>
@@ -4944,8 +5959,12 @@
         <translation>Se ha guardado %1.</translation>
     </message>
     <message>
-        <source>The palettes that the file holds. Choose one.</source>
+        <source>The palettes in the file. Select one.</source>
         <translation>Las paletas que contiene el archivo. Elija una.</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
     </message>
 </context>
 <context>
@@ -4955,8 +5974,8 @@
         <translation>Paradas del degradado</translation>
     </message>
     <message>
-        <source>Double-click: new stop, or the colour of one. Drag: move. Del: delete it.
-Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
+        <source>Double-click: add a stop, or change the colour of one. Drag: move. Del: delete.
+Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one, Enter opens its colour.</source>
         <translation>Doble clic: parada nueva, o el color de una. Arrastrar: mover. Supr: eliminar.
 Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade una, Intro abre su color.</translation>
     </message>
@@ -4984,7 +6003,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Guía del usuario</translation>
     </message>
     <message>
-        <source>The user guide: what can be done here, in the order in which one needs it.</source>
+        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
         <translation>La guía del usuario: lo que se puede hacer aquí, en el orden en que hace falta.</translation>
     </message>
     <message>
@@ -4992,7 +6011,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Buscar en la guía</translation>
     </message>
     <message>
-        <source>Marks these words in the guide. Enter shows the next place, Shift+Enter the one before. Ctrl+F leads here.</source>
+        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
         <translation>Marca estas palabras en la guía. Intro muestra el lugar siguiente, Mayús+Intro el anterior. Ctrl+F lleva hasta aquí.</translation>
     </message>
     <message>
@@ -5015,11 +6034,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Pasos del historial</translation>
     </message>
     <message>
-        <source>Choose a step to go back to it, or forward.</source>
+        <source>Select a step to go back or forward to it.</source>
         <translation>Elija un paso para volver a él o para avanzar hasta él.</translation>
     </message>
     <message>
-        <source>Choose a step to go back to it, or forward. The disk marks what is saved.</source>
+        <source>Select a step to go back or forward to it. The disk marks the saved state.</source>
         <translation>Elija un paso para volver a él o para avanzar hasta él. El disco señala lo que está guardado.</translation>
     </message>
     <message>
@@ -5050,7 +6069,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Escala y</translation>
     </message>
     <message>
-        <source>Scale across; negative when the map reflects</source>
+        <source>Scale at right angles to that; negative if the map reflects</source>
         <translation>Escala en la dirección perpendicular; negativa cuando la aplicación refleja</translation>
     </message>
     <message>
@@ -5058,7 +6077,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Cizalladura</translation>
     </message>
     <message>
-        <source>Shear along x, applied before everything else</source>
+        <source>Shear along x, applied first</source>
         <translation>Cizalladura a lo largo de x, que se aplica antes que todo lo demás</translation>
     </message>
     <message>
@@ -5086,8 +6105,80 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Aplicación %1</translation>
     </message>
     <message>
-        <source>Change the shape of map %1</source>
-        <translation>Cambiar la forma de la aplicación %1</translation>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation; only its direction matters</source>
+        <translation>Eje del giro; solo cuenta su dirección</translation>
+    </message>
+    <message>
+        <source>Axis x</source>
+        <translation>Eje x</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>Eje y</translation>
+    </message>
+    <message>
+        <source>Axis z</source>
+        <translation>Eje z</translation>
+    </message>
+    <message>
+        <source>Angle in degrees, counter-clockwise as seen from the tip of the axis looking back</source>
+        <translation>Ángulo en grados, en sentido antihorario visto desde la punta del eje hacia atrás</translation>
+    </message>
+    <message>
+        <source>Scale along y, before the rotation</source>
+        <translation>Escala a lo largo de y, antes del giro</translation>
+    </message>
+    <message>
+        <source>Scale z</source>
+        <translation>Escala z</translation>
+    </message>
+    <message>
+        <source>Scale along z, before the rotation; negative if the map reflects</source>
+        <translation>Escala a lo largo de z, antes del giro; negativa cuando la aplicación refleja</translation>
+    </message>
+    <message>
+        <source>Shear xy</source>
+        <translation>Cizalladura xy</translation>
+    </message>
+    <message>
+        <source>What y adds to x, applied first</source>
+        <translation>Lo que y añade a x; se aplica primero</translation>
+    </message>
+    <message>
+        <source>Shear xz</source>
+        <translation>Cizalladura xz</translation>
+    </message>
+    <message>
+        <source>What z adds to x, applied first</source>
+        <translation>Lo que z añade a x; se aplica primero</translation>
+    </message>
+    <message>
+        <source>Shear yz</source>
+        <translation>Cizalladura yz</translation>
+    </message>
+    <message>
+        <source>What z adds to y, applied first</source>
+        <translation>Lo que z añade a y; se aplica primero</translation>
+    </message>
+    <message>
+        <source>Translation j, applied last</source>
+        <translation>Traslación j, que se aplica al final</translation>
+    </message>
+    <message>
+        <source>Translation k, applied last</source>
+        <translation>Traslación k, que se aplica al final</translation>
+    </message>
+    <message>
+        <source>Shift z</source>
+        <translation>Traslación z</translation>
+    </message>
+    <message>
+        <source>Translation l, applied last</source>
+        <translation>Traslación l, que se aplica al final</translation>
     </message>
 </context>
 <context>
@@ -5128,19 +6219,19 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Una semejanza conserva las formas: gira, escala y traslada.</translation>
     </message>
     <message>
-        <source>A reflected similarity keeps shapes, as a mirror does, and scales and shifts them.</source>
+        <source>A reflected similarity keeps shapes but mirrors them; it also turns, scales and shifts them.</source>
         <translation>Una semejanza inversa conserva las formas como lo hace un espejo, y las escala y traslada.</translation>
     </message>
     <message>
-        <source>An affine map keeps lines and parallels, not angles.</source>
+        <source>An affine map keeps lines and parallels but not angles.</source>
         <translation>Una aplicación afín conserva las rectas y el paralelismo, no los ángulos.</translation>
     </message>
     <message>
-        <source>A singular map takes the plane to a line.</source>
+        <source>A singular map takes the whole plane to a line.</source>
         <translation>Una aplicación singular lleva el plano a una recta.</translation>
     </message>
     <message>
-        <source>A constant map takes the plane to one point.</source>
+        <source>A constant map takes the whole plane to one point.</source>
         <translation>Una aplicación constante lleva el plano a un solo punto.</translation>
     </message>
     <message>
@@ -5168,11 +6259,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>La aplicación lleva (x, y) a (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
-        <source>Effective code: the map as it acts on the picture under the current cage. Bake makes it the code.</source>
+        <source>Effective code: the map as it acts on the picture under the current cage. Bake turns it into the code.</source>
         <translation>Código efectivo: la aplicación tal como actúa sobre la imagen con la jaula actual. «Incorporar» lo convierte en el código.</translation>
     </message>
     <message>
-        <source>Whether the map takes part.</source>
+        <source>Whether the map is switched on.</source>
         <translation>Si la aplicación interviene.</translation>
     </message>
     <message>
@@ -5180,23 +6271,23 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Color de la aplicación, que se usa cuando la imagen se colorea por aplicación.</translation>
     </message>
     <message>
-        <source>Weight as given: how often the chaos game takes the map. The weights need not sum to 1.</source>
+        <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
         <translation>Peso tal como se da: con qué frecuencia elige el juego del caos esta aplicación. No hace falta que los pesos sumen 1.</translation>
     </message>
     <message>
-        <source>Determinant ad − bc: the factor of areas; negative when the map reflects.</source>
+        <source>Determinant ad − bc: the factor by which areas change; negative if the map reflects.</source>
         <translation>Determinante ad − bc: el factor de las áreas; negativo cuando la aplicación refleja.</translation>
     </message>
     <message>
-        <source>Contraction factor ‖A‖, the largest singular value: the most by which distances grow.</source>
+        <source>Contraction factor ‖A‖, the largest singular value: the largest factor by which distances are stretched.</source>
         <translation>Factor de contracción ‖A‖, el mayor valor singular: lo máximo por lo que se multiplica una distancia.</translation>
     </message>
     <message>
-        <source>What the map is geometrically.</source>
+        <source>The geometric kind of the map.</source>
         <translation>Qué es geométricamente la aplicación.</translation>
     </message>
     <message>
-        <source>Map %1 takes part.</source>
+        <source>Map %1 is switched on.</source>
         <translation>La aplicación %1 interviene.</translation>
     </message>
     <message>
@@ -5212,7 +6303,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>La jaula está aplastada o curvada: no hay código efectivo.</translation>
     </message>
     <message>
-        <source>No weight is given; the determinant rule makes the probability %1.</source>
+        <source>No weight is given; the determinant rule gives the probability %1.</source>
         <translation>No se da ningún peso; según la regla del determinante, la probabilidad es %1.</translation>
     </message>
     <message>
@@ -5240,14 +6331,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Aplicación %1. Arrástrela para cambiar el orden.</translation>
     </message>
     <message>
-        <source>Change weight of map %1</source>
-        <translation>Cambiar el peso de la aplicación %1</translation>
-    </message>
-    <message>
-        <source>Change %1 of map %2</source>
-        <translation>Cambiar %1 de la aplicación %2</translation>
-    </message>
-    <message>
         <source>Switch map %1 on</source>
         <translation>Activar la aplicación %1</translation>
     </message>
@@ -5256,16 +6339,40 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Desactivar la aplicación %1</translation>
     </message>
     <message>
-        <source>Change colour of map %1</source>
-        <translation>Cambiar el color de la aplicación %1</translation>
-    </message>
-    <message>
         <source>on</source>
         <translation>activada</translation>
     </message>
     <message>
         <source>off</source>
         <translation>desactivada</translation>
+    </message>
+    <message>
+        <source>Set %1 of map %2 to %3</source>
+        <translation>Fijar %1 de la aplicación %2 en %3</translation>
+    </message>
+    <message>
+        <source>Colour of map %1: %2</source>
+        <translation>Color de la aplicación %1: %2</translation>
+    </message>
+    <message>
+        <source>A singular map takes the whole of space to a plane or a line.</source>
+        <translation>Una aplicación singular lleva el espacio a un plano o a una recta.</translation>
+    </message>
+    <message>
+        <source>A constant map takes the whole of space to one point.</source>
+        <translation>Una aplicación constante lleva el espacio a un solo punto.</translation>
+    </message>
+    <message>
+        <source>The map takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l).</source>
+        <translation>La aplicación lleva (x, y, z) a (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l).</translation>
+    </message>
+    <message>
+        <source>Effective code: the map as it acts on the picture under the current cage.</source>
+        <translation>Código efectivo: la aplicación tal como actúa sobre la imagen con la jaula actual.</translation>
+    </message>
+    <message>
+        <source>Determinant: the factor by which volumes change; negative if the map reflects.</source>
+        <translation>Determinante: el factor de los volúmenes; negativo cuando la aplicación refleja.</translation>
     </message>
 </context>
 <context>
@@ -5347,7 +6454,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Incorporar</translation>
     </message>
     <message>
-        <source>Make the effective code the code; the cage then rests</source>
+        <source>Turn the effective code into the code; the cage is then at rest</source>
         <translation>Convertir el código efectivo en el código; la jaula queda entonces en reposo</translation>
     </message>
     <message>
@@ -5355,7 +6462,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Según el |determinante|</translation>
     </message>
     <message>
-        <source>Weights in proportion to the areas of the images, so that the picture is even</source>
+        <source>Weights in proportion to the areas of the images, for an even picture</source>
         <translation>Pesos proporcionales a las áreas de las imágenes, para que la imagen sea uniforme</translation>
     </message>
     <message>
@@ -5371,7 +6478,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Según la dimensión</translation>
     </message>
     <message>
-        <source>Weights for an even cover of the attractor at its own dimension</source>
+        <source>Weights that cover the attractor evenly at its own dimension</source>
         <translation>Pesos que cubren el atractor de modo uniforme en su propia dimensión</translation>
     </message>
     <message>
@@ -5379,7 +6486,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Normalizar</translation>
     </message>
     <message>
-        <source>The same proportions, with the sum 1</source>
+        <source>Scale all weights so that they sum to 1</source>
         <translation>Las mismas proporciones, con suma 1</translation>
     </message>
     <message>
@@ -5387,7 +6494,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Pesos</translation>
     </message>
     <message>
-        <source>Weights of all maps that are on, by a rule</source>
+        <source>Set the weights of all maps that are switched on by a rule</source>
         <translation>Los pesos de todas las aplicaciones activas, según una regla</translation>
     </message>
     <message>
@@ -5403,8 +6510,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Mostrar los coeficientes a … f</translation>
     </message>
     <message>
-        <source>Facts</source>
-        <translation>Datos</translation>
+        <source>Properties</source>
+        <translation>Propiedades</translation>
     </message>
     <message>
         <source>Show determinant, contraction factor and kind of each map</source>
@@ -5427,13 +6534,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>No hay aplicaciones: añada una o pegue filas de 6 o 7 números.</translation>
     </message>
     <message>
-        <source>3D: not yet shown.
-The entry is kept as it is.</source>
-        <translation>3D: todavía no se muestra.
-La entrada se conserva tal cual.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read. It is kept as it is.</source>
+        <source>This entry could not be read. It is kept unchanged.</source>
         <translation>Esta entrada no se pudo leer. Se conserva tal cual.</translation>
     </message>
     <message>
@@ -5443,22 +6544,6 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>Add a map</source>
         <translation>Añadir una aplicación</translation>
-    </message>
-    <message>
-        <source>Duplicate a map</source>
-        <translation>Duplicar una aplicación</translation>
-    </message>
-    <message>
-        <source>Duplicate %1 maps</source>
-        <translation>Duplicar %1 aplicaciones</translation>
-    </message>
-    <message>
-        <source>Delete a map</source>
-        <translation>Eliminar una aplicación</translation>
-    </message>
-    <message>
-        <source>Delete %1 maps</source>
-        <translation>Eliminar %1 aplicaciones</translation>
     </message>
     <message>
         <source>Reorder maps</source>
@@ -5473,7 +6558,7 @@ La entrada se conserva tal cual.</translation>
         <translation>No se pegó nada. %1</translation>
     </message>
     <message>
-        <source>Nothing was pasted: the clipboard holds no rows of 6 or 7 numbers.</source>
+        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
         <translation>No se pegó nada: el portapapeles no contiene filas de 6 o 7 números.</translation>
     </message>
     <message>
@@ -5493,10 +6578,6 @@ La entrada se conserva tal cual.</translation>
         <translation>Se sustituyeron las aplicaciones seleccionadas; aplicaciones pegadas: %1.</translation>
     </message>
     <message>
-        <source>Set the weights</source>
-        <translation>Fijar los pesos</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Incorporar la jaula al código</translation>
     </message>
@@ -5505,12 +6586,40 @@ La entrada se conserva tal cual.</translation>
         <translation>Color de la aplicación %1</translation>
     </message>
     <message>
-        <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
+        <source>Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Cada fila es una aplicación: (x, y) va a (a x + b y + e, c x + d y + f), con la frecuencia que dice su peso p. Haga doble clic en un número, o empiece a escribir, para cambiarlo; la imagen sigue cada tecla. Arrastre el número de una fila para moverla.</translation>
     </message>
     <message>
-        <source>Reading what was pasted…</source>
+        <source>Reading the pasted text…</source>
         <translation>Leyendo lo pegado…</translation>
+    </message>
+    <message>
+        <source>Properties of the map</source>
+        <translation>Propiedades de la aplicación</translation>
+    </message>
+    <message>
+        <source>det %1    ‖A‖ %2    %3</source>
+        <translation>det %1    ‖A‖ %2    %3</translation>
+    </message>
+    <message>
+        <source>Weights: %1</source>
+        <translation>Pesos: %1</translation>
+    </message>
+    <message>
+        <source>No maps: add one.</source>
+        <translation>No hay aplicaciones: añada una.</translation>
+    </message>
+    <message>
+        <source>Weights in proportion to the volumes of the images, for an even picture</source>
+        <translation>Pesos proporcionales a los volúmenes de las imágenes, para una imagen uniforme</translation>
+    </message>
+    <message>
+        <source>Show the coefficients a … l</source>
+        <translation>Mostrar los coeficientes a … l</translation>
+    </message>
+    <message>
+        <source>Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
+        <translation>Cada fila es una aplicación: (x, y, z) pasa a (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l), tan a menudo como dice su peso p. Haga doble clic en un número o empiece a escribir para cambiarlo; la imagen sigue cada tecla. Arrastre el número de una fila para moverla.</translation>
     </message>
 </context>
 <context>
@@ -5520,7 +6629,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Números de las aplicaciones</translation>
     </message>
     <message>
-        <source>Drag a number to put the map elsewhere. A mark warns of a map that does not contract.</source>
+        <source>Drag a number to move the map. A warning sign marks a map that does not contract.</source>
         <translation>Arrastre un número para poner la aplicación en otro lugar. Una marca avisa de que una aplicación no es contractiva.</translation>
     </message>
 </context>
@@ -5555,15 +6664,15 @@ La entrada se conserva tal cual.</translation>
         <translation>Escalar %1 aplicaciones</translation>
     </message>
     <message>
-        <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
-        <translation>Lo que es plano en la pantalla no se puede tomar. Abra primero la jaula o las aplicaciones.</translation>
+        <source>Maps that are flat on the screen cannot be dragged. First open the cage or the maps.</source>
+        <translation>Las aplicaciones que se ven planas en la pantalla no se pueden arrastrar. Abra primero la jaula o las aplicaciones.</translation>
     </message>
     <message>
         <source>Select a map first.</source>
         <translation>Elija primero una aplicación.</translation>
     </message>
     <message>
-        <source>Of so many maps only some are shown. Zoom in to see the others.</source>
+        <source>There are too many maps to show them all. Zoom in to see the others.</source>
         <translation>De tantas aplicaciones solo se muestran algunas. Acerque la vista para ver las demás.</translation>
     </message>
 </context>
@@ -5574,7 +6683,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Variaciones de «%1»</translation>
     </message>
     <message>
-        <source>Fractals by Chance</source>
+        <source>Random Fractals</source>
         <translation>Fractales al azar</translation>
     </message>
     <message>
@@ -5594,7 +6703,7 @@ La entrada se conserva tal cual.</translation>
         <translation>&amp;Variar esta</translation>
     </message>
     <message>
-        <source>Make the chosen one what the variations start from</source>
+        <source>Use the selected one as the new starting point</source>
         <translation>Tomar la elegida como punto de partida de las variaciones</translation>
     </message>
     <message>
@@ -5614,7 +6723,7 @@ La entrada se conserva tal cual.</translation>
         <translation>&amp;Otras</translation>
     </message>
     <message>
-        <source>Another sheet: the next seed</source>
+        <source>Show another sheet, from the next seed</source>
         <translation>Otra lámina: la semilla siguiente</translation>
     </message>
     <message>
@@ -5638,23 +6747,23 @@ La entrada se conserva tal cual.</translation>
         <translation>Añadir un fractal al azar</translation>
     </message>
     <message>
-        <source>Choose one and press OK, or double-click it: it takes the place of the fractal, as one step that can be undone.</source>
+        <source>Select one and confirm, or double-click it: it replaces the fractal, in one step that you can undo.</source>
         <translation>Elija una y pulse Aceptar, o haga doble clic en ella: ocupa el lugar del fractal, en un solo paso que se puede deshacer.</translation>
     </message>
     <message>
-        <source>To the left the variations are much like what they start from, to the right they are wild.</source>
+        <source>On the left, the variations stay close to their starting point; on the right, they differ wildly.</source>
         <translation>Hacia la izquierda, las variaciones se parecen mucho a su punto de partida; hacia la derecha, se alejan sin freno.</translation>
     </message>
     <message>
-        <source>Takes the chosen one, as one step that can be undone.</source>
+        <source>Uses the selected one, in one step that you can undo.</source>
         <translation>Acepta la elegida, en un solo paso que se puede deshacer.</translation>
     </message>
 </context>
 <context>
     <name>view::NumberField</name>
     <message>
-        <source>A number, with a decimal point or comma. Arrow keys and the wheel change it: with Shift ten times as fast, with Alt a tenth. Esc takes back what was typed.</source>
-        <translation>Un número, con punto o coma decimal. Las teclas de flecha y la rueda lo cambian: con Mayús, diez veces más deprisa; con Alt, diez veces más despacio. Esc anula lo escrito.</translation>
+        <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
+        <translation>Un número, con punto o coma decimal, o una expresión como 1/2, sqrt(3)/6, cos(36°) o pi. Las teclas de flecha y la rueda lo cambian: diez veces más rápido con Mayús, diez veces más lento con Alt. Esc restaura el número anterior.</translation>
     </message>
 </context>
 <context>
@@ -5668,7 +6777,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Pegar una tabla</translation>
     </message>
     <message>
-        <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>
+        <source>The rows do not say which column is which, and programs differ. Choose the order that gives the picture you expect in the background.</source>
         <translation>Las filas no dicen qué columna es cada una, y los programas difieren. Elija el orden con el que la imagen que está detrás de este diálogo sea la que espera.</translation>
     </message>
     <message>
@@ -5676,7 +6785,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Las aplicaciones tal como se pegarán</translation>
     </message>
     <message>
-        <source>The maps in the order chosen: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
+        <source>The maps in the chosen order: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
         <translation>Las aplicaciones en el orden elegido: (x, y) va a (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
@@ -5688,7 +6797,7 @@ La entrada se conserva tal cual.</translation>
         <translation>&amp;Pegar</translation>
     </message>
     <message>
-        <source>&amp;Columns:</source>
+        <source>C&amp;olumns:</source>
         <translation>&amp;Columnas:</translation>
     </message>
     <message>
@@ -5704,7 +6813,7 @@ La entrada se conserva tal cual.</translation>
         <translation>En este orden todas las aplicaciones son contractivas.</translation>
     </message>
     <message>
-        <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
+        <source>In this order these maps do not contract: %1. The columns may have a different meaning.</source>
         <translation>En este orden no son contractivas estas aplicaciones: %1. Quizá las columnas significan otra cosa.</translation>
     </message>
     <message>
@@ -5717,13 +6826,54 @@ La entrada se conserva tal cual.</translation>
     </message>
 </context>
 <context>
+    <name>view::PolygonTool</name>
+    <message>
+        <source>%1 by %2°</source>
+        <translation>%1 en %2°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 por %2</translation>
+    </message>
+    <message>
+        <source>%1 to (%2, %3)</source>
+        <translation>%1 a (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1 by (%2, %3)</source>
+        <translation>%1 en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <comment>a factor</comment>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Δ (%1, %2)  length %3</source>
+        <translation>Δ (%1, %2)  longitud %3</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>arista %1</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2</source>
+        <translation>aristas %1 y %2</translation>
+    </message>
+</context>
+<context>
     <name>view::PreferencesDialog</name>
     <message>
-        <source>The language changes when Barycage is started again.</source>
+        <source>The new language takes effect when you restart Barycage.</source>
         <translation>El idioma cambia cuando se vuelve a iniciar Barycage.</translation>
     </message>
     <message>
-        <source>&amp;Open the files of last time at the start</source>
+        <source>&amp;Open the files of the last session at startup</source>
         <translation>A&amp;brir al inicio los archivos de la última vez</translation>
     </message>
     <message>
@@ -5731,8 +6881,8 @@ La entrada se conserva tal cual.</translation>
         <translation>Preferencias</translation>
     </message>
     <message>
-        <source>That of the desktop</source>
-        <translation>El del escritorio</translation>
+        <source>Same as the desktop</source>
+        <translation>Como el escritorio</translation>
     </message>
     <message>
         <source>Language</source>
@@ -5741,10 +6891,6 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>The language of menus and messages. Files and numbers are the same in every language.</source>
         <translation>El idioma de los menús y los mensajes. Los archivos y los números son iguales en todos los idiomas.</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>Como el escritorio</translation>
     </message>
     <message>
         <source>Light</source>
@@ -5775,15 +6921,15 @@ La entrada se conserva tal cual.</translation>
         <translation>Fina: 1000 millones de puntos</translation>
     </message>
     <message>
-        <source>Picture at rest</source>
-        <translation>Imagen en reposo</translation>
+        <source>Picture quality</source>
+        <translation>Calidad de la imagen</translation>
     </message>
     <message>
-        <source>How many points are drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
+        <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
         <translation>Cuántos puntos se dibujan mientras nada se mueve. Con más puntos la imagen es más suave y el procesador está ocupado más tiempo.</translation>
     </message>
     <message>
-        <source>When on, Barycage opens the files that were open when it was closed, a window each.</source>
+        <source>When this is on, Barycage reopens the files that were open when you closed it, each in its own window.</source>
         <translation>Si está activado, Barycage abre los archivos que estaban abiertos cuando se cerró, cada uno en una ventana.</translation>
     </message>
     <message>
@@ -5795,12 +6941,16 @@ La entrada se conserva tal cual.</translation>
         <translation>&amp;Tema:</translation>
     </message>
     <message>
-        <source>&amp;Picture at rest:</source>
-        <translation>Imagen en re&amp;poso:</translation>
+        <source>&amp;Picture quality:</source>
+        <translation>Ca&amp;lidad de la imagen:</translation>
     </message>
     <message>
-        <source>Puts every choice of this dialog back to what it is at first.</source>
+        <source>Resets every setting in this dialog to its default.</source>
         <translation>Devuelve todas las opciones de este diálogo a su valor inicial.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Sin guardar: %1.</translation>
     </message>
 </context>
 <context>
@@ -5822,7 +6972,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Entrada</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Problem</source>
         <translation>Lo que se encontró</translation>
     </message>
 </context>
@@ -5841,7 +6991,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Problemas</translation>
     </message>
     <message>
-        <source>Choose a line to show the entry it concerns.</source>
+        <source>Select a line to show its entry.</source>
         <translation>Elija una línea para mostrar la entrada a la que se refiere.</translation>
     </message>
     <message>
@@ -5876,16 +7026,16 @@ La entrada se conserva tal cual.</translation>
         </translation>
     </message>
     <message>
-        <source>What could not be read is kept as it is.</source>
+        <source>Text that could not be read is kept unchanged.</source>
         <translation>Lo que no se pudo leer se conserva tal cual.</translation>
     </message>
     <message>
-        <source>Nothing to report: every entry was read.</source>
-        <translation>Nada que señalar: se leyeron todas las entradas.</translation>
+        <source>No problems: every entry was read.</source>
+        <translation>Ningún problema: se leyeron todas las entradas.</translation>
     </message>
     <message>
-        <source>What the reader of the file remarked, with line and column. Double-click a line to go to its entry.</source>
-        <translation>Lo que se observó al leer el archivo, con línea y columna. Haga doble clic en una línea para ir a su entrada.</translation>
+        <source>The problems found while reading the file, with line and column. Double-click a line to go to its entry.</source>
+        <translation>Los problemas encontrados al leer el archivo, con línea y columna. Haga doble clic en una línea para ir a su entrada.</translation>
     </message>
 </context>
 <context>
@@ -5919,7 +7069,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Alt + arrastrar, o el tirador cuadrado</translation>
     </message>
     <message>
-        <source>Move or scale along one axis, turn in steps of 15°</source>
+        <source>Move or scale along one axis, rotate in steps of 15°</source>
         <translation>Mover o escalar a lo largo de un eje, girar en pasos de 15°</translation>
     </message>
     <message>
@@ -5927,7 +7077,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Mayús mientras se arrastra</translation>
     </message>
     <message>
-        <source>Take the drag back</source>
+        <source>Cancel the drag</source>
         <translation>Anular el arrastre</translation>
     </message>
     <message>
@@ -5949,14 +7099,6 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>arrow keys; Shift ×10, Alt ×0.1</source>
         <translation>teclas de flecha; Mayús ×10, Alt ×0.1</translation>
-    </message>
-    <message>
-        <source>Leave the canvas</source>
-        <translation>Salir del lienzo</translation>
-    </message>
-    <message>
-        <source>F6</source>
-        <translation>F6</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -5999,11 +7141,11 @@ La entrada se conserva tal cual.</translation>
         <translation>Cómo</translation>
     </message>
     <message>
-        <source>Shows only the lines that have these words.</source>
+        <source>Shows only the lines that contain these words.</source>
         <translation>Muestra solo las líneas que contienen estas palabras.</translation>
     </message>
     <message>
-        <source>What every key and every movement of the mouse does.</source>
+        <source>All keys and mouse gestures, and what they do.</source>
         <translation>Lo que hace cada tecla y cada movimiento del ratón.</translation>
     </message>
     <message>
@@ -6019,7 +7161,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Alt + cifra, Ctrl+A</translation>
     </message>
     <message>
-        <source>A deeper or a larger branch</source>
+        <source>Select a deeper or a larger branch</source>
         <translation>Una rama más profunda o más grande</translation>
     </message>
     <message>
@@ -6035,7 +7177,7 @@ La entrada se conserva tal cual.</translation>
         <translation>arrastrar desde el lienzo vacío; Mayús añade</translation>
     </message>
     <message>
-        <source>Select one more map or vertex, or one less</source>
+        <source>Add a map or vertex to the selection, or remove it</source>
         <translation>Elegir una aplicación o un vértice más, o uno menos</translation>
     </message>
     <message>
@@ -6047,7 +7189,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Insertar un vértice en una arista, duplicar las aplicaciones elegidas</translation>
     </message>
     <message>
-        <source>Take the last vertex back while a triangle is defined</source>
+        <source>Remove the last vertex while defining a triangle</source>
         <translation>Retirar el último vértice mientras se define un triángulo</translation>
     </message>
     <message>
@@ -6055,7 +7197,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Retroceso</translation>
     </message>
     <message>
-        <source>Choose another stop</source>
+        <source>Select another stop</source>
         <translation>Elegir otra parada</translation>
     </message>
     <message>
@@ -6095,7 +7237,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Intro o Espacio, o doble clic en ella</translation>
     </message>
     <message>
-        <source>Take the change back</source>
+        <source>Cancel the change</source>
         <translation>Deshacer el cambio</translation>
     </message>
     <message>
@@ -6105,6 +7247,87 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>On the strip of the gradient</source>
         <translation>En la tira del degradado</translation>
+    </message>
+    <message>
+        <source>Next or previous part of the window</source>
+        <translation>Parte siguiente o anterior de la ventana</translation>
+    </message>
+    <message>
+        <source>F6, Shift+F6</source>
+        <translation>F6, Mayús+F6</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceInput</name>
+    <message>
+        <source>Rotate Cage</source>
+        <translation>Girar la jaula</translation>
+    </message>
+    <message>
+        <source>Scale Cage</source>
+        <translation>Escalar la jaula</translation>
+    </message>
+    <message>
+        <source>Move Vertex %1</source>
+        <translation>Mover el vértice %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceView</name>
+    <message>
+        <source>Canvas in space</source>
+        <translation>Lienzo en el espacio</translation>
+    </message>
+    <message>
+        <source>The solid and its tetrahedron. Drag a corner: X, Y or Z keeps it on an axis, with Shift in a plane, and the wheel pushes it away. Drag anywhere else to turn the view; the wheel zooms at the pointer, the middle button pans. Double-click the solid to turn about that point.</source>
+        <translation>El sólido y su tetraedro. Arrastre una esquina: X, Y o Z la mantiene en un eje, con Mayús en un plano, y la rueda la aleja. Arrastre en otro lugar para girar la vista; la rueda amplía en el puntero y el botón central desplaza. Haga doble clic en el sólido para girar alrededor de ese punto.</translation>
+    </message>
+    <message>
+        <source>The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
+        <translation>El atractor y su tetraedro de control. Tab pasa de esquina en esquina, las flechas mueven la esquina enfocada o giran la vista, F6 sale del lienzo.</translation>
+    </message>
+    <message>
+        <source>Vertex %1 at %2, %3, %4</source>
+        <translation>Vértice %1 en %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Ajustar la vista</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspectiva</translation>
+    </message>
+    <message>
+        <source>Look from the F&amp;ront</source>
+        <translation>Mirar desde el f&amp;rente</translation>
+    </message>
+    <message>
+        <source>Look from the &amp;Right</source>
+        <translation>Mirar desde la &amp;derecha</translation>
+    </message>
+    <message>
+        <source>Look from &amp;Above</source>
+        <translation>Mirar desde &amp;arriba</translation>
+    </message>
+</context>
+<context>
+    <name>view::ToolOptionsBar</name>
+    <message>
+        <source>Tool options</source>
+        <translation>Opciones de la herramienta</translation>
+    </message>
+    <message>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
+        <translation>Arrastre un vértice, una arista o el interior de la jaula.  Ctrl gira  ·  Alt escala  ·  Mayús conserva las direcciones  ·  doble clic en una arista: vértice nuevo</translation>
+    </message>
+    <message>
+        <source>Click the three corners of the new triangle.  Backspace takes a corner back  ·  Esc cancels</source>
+        <translation>Haga clic en los tres vértices del triángulo nuevo.  Retroceso quita un vértice  ·  Esc cancela</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Arrastre un vértice del tetraedro.  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
     </message>
 </context>
 <context>
@@ -6118,8 +7341,8 @@ La entrada se conserva tal cual.</translation>
         <translation>y</translation>
     </message>
     <message>
-        <source>Transform by Numbers</source>
-        <translation>Transformar con números</translation>
+        <source>Transform</source>
+        <translation>Transformar</translation>
     </message>
     <message>
         <source>x of the fixed point</source>
@@ -6162,7 +7385,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Traslación en y</translation>
     </message>
     <message>
-        <source>Done in this order, from top to bottom.</source>
+        <source>Applied in this order, from top to bottom.</source>
         <translation>Se aplica en este orden, de arriba abajo.</translation>
     </message>
     <message>
@@ -6170,11 +7393,11 @@ La entrada se conserva tal cual.</translation>
         <translation>Problema</translation>
     </message>
     <message>
-        <source>Start Again</source>
+        <source>Reset</source>
         <translation>Empezar de nuevo</translation>
     </message>
     <message>
-        <source>All values as they were when the dialog opened</source>
+        <source>Reset all values to what they were when the dialog opened</source>
         <translation>Todos los valores como estaban al abrir el diálogo</translation>
     </message>
     <message>
@@ -6182,7 +7405,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Colocar la imagen</translation>
     </message>
     <message>
-        <source>The code stays; the cage moves</source>
+        <source>The cage moves; the code does not change</source>
         <translation>El código no cambia; la jaula se mueve</translation>
     </message>
     <message>
@@ -6194,7 +7417,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Cada aplicación w se convierte en T∘w∘T⁻¹; la jaula la sigue</translation>
     </message>
     <message>
-        <source>The point that stays</source>
+        <source>Fixed point</source>
         <translation>El punto que no se mueve</translation>
     </message>
     <message>
@@ -6206,11 +7429,11 @@ La entrada se conserva tal cual.</translation>
         <translation>la media de la medida invariante</translation>
     </message>
     <message>
-        <source>a typed point</source>
+        <source>a point of your choice</source>
         <translation>un punto dado por sus coordenadas</translation>
     </message>
     <message>
-        <source>in the line at the angle °</source>
+        <source>in the line at the angle (°)</source>
         <translation>en la recta de ángulo °</translation>
     </message>
     <message>
@@ -6218,11 +7441,11 @@ La entrada se conserva tal cual.</translation>
         <translation>Ángulo de la recta de reflexión en grados: 0 es horizontal, 90 vertical</translation>
     </message>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Esta entrada no tiene aplicaciones del plano.</translation>
     </message>
     <message>
-        <source>This transformation is too flat to be undone, so it cannot be written into the code. Choose other scales, or place the picture.</source>
+        <source>This transformation is too flat to be inverted, so it cannot be written into the code. Choose other scales, or place the picture.</source>
         <translation>Esta transformación aplasta tanto que no se puede invertir, así que no se puede escribir en el código. Elija otras escalas o coloque la imagen.</translation>
     </message>
     <message>
@@ -6238,11 +7461,11 @@ La entrada se conserva tal cual.</translation>
         <translation>Mantiene el factor en y igual al factor en x.</translation>
     </message>
     <message>
-        <source>About which point the fractal is turned, scaled and reflected: it stays where it is.</source>
+        <source>The point about which the fractal is rotated, scaled and reflected; it stays where it is.</source>
         <translation>Respecto de qué punto se gira, se escala y se refleja el fractal: ese punto queda donde está.</translation>
     </message>
     <message>
-        <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
+        <source>Reflects in a line through the fixed point; the angle is measured from the x axis.</source>
         <translation>Refleja en una recta que pasa por el punto que no se mueve; el ángulo se mide desde el eje x.</translation>
     </message>
     <message>
@@ -6274,7 +7497,7 @@ La entrada se conserva tal cual.</translation>
         <translation>Trasladar:</translation>
     </message>
     <message>
-        <source>the middle of the picture’s box</source>
+        <source>the centre of the picture’s box</source>
         <translation>el centro del rectángulo de la imagen</translation>
     </message>
 </context>
@@ -6297,7 +7520,7 @@ La entrada se conserva tal cual.</translation>
         <translation>y del vértice</translation>
     </message>
     <message>
-        <source>What is wrong with the numbers</source>
+        <source>Problem with the numbers</source>
         <translation>Qué falla en los números</translation>
     </message>
     <message>
@@ -6315,6 +7538,29 @@ La entrada se conserva tal cual.</translation>
     <message>
         <source>A coordinate of the vertex, with a decimal point or comma. The picture follows as you type.</source>
         <translation>Una coordenada del vértice, con punto o coma decimal. La imagen sigue lo que usted escribe.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Mover el vértice %1 a (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>view::ZoomBox</name>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose.</source>
+        <translation>Zoom en porcentaje: al 100 %, una unidad del plano ocupa 100 píxeles. Escriba otro valor o elija uno.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

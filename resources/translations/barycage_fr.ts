@@ -21,30 +21,93 @@
     </message>
 </context>
 <context>
+    <name>ActionDetails</name>
+    <message>
+        <source>Drag an edge to move both its ends, the inside to move the whole cage. Ctrl rotates, Alt scales, Shift keeps directions. The fractal follows at once, and each drag is one step of the history.</source>
+        <translation>Une arête déplace ses deux extrémités, l’intérieur toute la cage. Ctrl fait tourner, Alt met à l’échelle, Maj conserve les directions. La fractale suit aussitôt, et chaque glissement est une étape de l’historique.</translation>
+    </message>
+    <message>
+        <source>Each map is shown as the image of the cage in its colour. A corner changes one map; the inside moves all selected maps. A drag stops where the attractor would be lost.</source>
+        <translation>Chaque application est montrée comme image de la cage dans sa couleur. Un coin modifie une application, l’intérieur déplace toutes celles qui sont sélectionnées. Le glissement s’arrête là où l’attracteur serait perdu.</translation>
+    </message>
+    <message>
+        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, or only this branch.</source>
+        <translation>Maj + molette choisit la profondeur de la branche. La barre sous le canevas dit ce que le glissement modifie&#x202f;: une nouvelle application pour cette branche, la dernière application de son adresse, ou cette branche seule.</translation>
+    </message>
+    <message>
+        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace takes the last corner back, Esc cancels.</source>
+        <translation>L’image reste où elle est&#x202f;: elle est désormais tenue par le nouveau triangle. Retour arrière reprend le dernier coin, Échap annule.</translation>
+    </message>
+    <message>
+        <source>The picture stays where it is. Every point of the fractal then has barycentric coordinates that are not negative.</source>
+        <translation>L’image reste où elle est. Chaque point de la fractale a ensuite des coordonnées barycentriques qui ne sont pas négatives.</translation>
+    </message>
+    <message>
+        <source>The coefficients do not change. To keep the picture as it is and change the coefficients instead, use Bake.</source>
+        <translation>Les coefficients ne changent pas. Pour garder l’image et modifier plutôt les coefficients, utilisez Intégrer au code.</translation>
+    </message>
+    <message>
+        <source>Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
+        <translation>Chaque application w devient T w T⁻¹, où T est ce que la cage fait à l’image. La cage est ensuite au repos. Une cage plate ou qui courbe l’image ne peut pas être intégrée.</translation>
+    </message>
+    <message>
+        <source>The table of maps keeps its numbers, and Bake writes the placement into them later.</source>
+        <translation>Le tableau des applications garde ses nombres&#x202f;; Intégrer au code y écrit le placement plus tard.</translation>
+    </message>
+    <message>
+        <source>The table of maps shows the new numbers during the drag, and the cage is at rest again afterwards.</source>
+        <translation>Le tableau des applications montre les nouveaux nombres pendant le glissement, et la cage est ensuite de nouveau au repos.</translation>
+    </message>
+    <message>
+        <source>The cage is included where that costs little room. The fractal itself does not change.</source>
+        <translation>La cage est comprise là où cela prend peu de place. La fractale elle-même ne change pas.</translation>
+    </message>
+    <message>
+        <source>The distance of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
+        <translation>L’écart des lignes suit le zoom. Les sommets s’y alignent si cela est choisi dans le menu Affichage.</translation>
+    </message>
+    <message>
+        <source>Only the view is turned over: coefficients and coordinates do not change.</source>
+        <translation>Seule la vue est retournée&#x202f;: ni les coefficients ni les coordonnées ne changent.</translation>
+    </message>
+    <message>
+        <source>Cage, handles, grid, axes and outlines come back when you press the key again.</source>
+        <translation>La cage, les poignées, la grille, les axes et les contours reviennent quand vous appuyez de nouveau sur la touche.</translation>
+    </message>
+    <message>
+        <source>A bar appears under the canvas: choose the number of steps, or let the chaos game run point by point at any speed.</source>
+        <translation>Une barre apparaît sous le canevas&#x202f;: choisissez le nombre d’étapes, ou laissez le jeu du chaos avancer point par point à n’importe quelle vitesse.</translation>
+    </message>
+    <message>
+        <source>As placement, the coefficients stay; as code, they become those of the transformed fractal. The canvas shows the result before you accept it.</source>
+        <translation>Comme placement, les coefficients restent&#x202f;; comme code, ils deviennent ceux de la fractale transformée. Le canevas montre le résultat avant que vous l’acceptiez.</translation>
+    </message>
+    <message>
+        <source>Where a table does not say what its columns are, you are asked. In the Maps panel, Paste replaces the selected maps instead.</source>
+        <translation>Si un tableau ne dit pas quelles sont ses colonnes, la question vous est posée. Dans le panneau des applications, Coller remplace les applications sélectionnées.</translation>
+    </message>
+    <message>
+        <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
+        <translation>Une nouvelle langue prend effet au prochain démarrage, tout le reste aussitôt et dans toutes les fenêtres.</translation>
+    </message>
+</context>
+<context>
     <name>Analysis</name>
     <message>
         <source>Attractor</source>
         <translation>Attracteur</translation>
     </message>
     <message>
-        <source>A system has one attractor if some power of it contracts: then every start leads to the same set.</source>
-        <translation>Un système a un unique attracteur dès que l’une de ses puissances est contractante&#x202f;: tout ensemble de départ mène alors au même ensemble.</translation>
-    </message>
-    <message>
         <source>Contraction</source>
         <translation>Contraction</translation>
     </message>
     <message>
-        <source>‖A‖ of each map that takes part: the most by which it stretches distances.</source>
+        <source>‖A‖ of each active map: the largest factor by which it stretches distances.</source>
         <translation>‖A‖ pour chaque application active&#x202f;: le plus grand facteur dont elle étire les distances.</translation>
     </message>
     <message>
         <source>Box</source>
         <translation>Boîte englobante</translation>
-    </message>
-    <message>
-        <source>The smallest box with sides parallel to the axes that holds the attractor; certified.</source>
-        <translation>Le plus petit rectangle aux côtés parallèles aux axes qui contient l’attracteur&#x202f;; résultat certifié.</translation>
     </message>
     <message>
         <source>Canonical simplex</source>
@@ -63,10 +126,6 @@
         <translation>Moyenne</translation>
     </message>
     <message>
-        <source>Mean of the invariant measure, solved exactly: the centre of mass of the picture.</source>
-        <translation>Moyenne de la mesure invariante, calculée exactement&#x202f;: le centre de masse de l’image.</translation>
-    </message>
-    <message>
         <source>Covariance</source>
         <translation>Covariance</translation>
     </message>
@@ -75,19 +134,15 @@
         <translation>Points fixes</translation>
     </message>
     <message>
-        <source>The point that each map leaves where it is; it lies on the attractor.</source>
+        <source>The point that each map leaves unchanged; it belongs to the attractor.</source>
         <translation>Le point que chaque application laisse à sa place ; il est sur l’attracteur.</translation>
-    </message>
-    <message>
-        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation>Le D tel que Σ sᵢᴰ = 1 sur les rapports sᵢ, quand toutes les applications sont des similitudes dans certaines coordonnées. C’est la dimension de l’attracteur quand les morceaux ne se recouvrent pas.</translation>
     </message>
     <message>
         <source>Affinity dimension</source>
         <translation>Dimension d’affinité</translation>
     </message>
     <message>
-        <source>Falconer’s dimension: where the sum of the singular value functions of all words of one length neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to it for almost all translations when the maps contract enough.</source>
+        <source>Falconer’s dimension, at most 2: the exponent at which the sum of the singular value functions of all words of one length neither grows nor shrinks as the words get longer. It is an upper bound for the box-counting dimension, and equal to it for almost all translations if the maps contract enough.</source>
         <translation>La dimension de Falconer : là où la somme des fonctions de valeurs singulières de tous les mots d’une même longueur ni ne croît ni ne décroît, au plus 2. Une borne supérieure de la dimension par comptage de boîtes, égale à elle pour presque toutes les translations quand les applications contractent assez.</translation>
     </message>
     <message>
@@ -95,31 +150,15 @@
         <translation>Dimension par comptage de boîtes</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the attractor. An estimate: it depends on the sizes counted.</source>
-        <translation>Pente de la droite des moindres carrés de ln N en fonction de ln 1/ε, où N boîtes de côté ε rencontrent l’attracteur. Une estimation : elle dépend des tailles comptées.</translation>
-    </message>
-    <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. The ellipse is the one on which an even mass has the same mean and covariance.</source>
-        <translation>Covariance xx, xy, yy de la mesure invariante, résolue exactement : l’étendue de l’image. L’ellipse est celle sur laquelle une masse uniforme a la même moyenne et la même covariance.</translation>
-    </message>
-    <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; certified. The signs are the directions of its legs.</source>
-        <translation>Le plus petit triangle rectangle isocèle à côtés parallèles aux axes qui contient l’attracteur ; certifié. Les signes sont les directions de ses côtés.</translation>
-    </message>
-    <message>
         <source>Hull area</source>
         <translation>Aire de l’enveloppe</translation>
-    </message>
-    <message>
-        <source>Area of the convex hull: of the polygon whose vertices were found on the attractor. The hull itself is larger by at most its border times the error bound.</source>
-        <translation>Aire de l’enveloppe convexe : du polygone dont les sommets ont été trouvés sur l’attracteur. L’enveloppe elle-même est plus grande d’au plus son bord fois la borne d’erreur.</translation>
     </message>
     <message>
         <source>Hull vertices</source>
         <translation>Sommets de l’enveloppe</translation>
     </message>
     <message>
-        <source>Corners of the convex hull as found, each a point of the attractor. A hull with infinitely many has as many as its tolerance asks for.</source>
+        <source>Vertices of the computed hull; each is a point of the attractor. If the exact hull has infinitely many, as many are computed as the tolerance requires.</source>
         <translation>Sommets de l’enveloppe convexe tels que trouvés, chacun un point de l’attracteur. Une enveloppe qui en a une infinité en a autant que sa tolérance l’exige.</translation>
     </message>
     <message>
@@ -127,7 +166,7 @@
         <translation>Borne d’erreur de l’enveloppe</translation>
     </message>
     <message>
-        <source>The attractor reaches at most this far beyond the polygon; certified.</source>
+        <source>The attractor extends at most this far beyond the polygon; certified.</source>
         <translation>L’attracteur dépasse le polygone d’au plus cette distance ; certifié.</translation>
     </message>
     <message numerus="yes">
@@ -138,113 +177,290 @@
         </translation>
     </message>
     <message>
-        <source>Yes: hyperbolic, every map contracts by %1 or less.</source>
+        <source>Yes: hyperbolic, every map has a contraction factor of %1 or less.</source>
         <translation>Oui : hyperbolique, chaque application contracte d’un facteur %1 ou moins.</translation>
-    </message>
-    <message>
-        <source>Yes: eventually contractive, every word of %1 maps contracts (%2 a map).</source>
-        <translation>Oui : finalement contractant, chaque mot de %1 applications contracte (%2 par application).</translation>
-    </message>
-    <message>
-        <source>None: the word %1 does not contract (%2 a map).</source>
-        <translation>Aucun : le mot %1 ne contracte pas (%2 par application).</translation>
     </message>
     <message>
         <source>Undecided: no proof either way was found.</source>
         <translation>Indécis : aucune preuve n’a été trouvée, ni dans un sens ni dans l’autre.</translation>
     </message>
     <message>
-        <source>None: no map takes part.</source>
+        <source>None: no map is active.</source>
         <translation>Aucun : aucune application ne participe.</translation>
     </message>
     <message>
-        <source>None: map %1 does not contract (%2 a map).</source>
-        <translation>Aucun : l’application %1 ne contracte pas (%2 par application).</translation>
+        <source>unknown: the error would be larger</source>
+        <translation>inconnu : l’erreur serait plus grande</translation>
+    </message>
+    <message>
+        <source>A compact set to which every compact starting set leads, step by step. A system has one exactly if its maps contract in some norm.</source>
+        <translation>Un ensemble compact auquel mène, pas à pas, tout ensemble compact de départ. Un système en a un exactement si ses applications contractent dans une norme.</translation>
+    </message>
+    <message>
+        <source>(of the attractor: its pieces are disjoint)</source>
+        <translation>(de l’attracteur : ses morceaux sont disjoints)</translation>
+    </message>
+    <message>
+        <source>(upper bound: pieces coincide)</source>
+        <translation>(majorant : des morceaux coïncident)</translation>
+    </message>
+    <message>
+        <source>(if the open set condition holds; else an upper bound)</source>
+        <translation>(si la condition de l’ensemble ouvert est remplie ; sinon, un majorant)</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Séparation</translation>
+    </message>
+    <message>
+        <source>Whether the pieces that the maps make of the attractor are disjoint (strong separation, proved by disjoint covers), or words of maps coincide, so that the open set condition fails.</source>
+        <translation>Si les morceaux que les applications font de l’attracteur sont disjoints (séparation forte, prouvée par des recouvrements disjoints), ou si des mots d’applications coïncident, ce qui contredit la condition de l’ensemble ouvert.</translation>
+    </message>
+    <message>
+        <source>strong: no two pieces meet</source>
+        <translation>forte : deux morceaux ne se touchent jamais</translation>
+    </message>
+    <message>
+        <source>none: pieces coincide</source>
+        <translation>aucune : des morceaux coïncident</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Connectedness</source>
+        <translation>Connexité</translation>
+    </message>
+    <message>
+        <source>An attractor is connected exactly if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
+        <translation>Un attracteur est connexe exactement si des points communs relient ses morceaux (Hata). Les points communs sont cherchés parmi les points fixes de mots courts ; leur absence est prouvée par des recouvrements disjoints.</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>connexe</translation>
+    </message>
+    <message>
+        <source>connected, as far as rounding tells</source>
+        <translation>connexe, autant que l’arrondi permet d’en juger</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>non connexe</translation>
+    </message>
+    <message>
+        <source>Overlaps</source>
+        <translation>Recouvrements</translation>
+    </message>
+    <message>
+        <source>Words of maps that are one and the same map, neither of them the beginning of the other: their pieces coincide.</source>
+        <translation>Mots d’applications qui sont une seule et même application, sans que l’un soit le début de l’autre : leurs morceaux coïncident.</translation>
+    </message>
+    <message>
+        <source>Joint spectral radius</source>
+        <translation>Rayon spectral joint</translation>
+    </message>
+    <message>
+        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm exactly if it is less than 1.</source>
+        <translation>Le plus grand facteur par application dont les longs mots étirent. Les deux bornes de l’intervalle sont prouvées ; un système contracte dans une norme exactement s’il est inférieur à 1.</translation>
+    </message>
+    <message>
+        <source>Entropy</source>
+        <translation>Entropie</translation>
+    </message>
+    <message>
+        <source>−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats.</source>
+        <translation>−Σ pᵢ ln pᵢ : ce qu’un pas du jeu du chaos laisse ouvert, en nats.</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Exposant de Liapounov</translation>
+    </message>
+    <message>
+        <source>Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are similarities in some coordinates.</source>
+        <translation>Σ pᵢ ln sᵢ : la variation du logarithme d’une distance à chaque pas du jeu du chaos, si toutes les applications sont des similitudes dans certaines coordonnées.</translation>
+    </message>
+    <message>
+        <source>Dimension of the measure</source>
+        <translation>Dimension de la mesure</translation>
+    </message>
+    <message>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>L’entropie divisée par l’opposé de l’exposant de Liapounov, au plus 2 : la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
+    </message>
+    <message>
+        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Le nombre D tel que Σ sᵢᴰ = 1, où les sᵢ sont les rapports des applications, si toutes sont des similitudes dans certaines coordonnées. C’est la dimension de l’attracteur sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
+    </message>
+    <message>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the uncertainty comes from how parts of that range differ, and is no proof.</source>
+        <translation>Pente de la droite des moindres carrés de ln N en fonction de ln 1/ε, où N est le nombre de boîtes de côté ε qui rencontrent l’attracteur, sur les tailles où elle est la plus régulière. C’est une estimation ; l’incertitude vient de l’écart entre des parties de cet intervalle et n’est pas une preuve.</translation>
+    </message>
+    <message>
+        <source>Mean of the invariant measure, solved without sampling: the centre of mass of the picture.</source>
+        <translation>Moyenne de la mesure invariante, calculée sans échantillonnage : le centre de masse de l’image.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. An even mass that fills the ellipse has the same mean and covariance.</source>
+        <translation>Covariance xx, xy, yy de la mesure invariante, calculée sans échantillonnage : l’étendue de l’image. Une masse uniforme qui remplit l’ellipse a la même moyenne et la même covariance.</translation>
+    </message>
+    <message>
+        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Its sides are off by the error at most.</source>
+        <translation>Le plus petit rectangle de côtés parallèles aux axes qui contient l’attracteur ; certifié. Ses côtés s’écartent au plus de l’erreur.</translation>
+    </message>
+    <message>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <translation>Le plus petit triangle rectangle isocèle aux côtés parallèles aux axes qui contient l’attracteur ; certifié. Les signes donnent les directions de ses cathètes. Pour un seul point, la cathète vaut 1.</translation>
+    </message>
+    <message>
+        <source>Area of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most its perimeter times the error bound e, and πe² for the corners.</source>
+        <translation>Aire de l’enveloppe calculée, dont les sommets sont des points de l’attracteur. L’enveloppe convexe exacte est plus grande d’au plus son périmètre fois la borne d’erreur e, et πe² pour les coins.</translation>
+    </message>
+    <message>
+        <source>Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.</source>
+        <translation>Oui : dans une norme ellipsoïdale, chaque application contracte d’un facteur %1 ou moins.</translation>
+    </message>
+    <message>
+        <source>Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of %1 or less.</source>
+        <translation>Oui : dans une norme dont la boule unité est un polytope, chaque application contracte d’un facteur %1 ou moins.</translation>
+    </message>
+    <message>
+        <source>None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
+        <translation>Aucun : l’application %1 ne contracte dans aucune norme (ρ ≥ 1 est prouvé ; %2 par application).</translation>
+    </message>
+    <message>
+        <source>None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
+        <translation>Aucun : le mot %1 ne contracte dans aucune norme (ρ ≥ 1 est prouvé ; %2 par application).</translation>
+    </message>
+    <message>
+        <source>Yes: any %1 maps in a row contract, by a factor of %2 or less per map.</source>
+        <translation>Oui : %1 applications consécutives quelconques contractent, d’un facteur %2 ou moins par application.</translation>
+    </message>
+    <message>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Entropie divisée par l’opposé de l’exposant de Liapounov, au plus 3 : la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, xz, yy, yz, zz of the invariant measure, solved without sampling: how far the picture spreads.</source>
+        <translation>Covariance xx, xy, xz, yy, yz, zz de la mesure invariante, résolue sans échantillonnage : l’étendue de l’image.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <comment>in space</comment>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>The smallest box with edges parallel to the axes that contains the attractor, to the error bound.</source>
+        <translation>La plus petite boîte aux arêtes parallèles aux axes qui contient l’attracteur, à la borne d’erreur près.</translation>
+    </message>
+    <message>
+        <source>Box error bound</source>
+        <translation>Borne d’erreur de la boîte</translation>
+    </message>
+    <message>
+        <source>The attractor extends at most this far beyond the box; certified.</source>
+        <translation>L’attracteur dépasse la boîte d’au plus cette distance&#x202f;; certifié.</translation>
+    </message>
+    <message>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <translation>Le plus petit tétraèdre à trois côtés égaux parallèles aux axes qui contient l’attracteur ; certifié. Les signes donnent les directions de ses côtés. Pour un seul point, le côté vaut 1.</translation>
+    </message>
+    <message>
+        <source>Hull volume</source>
+        <translation>Volume de l’enveloppe</translation>
+    </message>
+    <message>
+        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by the error at most.</source>
+        <translation>Volume de l’enveloppe calculée, dont les sommets sont des points de l’attracteur. L’enveloppe convexe exacte est plus grande d’au plus l’erreur.</translation>
+    </message>
+    <message>
+        <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
+        <translation>L’attracteur dépasse le polyèdre d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
 </context>
 <context>
     <name>Application</name>
     <message>
-        <source>Take a fractal by its corners: an editor for iterated function systems.</source>
+        <source>Grab a fractal by its corners: an editor for iterated function systems.</source>
         <translation>Prenez une fractale par les coins&#x202f;: un éditeur de systèmes de fonctions itérées.</translation>
     </message>
     <message>
-        <source>.ifs files to open, a window each</source>
+        <source>.ifs files to open, each in its own window</source>
         <translation>Fichiers .ifs à ouvrir, chacun dans sa fenêtre</translation>
     </message>
     <message>
-        <source>a window with the maple, whatever was open before</source>
-        <translation>une fenêtre avec l’érable, quoi qui ait été ouvert auparavant</translation>
+        <source>start with the maple instead of the last session</source>
+        <translation>commencer par l’érable au lieu de la dernière session</translation>
     </message>
     <message>
-        <source>a window that shows the collection</source>
-        <translation>une fenêtre qui montre la collection</translation>
+        <source>open a window with the collection</source>
+        <translation>ouvrir une fenêtre avec la collection</translation>
     </message>
     <message>
-        <source>a window with fractals made by chance to pick from</source>
-        <translation>une fenêtre avec des fractales au hasard à choisir</translation>
+        <source>open a window with random fractals to choose from</source>
+        <translation>ouvrir une fenêtre avec des fractales au hasard, à choisir</translation>
     </message>
 </context>
 <context>
     <name>CageEdits</name>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Cette entrée n’a pas d’applications du plan.</translation>
     </message>
     <message>
-        <source>The cage is at rest: the code is what is displayed.</source>
+        <source>The cage is at rest: the picture shows the code.</source>
         <translation>La cage est au repos&#x202f;: l’image affichée est celle du code.</translation>
     </message>
     <message>
-        <source>The cage bends the picture, and no affine code has a bent picture. Choose “Affine fit” to bake what comes nearest to it.</source>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
         <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez «&#x202f;Ajustement affine&#x202f;» pour intégrer au code ce qui s’en approche le plus.</translation>
     </message>
     <message>
-        <source>The cage is flat: no code has this picture. Open the cage first.</source>
-        <translation>La cage est plate&#x202f;: aucun code ne donne cette image. Ouvrez d’abord la cage.</translation>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>La cage est plate : son placement ne peut pas être intégré au code. Ouvrez d’abord la cage.</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture. The code stays as it is until you bake.</source>
+        <source>Moving the cage moves the picture. Bake to change the code.</source>
         <translation>Déplacer la cage déplace l’image. Le code reste tel quel tant que vous n’y intégrez pas le placement.</translation>
     </message>
     <message>
-        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can follow, and leaves it.</source>
+        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
         <translation>Déplacer la cage entière réécrit le code. Déplacer un seul sommet courbe l’image, ce qu’aucun code ne peut suivre&#x202f;; le code reste alors tel quel.</translation>
     </message>
     <message>
-        <source>Moving the cage rewrites every coefficient of the code, and the cage rests where it is.</source>
+        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
         <translation>Déplacer la cage réécrit tous les coefficients du code, et la cage est au repos là où elle se trouve.</translation>
     </message>
     <message>
-        <source>The cage already places the code.</source>
-        <translation>La cage place déjà le code.</translation>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>La cage n’est pas au repos : elle porte déjà un placement.</translation>
     </message>
     <message>
-        <source>Only a triangle can be taken out of the code.</source>
+        <source>Only a cage with three vertices can be unbaked.</source>
         <translation>Seul un triangle peut être extrait du code.</translation>
     </message>
     <message>
-        <source>The cage has a notch: the picture may fold over itself there.</source>
+        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
         <translation>La cage a une encoche&#x202f;: l’image peut s’y replier sur elle-même.</translation>
     </message>
     <message>
-        <source>The cage is folded: parts of the picture lie over one another. Move the vertices apart to unfold it.</source>
+        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
         <translation>La cage est repliée&#x202f;: des parties de l’image se superposent. Écartez les sommets pour la déplier.</translation>
     </message>
     <message>
-        <source>No map takes part, so there is nothing to enclose.</source>
+        <source>No map is active, so there is nothing to enclose.</source>
         <translation>Aucune application n’est active&#x202f;: il n’y a rien à entourer.</translation>
     </message>
     <message>
-        <source>A bent picture cannot be held by another cage. Reset the cage, or choose “Affine fit”, first.</source>
+        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
         <translation>Une image courbée ne peut pas être confiée à une autre cage. Réinitialisez d’abord la cage, ou choisissez «&#x202f;Ajustement affine&#x202f;».</translation>
     </message>
     <message>
-        <source>The cage is flat. Open the triangle, or reset it, first.</source>
+        <source>The cage is flat. First open or reset the triangle.</source>
         <translation>La cage est plate. Ouvrez d’abord le triangle, ou réinitialisez-le.</translation>
     </message>
     <message>
-        <source>This system has no attractor that could be enclosed.</source>
+        <source>This system has no attractor that can be enclosed.</source>
         <translation>Ce système n’a pas d’attracteur à entourer.</translation>
     </message>
     <message>
@@ -267,7 +483,7 @@
         <translation>Fougères</translation>
     </message>
     <message>
-        <source>Fronds: a long slow map climbs the rachis, two short ones hang the pinnae, a flat one draws the stem.</source>
+        <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
         <translation>Frondes&#x202f;: une longue application lente monte le long du rachis, deux courtes y accrochent les pennes, une plate trace la tige.</translation>
     </message>
     <message>
@@ -275,15 +491,15 @@
         <translation>Arbres</translation>
     </message>
     <message>
-        <source>Trunks that fork: the whole tree stands on its own branches.</source>
-        <translation>Des troncs qui se ramifient&#x202f;: l’arbre entier se tient sur chacune de ses branches.</translation>
+        <source>Forking trunks: the branches of the tree are copies of the whole tree.</source>
+        <translation>Des troncs qui fourchent : les branches de l’arbre sont des copies de l’arbre entier.</translation>
     </message>
     <message>
         <source>Dragons</source>
         <translation>Dragons</translation>
     </message>
     <message>
-        <source>Folded paper curves and the fractals of two or three twisted similarities.</source>
+        <source>Paper-folding curves, and fractals of two or three rotating similarities.</source>
         <translation>Courbes de papier plié et fractales de deux ou trois similitudes avec rotation.</translation>
     </message>
     <message>
@@ -291,7 +507,7 @@
         <translation>Famille de Sierpiński</translation>
     </message>
     <message>
-        <source>Gaskets and carpets: a polygon holds shrunken copies of itself and keeps its holes.</source>
+        <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
         <translation>Tamis et tapis&#x202f;: un polygone contient des copies réduites de lui-même et garde ses trous.</translation>
     </message>
     <message>
@@ -299,7 +515,7 @@
         <translation>Famille de Koch</translation>
     </message>
     <message>
-        <source>Curves built by replacing a segment, and the islands they bound.</source>
+        <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
         <translation>Des courbes construites en remplaçant un segment, et les îles qu’elles délimitent.</translation>
     </message>
     <message>
@@ -307,7 +523,7 @@
         <translation>Spirales</translation>
     </message>
     <message>
-        <source>One map that turns and shrinks a little, and small ones that bead its path.</source>
+        <source>One map that turns and shrinks a little, and small maps that set beads along its path.</source>
         <translation>Une application qui tourne et réduit un peu, et de petites qui s’égrènent le long de son parcours.</translation>
     </message>
     <message>
@@ -315,7 +531,7 @@
         <translation>Feuilles et fleurs</translation>
     </message>
     <message>
-        <source>Leaf outlines, and flowers whose petals are turned copies of one another.</source>
+        <source>Leaf outlines, and flowers whose petals are rotated copies of one another.</source>
         <translation>Contours de feuilles, et fleurs dont les pétales se déduisent les uns des autres par rotation.</translation>
     </message>
     <message>
@@ -323,7 +539,7 @@
         <translation>Pavages et reptuiles</translation>
     </message>
     <message>
-        <source>Sets that tile the plane: copies of themselves, rep-tiles, and the central tiles of number systems.</source>
+        <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
         <translation>Des ensembles qui pavent le plan&#x202f;: copies d’eux-mêmes, reptuiles, et tuiles centrales de systèmes de numération.</translation>
     </message>
     <message>
@@ -331,7 +547,7 @@
         <translation>Ensembles de Cantor et poussières</translation>
     </message>
     <message>
-        <source>Sets full of gaps at every scale: points everywhere near, hardly any of them joined.</source>
+        <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
         <translation>Des ensembles pleins de lacunes à toutes les échelles&#x202f;: partout des points proches, presque aucun relié à un autre.</translation>
     </message>
     <message>
@@ -339,7 +555,7 @@
         <translation>Cristaux et flocons de neige</translation>
     </message>
     <message>
-        <source>Sets with the symmetry of frost: five, six and more arms.</source>
+        <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
         <translation>Des ensembles qui ont la symétrie du givre&#x202f;: cinq, six branches et davantage.</translation>
     </message>
     <message>
@@ -347,7 +563,7 @@
         <translation>Courbes et graphes</translation>
     </message>
     <message>
-        <source>Graphs of strange functions, smooth curves as attractors, space-filling coordinates.</source>
+        <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
         <translation>Graphes de fonctions étranges, courbes lisses en attracteurs, coordonnées de courbes remplissant le plan.</translation>
     </message>
     <message>
@@ -355,19 +571,90 @@
         <translation>Abstraites</translation>
     </message>
     <message>
-        <source>Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes.</source>
+        <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
         <translation>Motifs affines sans nom dans la nature&#x202f;: parents du tamis, entrelacs, rosaces.</translation>
+    </message>
+    <message>
+        <source>Polyhedra in space</source>
+        <translation>Polyèdres dans l’espace</translation>
+    </message>
+    <message>
+        <source>A polyhedron made of smaller copies of itself, one at each corner.</source>
+        <translation>Un polyèdre fait de copies plus petites de lui-même, une à chaque sommet.</translation>
+    </message>
+    <message>
+        <source>Sponges and cubes in space</source>
+        <translation>Éponges et cubes dans l’espace</translation>
+    </message>
+    <message>
+        <source>Cubes divided into smaller cubes, some of which are left out or turned.</source>
+        <translation>Des cubes divisés en cubes plus petits, dont certains sont omis ou tournés.</translation>
+    </message>
+    <message>
+        <source>Plants in space</source>
+        <translation>Plantes dans l’espace</translation>
+    </message>
+    <message>
+        <source>Fronds and trees whose branches stand all around the stem.</source>
+        <translation>Des frondes et des arbres dont les branches entourent la tige.</translation>
+    </message>
+    <message>
+        <source>Shells and corals in space</source>
+        <translation>Coquilles et coraux dans l’espace</translation>
+    </message>
+    <message>
+        <source>Helical shells, cones arranged by the golden angle, and corals with thick branches.</source>
+        <translation>Des coquilles hélicoïdales, des cônes disposés selon l’angle d’or et des coraux aux branches épaisses.</translation>
+    </message>
+    <message>
+        <source>Dragons in space</source>
+        <translation>Dragons dans l’espace</translation>
+    </message>
+    <message>
+        <source>Folded surfaces, and polyhedra whose copies are turned.</source>
+        <translation>Des surfaces pliées et des polyèdres dont les copies sont tournées.</translation>
+    </message>
+</context>
+<context>
+    <name>DimensionEdits</name>
+    <message>
+        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
+        <translation>« %1 » n’est pas un système du plan et ne peut donc pas être élevé dans l’espace.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake or reset it first.</source>
+        <translation>La cage de « %1 » a plus de trois sommets et ne donne pas de tétraèdre. Intégrez-la ou réinitialisez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it cannot be flattened.</source>
+        <translation>« %1 » n’est pas un système de l’espace et ne peut donc pas être aplati.</translation>
+    </message>
+    <message>
+        <source>The direction must have a length other than 0.</source>
+        <translation>La direction ne peut pas être de longueur nulle.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
+        <translation>« %1 » a des branches déplacées, qui ne peuvent pas être aplaties. Réinitialisez-les d’abord.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
+        <translation>La cage de « %1 » ne peut pas être intégrée aux applications ; il ne peut donc pas être aplati.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
+        <translation>L’application %1 de « %2 » change cette direction ; l’ombre n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
     </message>
 </context>
 <context>
     <name>ExportJob</name>
     <message>
-        <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
+        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
         <translation>La mémoire ne suffit pas pour cette image. Réduisez-la, ou diminuez le suréchantillonnage.</translation>
     </message>
 </context>
 <context>
-    <name>FlameCard</name>
+    <name>FlameBanner</name>
     <message>
         <source>Flames</source>
         <translation>Flammes</translation>
@@ -380,15 +667,15 @@
         </translation>
     </message>
     <message>
-        <source>In flames y grows downwards. They were turned over, so that they look here as they do in flame programs.</source>
+        <source>In flame files, y points down. The flames were flipped so that they look the same here as in flame programs.</source>
         <translation>Dans les flammes, y croît vers le bas. Elles ont été retournées, pour avoir ici la même allure que dans les programmes de flammes.</translation>
     </message>
     <message>
-        <source>Leave &amp;y as it is written</source>
+        <source>Keep &amp;y As Written</source>
         <translation>Laisser &amp;y comme il est écrit</translation>
     </message>
     <message>
-        <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
+        <source>Uses the numbers as they are in the file. The picture is then upside down.</source>
         <translation>Prend les nombres des flammes tels qu’ils sont dans le texte. L’image est alors à l’envers.</translation>
     </message>
     <message>
@@ -396,18 +683,18 @@
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Leave y as it is written</source>
+        <source>Keep y as written</source>
         <translation>Laisser y comme il est écrit</translation>
     </message>
     <message>
-        <source>Turn the flames over</source>
+        <source>Flip the flames</source>
         <translation>Retourner les flammes</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures that carry their fractal (*.png *.svg);;All files (*)</source>
+        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)</source>
         <translation>Collections Fractint (*.ifs *.par);;Flammes (*.flame *.flam3);;Tableaux de nombres (*.csv *.tsv *.txt);;Images contenant leur fractale (*.png *.svg);;Tous les fichiers (*)</translation>
     </message>
     <message>
@@ -415,7 +702,7 @@
         <translation>Ajouter %1</translation>
     </message>
     <message>
-        <source>Show or hide the panel “%1”</source>
+        <source>Show or hide the “%1” panel</source>
         <translation>Afficher ou masquer le panneau «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
@@ -451,8 +738,8 @@
         <translation>Problèmes</translation>
     </message>
     <message>
-        <source>Take the maple by a corner and pull. Or press D and define another triangle by three clicks.</source>
-        <translation>Prenez l’érable par un coin et tirez. Ou appuyez sur D et définissez un autre triangle en trois clics.</translation>
+        <source>Drag a corner of the triangle. Or press D and click three points to define another triangle.</source>
+        <translation>Faites glisser un coin du triangle. Ou appuyez sur D et cliquez sur trois points pour définir un autre triangle.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
@@ -470,14 +757,14 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n of them could not be read and are kept as they are</source>
+        <source>, %n of them could not be read and are kept unchanged</source>
         <translation>
             <numerusform>, dont %n qui n’a pas pu être lue et reste telle quelle</numerusform>
             <numerusform>, dont %n qui n’ont pas pu être lues et restent telles quelles</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n read with a remark</source>
+        <source>, %n read with warnings</source>
         <translation>
             <numerusform>, %n lue avec une remarque</numerusform>
             <numerusform>, %n lues avec une remarque</numerusform>
@@ -492,7 +779,7 @@
         <translation>Modifications non enregistrées</translation>
     </message>
     <message>
-        <source>“%1” has changes that are not saved.</source>
+        <source>“%1” has unsaved changes.</source>
         <translation>«&#x202f;%1&#x202f;» contient des modifications non enregistrées.</translation>
     </message>
     <message>
@@ -504,11 +791,11 @@
         <translation>Modifié sur le disque</translation>
     </message>
     <message>
-        <source>“%1” was changed by another program since it was opened here.</source>
+        <source>Another program has changed “%1” since you opened it.</source>
         <translation>«&#x202f;%1&#x202f;» a été modifié par un autre programme depuis son ouverture ici.</translation>
     </message>
     <message>
-        <source>Saving replaces what the other program wrote.</source>
+        <source>Saving overwrites the changes made by the other program.</source>
         <translation>L’enregistrement remplacera ce que l’autre programme a écrit.</translation>
     </message>
     <message>
@@ -540,11 +827,11 @@
         <translation>Revenir</translation>
     </message>
     <message>
-        <source>Go back to “%1” as it is on disk? The changes made since then are lost.</source>
+        <source>Revert to “%1” as it is on disk? Your changes since then will be lost.</source>
         <translation>Revenir à «&#x202f;%1&#x202f;» tel qu’il est sur le disque&#x202f;? Les modifications faites depuis seront perdues.</translation>
     </message>
     <message>
-        <source>%1 could not be read again</source>
+        <source>%1 could not be reloaded</source>
         <translation>Impossible de relire %1</translation>
     </message>
     <message>
@@ -559,11 +846,6 @@
         <source>%1[*] — %2</source>
         <comment>file, entry</comment>
         <translation>%1[*] — %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>what it does, shortcut</comment>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -606,7 +888,7 @@
         <translation>&amp;Enregistrer</translation>
     </message>
     <message>
-        <source>Save the file; entries not edited keep every byte</source>
+        <source>Save the file; entries that you did not edit stay unchanged to the byte</source>
         <translation>Enregistrer le fichier&#x202f;; les entrées non modifiées sont conservées à l’octet près</translation>
     </message>
     <message>
@@ -626,7 +908,7 @@
         <translation>Re&amp;venir à la version enregistrée</translation>
     </message>
     <message>
-        <source>Go back to the file as it is on disk</source>
+        <source>Discard your changes and reload the file from disk</source>
         <translation>Revenir au fichier tel qu’il est sur le disque</translation>
     </message>
     <message>
@@ -666,7 +948,7 @@
         <translation>Copier l’image dans le presse-papiers</translation>
     </message>
     <message>
-        <source>The picture is on the clipboard.</source>
+        <source>The picture was copied to the clipboard.</source>
         <translation>L’image est dans le presse-papiers.</translation>
     </message>
     <message>
@@ -706,7 +988,7 @@
         <translation>Ctrl+Z</translation>
     </message>
     <message>
-        <source>Take the last edit back</source>
+        <source>Undo the last edit</source>
         <translation>Annuler la dernière modification</translation>
     </message>
     <message>
@@ -722,7 +1004,7 @@
         <translation>Ctrl+Y</translation>
     </message>
     <message>
-        <source>Make the edit again that was taken back</source>
+        <source>Redo the last edit that was undone</source>
         <translation>Refaire la modification annulée</translation>
     </message>
     <message>
@@ -734,7 +1016,7 @@
         <translation>Ctrl+T</translation>
     </message>
     <message>
-        <source>Rotate, scale, shear, reflect or move the whole fractal by numbers</source>
+        <source>Rotate, scale, shear, reflect or move the whole fractal by exact amounts</source>
         <translation>Faire tourner, redimensionner, cisailler, réfléchir ou déplacer toute la fractale en saisissant des nombres</translation>
     </message>
     <message>
@@ -754,7 +1036,7 @@
         <translation>Ctrl+Shift+M</translation>
     </message>
     <message>
-        <source>Pick one of many fractals made by chance, and add it to the file</source>
+        <source>Choose from a sheet of random fractals and add one to the file</source>
         <translation>Choisir parmi de nombreuses fractales nées du hasard, et l’ajouter au fichier</translation>
     </message>
     <message>
@@ -766,7 +1048,7 @@
         <translation>Ctrl+,</translation>
     </message>
     <message>
-        <source>Language, theme, quality of the picture at rest, what is opened at the start</source>
+        <source>Language, theme, picture quality, and what opens at startup</source>
         <translation>Langue, thème, qualité de l’image au repos, fichiers ouverts au démarrage</translation>
     </message>
     <message>
@@ -782,8 +1064,8 @@
         <translation>C</translation>
     </message>
     <message>
-        <source>Take the fractal by the vertices of its control triangle</source>
-        <translation>Saisir la fractale par les sommets de son triangle de contrôle</translation>
+        <source>Drag the corners of the control triangle</source>
+        <translation>Faire glisser les coins du triangle de contrôle</translation>
     </message>
     <message>
         <source>De&amp;fine Triangle</source>
@@ -802,7 +1084,7 @@
         <translation>Ajuster le simplexe canonique &amp;minimal</translation>
     </message>
     <message>
-        <source>Hold the attractor in the smallest isosceles right triangle around it</source>
+        <source>Fit the smallest isosceles right triangle with legs parallel to the axes around the attractor</source>
         <translation>Tenir l’attracteur par le plus petit triangle rectangle isocèle qui le contient</translation>
     </message>
     <message>
@@ -810,7 +1092,7 @@
         <translation>&amp;Réinitialiser</translation>
     </message>
     <message>
-        <source>Put the cage back to rest: the code is drawn as it is</source>
+        <source>Return the cage to rest: the picture shows the code as it is</source>
         <translation>Remettre la cage au repos&#x202f;: le code est dessiné tel quel</translation>
     </message>
     <message>
@@ -822,7 +1104,7 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>Make the placement part of the code: the picture stays, the coefficients change</source>
+        <source>Write the placement into the code: the picture stays, the coefficients change</source>
         <translation>Intégrer le placement au code&#x202f;: l’image reste, les coefficients changent</translation>
     </message>
     <message>
@@ -830,7 +1112,7 @@
         <translation>&amp;Extraire du code</translation>
     </message>
     <message>
-        <source>Take the placement out of the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
+        <source>Extract the placement from the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
         <translation>Extraire le placement du code&#x202f;: l’image reste, le code devient celui du triangle (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
@@ -838,7 +1120,7 @@
         <translation>Rendre ré&amp;gulière</translation>
     </message>
     <message>
-        <source>Put the vertices on the regular polygon nearest to them</source>
+        <source>Move the vertices to the nearest regular polygon</source>
         <translation>Mettre les sommets sur le polygone régulier le plus proche</translation>
     </message>
     <message>
@@ -846,7 +1128,7 @@
         <translation>Forme &amp;affinement invariante…</translation>
     </message>
     <message>
-        <source>Show every map as a row-stochastic matrix over the control triangle</source>
+        <source>Show every map as a matrix over the control triangle, with rows that sum to 1</source>
         <translation>Montrer chaque application comme une matrice stochastique par lignes relative au triangle de contrôle</translation>
     </message>
     <message>
@@ -854,7 +1136,7 @@
         <translation>P&amp;lacer</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture; the code stays</source>
+        <source>Moving the cage moves the picture; the code does not change</source>
         <translation>Déplacer la cage déplace l’image&#x202f;; le code reste</translation>
     </message>
     <message>
@@ -942,7 +1224,7 @@
         <translation>Y</translation>
     </message>
     <message>
-        <source>Let y grow downwards, as in window coordinates</source>
+        <source>Point the y axis down, as in window coordinates</source>
         <translation>Faire croître y vers le bas, comme dans les coordonnées d’une fenêtre</translation>
     </message>
     <message>
@@ -950,7 +1232,7 @@
         <translation>H</translation>
     </message>
     <message>
-        <source>Hide everything on the canvas but the picture</source>
+        <source>Hide everything on the canvas except the picture</source>
         <translation>Masquer tout ce qui n’est pas l’image</translation>
     </message>
     <message>
@@ -962,7 +1244,7 @@
         <translation>&amp;Sommets</translation>
     </message>
     <message>
-        <source>Let dragged vertices snap to this</source>
+        <source>Make dragged vertices snap to this</source>
         <translation>Accrocher à ceci les sommets que l’on déplace</translation>
     </message>
     <message>
@@ -978,24 +1260,24 @@
         <translation>F11</translation>
     </message>
     <message>
-        <source>Use the whole screen</source>
+        <source>Fill the whole screen</source>
         <translation>Utiliser tout l’écran</translation>
     </message>
     <message>
-        <source>How It Arises</source>
-        <translation>Genèse de l’attracteur</translation>
+        <source>How It Is Built</source>
+        <translation>Construction de l’attracteur</translation>
     </message>
     <message>
-        <source>&amp;How It Arises</source>
-        <translation>Genèse de l’attrac&amp;teur</translation>
+        <source>&amp;How It Is Built</source>
+        <translation>Construction de l’attrac&amp;teur</translation>
     </message>
     <message>
         <source>W</source>
         <translation>W</translation>
     </message>
     <message>
-        <source>Watch the attractor arise: by steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Regarder naître l’attracteur&#x202f;: par les étapes de l’algorithme déterministe, ou par le jeu du chaos</translation>
+        <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
+        <translation>Regarder l’attracteur se construire : par les étapes de l’algorithme déterministe, ou par le jeu du chaos</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1046,7 +1328,7 @@
         <translation>À propos de Barycage</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Take a fractal by its corners: an editor for iterated function systems whose attractors are held in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Grab a fractal by its corners: an editor for iterated function systems that describes their attractors in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Prenez une fractale par les coins&#x202f;: un éditeur de systèmes de fonctions itérées dont les attracteurs sont tenus par les coordonnées barycentriques d’un triangle de contrôle.&lt;/p&gt;&lt;p&gt;D’après E. Hadzieva et M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Licence MIT.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -1062,19 +1344,19 @@
         <translation>Outils</translation>
     </message>
     <message>
-        <source>The fractals of the open file. The one chosen here is in the picture.</source>
+        <source>The fractals in the open file. The canvas shows the one you select here.</source>
         <translation>Les fractales du fichier ouvert. Celle que l’on choisit ici est à l’image.</translation>
     </message>
     <message>
-        <source>Fractals to begin with, by theme, and your own folders of them.</source>
+        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
         <translation>Des fractales pour commencer, classées par thème, et vos propres dossiers de fractales.</translation>
     </message>
     <message>
-        <source>The maps of the fractal: its code, one map in a row.</source>
+        <source>The maps of the fractal: its code, one map per row.</source>
         <translation>Les applications de la fractale&#x202f;: son code, une application par ligne.</translation>
     </message>
     <message>
-        <source>The control cage by numbers: where its vertices are, where they are at rest, what moving them does, and other cages to choose from.</source>
+        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
         <translation>La cage de contrôle en nombres&#x202f;: où sont ses sommets, où ils sont au repos, ce que produit leur déplacement, et d’autres cages à choisir.</translation>
     </message>
     <message>
@@ -1082,16 +1364,16 @@
         <translation>Couleurs, luminosité et fond de l’image. Ils sont enregistrés avec la fractale.</translation>
     </message>
     <message>
-        <source>What mathematics knows of this fractal. Point at a name to read what it means.</source>
-        <translation>Ce que les mathématiques savent de cette fractale. Pointez un nom pour lire ce qu’il signifie.</translation>
+        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
+        <translation>Propriétés mathématiques de cette fractale. Pointez un nom pour lire ce qu’il signifie.</translation>
     </message>
     <message>
-        <source>Every step since the file was opened. Choose one to go back to it, or forward.</source>
+        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
         <translation>Toutes les étapes depuis l’ouverture du fichier. Choisissez-en une pour y revenir ou pour y avancer.</translation>
     </message>
     <message>
-        <source>What was odd in the file, with line and column. It is kept as it is.</source>
-        <translation>Ce que le fichier a d’inhabituel, avec la ligne et la colonne. Il est conservé tel quel.</translation>
+        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
+        <translation>Problèmes trouvés dans le fichier, avec la ligne et la colonne. Le texte du fichier reste inchangé.</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
@@ -1106,20 +1388,20 @@
         <translation>Qu’est-ce que c’&amp;est&#x202f;?</translation>
     </message>
     <message>
-        <source>Click anything to read what it is for</source>
+        <source>Click anything to see what it does</source>
         <translation>Cliquez sur un élément pour lire à quoi il sert</translation>
     </message>
     <message>
-        <source>No recovery</source>
-        <translation>Pas de récupération</translation>
+        <source>Recovery Unavailable</source>
+        <translation>Récupération impossible</translation>
     </message>
     <message>
         <source>Allow Systems &amp;without an Attractor</source>
         <translation>Autoriser les systèmes &amp;sans attracteur</translation>
     </message>
     <message>
-        <source>Let maps be dragged to where they no longer contract; otherwise the drag stops there</source>
-        <translation>Laisser tirer les applications là où elles ne contractent plus ; sinon le glissement s’arrête là</translation>
+        <source>Let a drag of maps continue where an attractor is no longer guaranteed</source>
+        <translation>Laisser le glissement des applications continuer là où un attracteur n’est plus garanti</translation>
     </message>
     <message>
         <source>Drag t&amp;he Maps</source>
@@ -1130,8 +1412,8 @@
         <translation>M</translation>
     </message>
     <message>
-        <source>Show the maps as images of the cage and take them by their corners</source>
-        <translation>Montrer les applications comme images de la cage et les saisir par leurs coins</translation>
+        <source>Show each map as its image of the cage, and drag it by its corners</source>
+        <translation>Montrer chaque application comme son image de la cage et la faire glisser par ses coins</translation>
     </message>
     <message>
         <source>Drag a Bra&amp;nch</source>
@@ -1142,31 +1424,27 @@
         <translation>B</translation>
     </message>
     <message>
-        <source>Click a point of the attractor and take the branch that it belongs to</source>
-        <translation>Cliquer sur un point de l’attracteur et saisir la branche à laquelle il appartient</translation>
-    </message>
-    <message>
-        <source>Maps and Branches</source>
-        <translation>Applications et branches</translation>
+        <source>Click a point of the attractor and drag the branch that contains it</source>
+        <translation>Cliquer sur un point de l’attracteur et faire glisser la branche qui le contient</translation>
     </message>
     <message>
         <source>P&amp;aste</source>
         <translation>C&amp;oller</translation>
     </message>
     <message>
-        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
         <translation>Ajouter au fichier les fractales du presse-papiers : entrées d’un fichier .ifs, flames ou tableau de nombres</translation>
     </message>
     <message>
-        <source>The unsaved work is here all the same.</source>
+        <source>Your unsaved work was recovered nevertheless.</source>
         <translation>Le travail non enregistré est ici malgré tout.</translation>
     </message>
     <message>
-        <source>%1 was not recovered. It is offered again at the next start.</source>
+        <source>%1 was not recovered. Barycage will offer it again at the next start.</source>
         <translation>%1 n’a pas été récupéré. Il sera proposé à nouveau au prochain démarrage.</translation>
     </message>
     <message>
-        <source>Esc brings menus and panels back.</source>
+        <source>Press Esc to bring back the menus and panels.</source>
         <translation>Échap ramène les menus et les panneaux.</translation>
     </message>
     <message>
@@ -1178,7 +1456,7 @@
         <translation>Shift+F11</translation>
     </message>
     <message>
-        <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
+        <source>Show only the canvas, on the whole screen, as for a projector; press Esc to return</source>
         <translation>Laisser tout l’écran à la zone de dessin, par exemple pour un projecteur&#x202f;; Échap ramène le reste</translation>
     </message>
     <message>
@@ -1188,6 +1466,222 @@
     <message>
         <source>Only the Pi&amp;cture</source>
         <translation>&amp;Image seule</translation>
+    </message>
+    <message>
+        <source>Ca&amp;mera</source>
+        <translation>Ca&amp;méra</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Avant</translation>
+    </message>
+    <message>
+        <source>Look along the z axis (1 on the keypad)</source>
+        <translation>Regarder le long de l’axe z (1 sur le pavé numérique)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Précédent</translation>
+    </message>
+    <message>
+        <source>Look along the z axis from behind (Ctrl+1 on the keypad)</source>
+        <translation>Regarder le long de l’axe z par l’arrière (Ctrl+1 sur le pavé numérique)</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Droite</translation>
+    </message>
+    <message>
+        <source>Look along the x axis (3 on the keypad)</source>
+        <translation>Regarder le long de l’axe x (3 sur le pavé numérique)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Gauche</translation>
+    </message>
+    <message>
+        <source>Look along the x axis from behind (Ctrl+3 on the keypad)</source>
+        <translation>Regarder le long de l’axe x par l’arrière (Ctrl+3 sur le pavé numérique)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>De&amp;ssus</translation>
+    </message>
+    <message>
+        <source>Look down (7 on the keypad)</source>
+        <translation>Regarder vers le bas (7 sur le pavé numérique)</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>Dess&amp;ous</translation>
+    </message>
+    <message>
+        <source>Look up (Ctrl+7 on the keypad)</source>
+        <translation>Regarder vers le haut (Ctrl+7 sur le pavé numérique)</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isométrique</translation>
+    </message>
+    <message>
+        <source>Look from a corner (Home)</source>
+        <translation>Regarder depuis un coin (Origine)</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspective</translation>
+    </message>
+    <message>
+        <source>Show what is far away smaller (5 on the keypad)</source>
+        <translation>Montrer plus petit ce qui est loin (5 sur le pavé numérique)</translation>
+    </message>
+    <message>
+        <source>In the menu %1.</source>
+        <translation>Dans le menu %1.</translation>
+    </message>
+    <message>
+        <source>Shortcut: %1</source>
+        <translation>Raccourci&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Tool Options</source>
+        <translation>Options de l’outil</translation>
+    </message>
+    <message>
+        <source>Show the options of the tool under the canvas</source>
+        <translation>Afficher les options de l’outil sous le canevas</translation>
+    </message>
+    <message>
+        <source>A bar that keeps its place: it shows the options of the tool that is chosen, or how the tool is used.</source>
+        <translation>Une barre qui garde sa place&#x202f;: elle montre les options de l’outil choisi, ou la manière de s’en servir.</translation>
+    </message>
+    <message>
+        <source>&amp;Maps</source>
+        <translation>A&amp;pplications</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Horizontally</source>
+        <translation>Retourner &amp;horizontalement</translation>
+    </message>
+    <message>
+        <source>Mirror the selected maps about the vertical line through their centre</source>
+        <translation>Retourner les applications sélectionnées par rapport à la verticale passant par leur centre</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Vertically</source>
+        <translation>Retourner &amp;verticalement</translation>
+    </message>
+    <message>
+        <source>Mirror the selected maps about the horizontal line through their centre</source>
+        <translation>Retourner les applications sélectionnées par rapport à l’horizontale passant par leur centre</translation>
+    </message>
+    <message>
+        <source>Rotate 90° &amp;Left</source>
+        <translation>Tourner de 90° à &amp;gauche</translation>
+    </message>
+    <message>
+        <source>Rotate the selected maps counter-clockwise about their centre</source>
+        <translation>Faire tourner les applications sélectionnées dans le sens inverse des aiguilles d’une montre autour de leur centre</translation>
+    </message>
+    <message>
+        <source>Rotate 90° &amp;Right</source>
+        <translation>Tourner de 90° à &amp;droite</translation>
+    </message>
+    <message>
+        <source>Rotate the selected maps clockwise about their centre</source>
+        <translation>Faire tourner les applications sélectionnées dans le sens des aiguilles d’une montre autour de leur centre</translation>
+    </message>
+    <message>
+        <source>Ali&amp;gn Centres</source>
+        <translation>&amp;Aligner les centres</translation>
+    </message>
+    <message>
+        <source>In a &amp;Row</source>
+        <translation>En &amp;ligne</translation>
+    </message>
+    <message>
+        <source>Move the selected maps up or down until their centres are at the same height</source>
+        <translation>Déplacer les applications sélectionnées vers le haut ou le bas jusqu’à ce que leurs centres soient à la même hauteur</translation>
+    </message>
+    <message>
+        <source>In a &amp;Column</source>
+        <translation>En &amp;colonne</translation>
+    </message>
+    <message>
+        <source>Move the selected maps left or right until their centres are one below the other</source>
+        <translation>Déplacer les applications sélectionnées vers la gauche ou la droite jusqu’à ce que leurs centres soient l’un sous l’autre</translation>
+    </message>
+    <message>
+        <source>D&amp;istribute Centres</source>
+        <translation>Répar&amp;tir les centres</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontally</source>
+        <translation>&amp;Horizontalement</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected maps evenly from left to right</source>
+        <translation>Espacer également les centres des applications sélectionnées de gauche à droite</translation>
+    </message>
+    <message>
+        <source>&amp;Vertically</source>
+        <translation>&amp;Verticalement</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected maps evenly from bottom to top</source>
+        <translation>Espacer également les centres des applications sélectionnées de bas en haut</translation>
+    </message>
+    <message>
+        <source>&amp;Fit to Corners</source>
+        <translation>Placer aux &amp;coins</translation>
+    </message>
+    <message>
+        <source>Move each selected map until it takes the nearest corner of the cage to itself</source>
+        <translation>Déplacer chaque application sélectionnée jusqu’à ce qu’elle envoie le coin le plus proche de la cage sur lui-même</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Choisissez d’abord une application.</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected maps</source>
+        <translation>Dupliquer les applications sélectionnées</translation>
+    </message>
+    <message>
+        <source>Delete the selected maps</source>
+        <translation>Supprimer les applications sélectionnées</translation>
+    </message>
+    <message>
+        <source>Select all maps</source>
+        <translation>Sélectionner toutes les applications</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Maps</source>
+        <translation>&amp;Dupliquer les applications</translation>
+    </message>
+    <message>
+        <source>D&amp;elete Maps</source>
+        <translation>&amp;Supprimer les applications</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Maps</source>
+        <translation>Sélectionner t&amp;outes les applications</translation>
+    </message>
+    <message>
+        <source>Missing on disk</source>
+        <translation>Absent du disque</translation>
+    </message>
+    <message>
+        <source>“%1” has been deleted, renamed or moved since you opened it.</source>
+        <translation>«&#x202f;%1&#x202f;» a été supprimé, renommé ou déplacé depuis son ouverture ici.</translation>
+    </message>
+    <message>
+        <source>Saving creates it again at its old place.</source>
+        <translation>L’enregistrement le recréera à son ancien emplacement.</translation>
+    </message>
+    <message>
+        <source>Other names of the file (hard links) keep the old contents.</source>
+        <translation>Les autres noms du fichier (liens physiques) gardent l’ancien contenu.</translation>
     </message>
 </context>
 <context>
@@ -1211,10 +1705,6 @@
     <message>
         <source>A number is missing here.</source>
         <translation>Il manque ici un nombre.</translation>
-    </message>
-    <message>
-        <source>“%1” is a fraction: write it as a decimal number.</source>
-        <translation>«&#x202f;%1&#x202f;» est une fraction&#x202f;: écrivez-la sous forme décimale.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -1248,7 +1738,7 @@
         <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
-        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <source>Saving “%1” was cancelled. The file on disk is unchanged.</source>
         <translation>L’enregistrement de «&#x202f;%1&#x202f;» a été annulé. Le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
@@ -1314,16 +1804,20 @@
 <context>
     <name>PngSystem</name>
     <message>
-        <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
         <translation>L’image ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, ou un autre programme en a retiré le texte.</translation>
     </message>
     <message>
-        <source>The system in the picture has more than 8 MB.</source>
+        <source>The system in the picture is larger than 8 MB.</source>
         <translation>Le système contenu dans l’image dépasse 8 Mo.</translation>
     </message>
     <message>
-        <source>The file is no PNG picture, or it is damaged.</source>
+        <source>The file is not a PNG picture, or it is damaged.</source>
         <translation>Le fichier n’est pas une image PNG, ou il est endommagé.</translation>
+    </message>
+    <message>
+        <source>The picture carries too much text: the limit is 40 MB in all.</source>
+        <translation>L’image contient trop de texte&#x202f;: la limite est de 40 Mo en tout.</translation>
     </message>
 </context>
 <context>
@@ -1345,7 +1839,7 @@
         <translation>Un travail non enregistré a été trouvé</translation>
     </message>
     <message>
-        <source>Barycage ended last time before this work was saved:</source>
+        <source>The last time you used Barycage, it ended before this work was saved:</source>
         <translation>La dernière fois, Barycage s’est arrêté avant que ce travail ne soit enregistré&#x202f;:</translation>
     </message>
     <message>
@@ -1361,16 +1855,23 @@
         <translation>Demander plus tard</translation>
     </message>
     <message>
-        <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
+        <source>Unsaved work cannot be kept for recovery: the folder “%1” is not writable, or the disk is full. Save often.</source>
         <translation>Le travail non enregistré ne peut pas être gardé pour la récupération : on ne peut pas écrire dans le dossier « %1 », ou le disque est plein. Enregistrez souvent.</translation>
     </message>
     <message>
-        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <source>The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:</source>
         <translation>Un travail non enregistré de la dernière fois est endommagé et ne peut pas être récupéré. Ce qu’il en reste se trouve dans&#x202f;:</translation>
     </message>
     <message>
         <source>Looking for unsaved work…</source>
         <translation>Recherche du travail non enregistré…</translation>
+    </message>
+</context>
+<context>
+    <name>SaveBeside</name>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
     </message>
 </context>
 <context>
@@ -1392,10 +1893,6 @@
         <translation>hyperbolique, s = %1</translation>
     </message>
     <message>
-        <source>eventually contractive, γ = %1 (words of %2 maps)</source>
-        <translation>ultimement contractant, γ = %1 (mots de %2 applications)</translation>
-    </message>
-    <message>
         <source>no attractor: the word %1 does not contract</source>
         <translation>pas d’attracteur&#x202f;: le mot %1 n’est pas contractant</translation>
     </message>
@@ -1404,7 +1901,7 @@
         <translation>existence d’un attracteur indécise</translation>
     </message>
     <message>
-        <source>no map takes part</source>
+        <source>no map is active</source>
         <translation>aucune application active</translation>
     </message>
     <message>
@@ -1412,11 +1909,11 @@
         <translation>Position du pointeur</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Verdict</translation>
+        <source>Existence of an attractor</source>
+        <translation>Existence d’un attracteur</translation>
     </message>
     <message>
-        <source>Whether the system has an attractor, and the factor by which it contracts</source>
+        <source>Whether the system has an attractor, and its contraction factor</source>
         <translation>Si le système a un attracteur, et le facteur dont il contracte</translation>
     </message>
     <message>
@@ -1432,10 +1929,6 @@
         <translation>  barycentriques (%1)</translation>
     </message>
     <message>
-        <source>3D: not yet shown</source>
-        <translation>3D&#x202f;: pas encore affiché</translation>
-    </message>
-    <message>
         <source>this entry could not be read</source>
         <translation>cette entrée n’a pas pu être lue</translation>
     </message>
@@ -1448,7 +1941,7 @@
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>World and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
+        <source>Plane and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
         <translation>Coordonnées cartésiennes et barycentriques du pointeur ; l’adresse du point de l’attracteur qui est dessous, l’application la plus extérieure d’abord, et le point fixe de sa branche</translation>
     </message>
     <message>
@@ -1467,11 +1960,43 @@
         <source>no attractor: map %1 does not contract</source>
         <translation>pas d’attracteur&#x202f;: l’application %1 n’est pas contractante</translation>
     </message>
+    <message>
+        <source>latest changes not yet kept for recovery</source>
+        <translation>dernières modifications pas encore gardées pour la récupération</translation>
+    </message>
+    <message>
+        <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
+        <translation>Un plantage ferait perdre vos dernières modifications : les garder prend plus de deux secondes, parce que le disque est lent ou plein, ou que le fichier est très volumineux. Enregistrez ce qui ne doit pas être perdu.</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ = %1</source>
+        <translation>contractant dans une norme ellipsoïdale, γ = %1</translation>
+    </message>
+    <message>
+        <source>contractive in a polytope norm, γ = %1</source>
+        <translation>contractant dans une norme polytopale, γ = %1</translation>
+    </message>
+    <message>
+        <source>any %1 maps in a row contract, γ = %2</source>
+        <translation>%1 applications consécutives contractent, γ = %2</translation>
+    </message>
+    <message>
+        <source>  depth %1</source>
+        <translation>  profondeur %1</translation>
+    </message>
+    <message>
+        <source>  along %1</source>
+        <translation>  le long de %1</translation>
+    </message>
+    <message>
+        <source>  across %1</source>
+        <translation>  en travers de %1</translation>
+    </message>
 </context>
 <context>
     <name>SvgSystem</name>
     <message>
-        <source>The system in the picture has more than 8 MB.</source>
+        <source>The system in the picture is larger than 8 MB.</source>
         <translation>Le système contenu dans l’image dépasse 8 Mo.</translation>
     </message>
     <message>
@@ -1479,30 +2004,30 @@
         <translation>Le système contenu dans l’image est endommagé.</translation>
     </message>
     <message>
-        <source>The picture declares a document type, which Barycage never writes and does not read.</source>
+        <source>The picture contains a document type declaration, which Barycage neither writes nor reads.</source>
         <translation>L’image déclare un type de document, ce que Barycage n’écrit jamais et ne lit pas.</translation>
     </message>
     <message>
-        <source>The file is no SVG picture, or it is damaged.</source>
+        <source>The file is not an SVG picture, or it is damaged.</source>
         <translation>Le fichier n’est pas une image SVG, ou il est endommagé.</translation>
     </message>
     <message>
-        <source>The picture holds no system: it was not written by Barycage, or another program removed it.</source>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>L’image ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, ou un autre programme l’en a retiré.</translation>
     </message>
 </context>
 <context>
     <name>Text</name>
     <message>
-        <source>a document type is not accepted in a flame file</source>
+        <source>a flame file cannot contain a document type declaration</source>
         <translation>un type de document n’est pas accepté dans un fichier de flammes</translation>
     </message>
     <message>
-        <source>The XML ends here: %1.</source>
+        <source>The XML cannot be read beyond this point: %1.</source>
         <translation>Le XML s’arrête ici&#x202f;: %1.</translation>
     </message>
     <message>
-        <source>There is no flame in this file.</source>
+        <source>The file contains no flames.</source>
         <translation>Ce fichier ne contient pas de flamme.</translation>
     </message>
     <message>
@@ -1526,7 +2051,7 @@
         <translation>pas d’attracteur</translation>
     </message>
     <message>
-        <source>The sheet would be %1 by %2 pixels; at most %3 a side can be drawn. Take smaller tiles, or other columns.</source>
+        <source>The sheet would have %1 by %2 pixels; the limit is %3 per side. Use smaller tiles or another number of columns.</source>
         <translation>La planche ferait %1 sur %2 pixels&#x202f;; on peut dessiner au plus %3 pixels par côté. Prenez des vignettes plus petites, ou un autre nombre de colonnes.</translation>
     </message>
     <message>
@@ -1538,27 +2063,15 @@
         <translation>elle utilise une variation autre que linear</translation>
     </message>
     <message>
-        <source>it acts in space (“%1”)</source>
-        <translation>elle agit dans l’espace («&#x202f;%1&#x202f;»)</translation>
-    </message>
-    <message>
         <source>it uses the variation “%1”</source>
         <translation>elle utilise la variation «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>its “coefs” are not six numbers</source>
-        <translation>ses «&#x202f;coefs&#x202f;» ne sont pas six nombres</translation>
-    </message>
-    <message>
-        <source>its “post” is not six numbers</source>
-        <translation>son «&#x202f;post&#x202f;» n’est pas formé de six nombres</translation>
-    </message>
-    <message>
-        <source>its “chaos” allows some successors only, which a list of maps cannot say</source>
+        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
         <translation>son «&#x202f;chaos&#x202f;» n’autorise que certains successeurs, ce qu’une liste d’applications ne peut exprimer</translation>
     </message>
     <message>
-        <source>it takes part without being drawn (opacity 0)</source>
+        <source>it is active but not drawn (opacity 0)</source>
         <translation>elle agit sans être dessinée (opacity 0)</translation>
     </message>
     <message>
@@ -1598,7 +2111,7 @@
         <translation>La flamme «&#x202f;%1&#x202f;» n’a pas de transformations.</translation>
     </message>
     <message>
-        <source>The entry that opens here is not closed by “}” before the next entry or the end of the file.</source>
+        <source>The entry that starts here has no closing “}” before the next entry or the end of the file.</source>
         <translation>L’entrée qui s’ouvre ici n’est pas fermée par «&#x202f;}&#x202f;» avant l’entrée suivante ou la fin du fichier.</translation>
     </message>
     <message>
@@ -1606,15 +2119,15 @@
         <translation>%1 autres problèmes de cette entrée ne sont pas listés.</translation>
     </message>
     <message>
-        <source>The name “%1” holds a blank; Fractint takes only its first word.</source>
+        <source>The name “%1” contains a space; Fractint uses only its first word.</source>
         <translation>Le nom «&#x202f;%1&#x202f;» contient une espace&#x202f;; Fractint n’en retient que le premier mot.</translation>
     </message>
     <message>
-        <source>The name “%1” is longer than 18 bytes; Fractint cuts it there.</source>
+        <source>The name “%1” is longer than 18 bytes; Fractint truncates it.</source>
         <translation>Le nom «&#x202f;%1&#x202f;» dépasse 18 octets&#x202f;; Fractint le coupe là.</translation>
     </message>
     <message>
-        <source>The opening brace stands on a line of its own; Fractint does not find this entry.</source>
+        <source>The opening brace is on a line of its own; Fractint does not find this entry.</source>
         <translation>L’accolade ouvrante est seule sur sa ligne&#x202f;; Fractint ne trouve pas cette entrée.</translation>
     </message>
     <message>
@@ -1622,27 +2135,27 @@
         <translation>L’entrée a plus de %1 applications, ce qui est la limite.</translation>
     </message>
     <message>
-        <source>“%1”: the comma can be read as a decimal point or between two numbers, and both give whole rows. Write decimal points and blanks.</source>
+        <source>“%1”: the comma can be a decimal comma or a separator; both readings give complete rows. Use decimal points and spaces.</source>
         <translation>«&#x202f;%1&#x202f;»&#x202f;: la virgule peut être décimale ou séparer deux nombres, et les deux lectures donnent des lignes complètes. Écrivez des points décimaux et des espaces.</translation>
     </message>
     <message>
-        <source>“%1”: neither as a decimal point nor between two numbers does the comma give whole rows of 7 numbers (13 with “(3D)”).</source>
+        <source>“%1”: the comma gives complete rows of 7 numbers (13 with “(3D)”) neither as a decimal comma nor as a separator.</source>
         <translation>«&#x202f;%1&#x202f;»&#x202f;: que la virgule soit décimale ou sépare deux nombres, on n’obtient pas de lignes complètes de 7 nombres (13 avec «&#x202f;(3D)&#x202f;»).</translation>
     </message>
     <message>
-        <source>The numbers on the line of the opening brace are ignored, as Fractint ignores them.</source>
+        <source>Numbers on the line of the opening brace are ignored, as in Fractint.</source>
         <translation>Les nombres placés sur la ligne de l’accolade ouvrante sont ignorés, comme le fait Fractint.</translation>
     </message>
     <message>
-        <source>“%1” is not understood by this version of Barycage; the line is kept.</source>
+        <source>This version of Barycage does not understand “%1”; the line is kept.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas compris par cette version de Barycage&#x202f;; la ligne est conservée.</translation>
     </message>
     <message>
-        <source>The entry holds no numbers.</source>
+        <source>The entry contains no numbers.</source>
         <translation>L’entrée ne contient pas de nombres.</translation>
     </message>
     <message>
-        <source>This line has %1 numbers and the entry %2, which is no multiple of %3: a map is %3 numbers%4.</source>
+        <source>This line has %1 numbers and the entry has %2, which is not a multiple of %3: a map has %3 numbers%4.</source>
         <translation>Cette ligne a %1 nombres et l’entrée %2, ce qui n’est pas un multiple de %3&#x202f;: une application compte %3 nombres%4.</translation>
     </message>
     <message>
@@ -1658,11 +2171,11 @@
         <translation>«&#x202f;%1&#x202f;» n’est pas un nombre fini.</translation>
     </message>
     <message>
-        <source>“%1” is larger than a coefficient can be (3.4e38 in size).</source>
+        <source>“%1” is too large for a coefficient (the largest absolute value is 3.4e38).</source>
         <translation>«&#x202f;%1&#x202f;» est plus grand que ne peut l’être un coefficient (3,4e38 en valeur absolue).</translation>
     </message>
     <message>
-        <source>“%1” begins with a typographic minus sign (U+2212). Write the plain “-”.</source>
+        <source>“%1” begins with a typographic minus sign (U+2212). Use a plain “-”.</source>
         <translation>«&#x202f;%1&#x202f;» commence par un signe moins typographique (U+2212). Écrivez le simple «&#x202f;-&#x202f;».</translation>
     </message>
     <message>
@@ -1670,19 +2183,19 @@
         <translation>«&#x202f;%1&#x202f;» n’est pas un nombre.</translation>
     </message>
     <message>
-        <source>Numbers stand on the line of the opening brace, where Fractint ignores them; they are read.</source>
+        <source>There are numbers on the line of the opening brace, where Fractint ignores them; Barycage reads them.</source>
         <translation>Des nombres se trouvent sur la ligne de l’accolade ouvrante, où Fractint les ignore&#x202f;; ils sont lus.</translation>
     </message>
     <message>
-        <source>Commas are read as decimal points; Fractint reads other numbers here.</source>
+        <source>Commas are read as decimal points; Fractint reads different numbers here.</source>
         <translation>Les virgules sont lues comme des séparateurs décimaux&#x202f;; Fractint lit ici d’autres nombres.</translation>
     </message>
     <message>
-        <source>Commas or apostrophes stand between the numbers; Iterated Dynamics cannot read this entry.</source>
+        <source>Commas or apostrophes separate the numbers; Iterated Dynamics cannot read this entry.</source>
         <translation>Des virgules ou des apostrophes séparent les nombres&#x202f;; Iterated Dynamics ne peut pas lire cette entrée.</translation>
     </message>
     <message>
-        <source>The maps have no weights (%1 numbers each); weights are taken from the determinants. Fractint cannot read this entry.</source>
+        <source>The maps have no weights (%1 numbers each), so the weights are computed from the determinants. Fractint cannot read this entry.</source>
         <translation>Les applications n’ont pas de poids (%1 nombres chacune)&#x202f;; les poids sont tirés des déterminants. Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
@@ -1690,7 +2203,7 @@
         <translation>Des lignes de %1 nombres sans «&#x202f;(3D)&#x202f;» après le nom sont lues comme un système 3D&#x202f;; Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
-        <source>The lines do not hold 7 numbers each, but all numbers together fill rows of 7 and are read so, as Fractint does. Probably the weights are missing.</source>
+        <source>The lines do not have 7 numbers each, but together the numbers fill rows of 7 and are read that way, as in Fractint. The weights are probably missing.</source>
         <translation>Les lignes n’ont pas 7 nombres chacune, mais tous les nombres réunis remplissent des lignes de 7 et sont lus ainsi, comme le fait Fractint. Les poids manquent probablement.</translation>
     </message>
     <message>
@@ -1698,11 +2211,11 @@
         <translation>L’accolade fermante touche le dernier nombre&#x202f;; Fractint ne peut pas lire cette entrée.</translation>
     </message>
     <message>
-        <source>The line is longer than 200 bytes; Fractint cuts it there.</source>
+        <source>The line is longer than 200 bytes; Fractint truncates it.</source>
         <translation>La ligne dépasse 200 octets&#x202f;; Fractint la coupe là.</translation>
     </message>
     <message>
-        <source>A NUL byte; the rest of the line is ignored, as Fractint ignores it.</source>
+        <source>There is a NUL byte here; the rest of the line is ignored, as in Fractint.</source>
         <translation>Un octet NUL&#x202f;; le reste de la ligne est ignoré, comme le fait Fractint.</translation>
     </message>
     <message>
@@ -1710,15 +2223,15 @@
         <translation>L’entrée a %1 applications&#x202f;; Fractint et Iterated Dynamics en lisent au plus 63.</translation>
     </message>
     <message>
-        <source>The weight of map %1 is negative; the map counts as switched off.</source>
+        <source>The weight of map %1 is negative; the map is treated as switched off.</source>
         <translation>Le poids de l’application %1 est négatif&#x202f;; l’application est considérée comme désactivée.</translation>
     </message>
     <message>
-        <source>The weight of map %1 is 0; the map takes no part.</source>
+        <source>The weight of map %1 is 0, so the map is inactive.</source>
         <translation>Le poids de l’application %1 est nul&#x202f;; l’application n’est pas active.</translation>
     </message>
     <message>
-        <source>The weights sum to %1, not 1. They are used in proportion; Fractint gives what is missing to the last map and cuts what is too much.</source>
+        <source>The weights sum to %1, not 1. They are scaled in proportion; Fractint gives any shortfall to the last map and cuts off any excess.</source>
         <translation>La somme des poids est %1, et non 1. Ils sont utilisés en proportion&#x202f;; Fractint donne ce qui manque à la dernière application et coupe ce qui est en trop.</translation>
     </message>
     <message>
@@ -1726,11 +2239,11 @@
         <translation>Le fichier est vide.</translation>
     </message>
     <message>
-        <source>These are Fractint parameter sets or formulas; no iterated function system is among them.</source>
+        <source>The file contains Fractint parameter sets or formulas, but no iterated function system.</source>
         <translation>Ce sont des jeux de paramètres ou des formules de Fractint&#x202f;; aucun système de fonctions itérées n’y figure.</translation>
     </message>
     <message>
-        <source>No iterated function system was found: an entry is a name, “{”, rows of 7 numbers and “}”.</source>
+        <source>No iterated function system was found: an entry consists of a name, “{”, rows of 7 numbers and “}”.</source>
         <translation>Aucun système de fonctions itérées n’a été trouvé&#x202f;: une entrée est un nom, «&#x202f;{&#x202f;», des lignes de 7 nombres et «&#x202f;}&#x202f;».</translation>
     </message>
     <message>
@@ -1742,7 +2255,7 @@
         <translation>Un bloc sans nom est conservé comme texte&#x202f;; Fractint ne le liste pas.</translation>
     </message>
     <message>
-        <source>Two opening braces on one line: no reader finds an entry here. The text is kept.</source>
+        <source>There are two opening braces on one line: no program finds an entry here. The text is kept.</source>
         <translation>Deux accolades ouvrantes sur une même ligne&#x202f;: aucun programme ne trouve d’entrée ici. Le texte est conservé.</translation>
     </message>
     <message>
@@ -1750,31 +2263,31 @@
         <translation>«&#x202f;%1&#x202f;» est un jeu de paramètres ou une formule, et non un système de fonctions itérées&#x202f;; il est conservé comme texte.</translation>
     </message>
     <message>
-        <source>The name is taken by the entry in line %1 (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
+        <source>The entry in line %1 has the same name (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
         <translation>Le nom est déjà pris par l’entrée de la ligne %1 (Fractint compare 18 caractères sans distinguer majuscules et minuscules)&#x202f;; Fractint n’atteint jamais celle-ci.</translation>
     </message>
     <message>
-        <source>The file begins with a byte order mark, which Fractint takes for a part of the first name.</source>
+        <source>The file begins with a byte order mark, which Fractint treats as part of the first name.</source>
         <translation>Le fichier commence par une marque d’ordre des octets (BOM), que Fractint prend pour une partie du premier nom.</translation>
     </message>
     <message>
-        <source>Fractint stops reading at this byte (^Z); the entries after it are read all the same.</source>
+        <source>Fractint stops reading at this byte (^Z); Barycage reads the entries after it too.</source>
         <translation>Fractint cesse de lire à cet octet (^Z)&#x202f;; les entrées suivantes sont lues malgré tout.</translation>
     </message>
     <message>
-        <source>The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.</source>
+        <source>The file has %1 entries; Fractint and Iterated Dynamics use only the first 2000.</source>
         <translation>Le fichier a %1 entrées&#x202f;; Fractint et Iterated Dynamics utilisent les 2000 premières.</translation>
     </message>
     <message>
-        <source>The entry has no map that takes part and is left out.</source>
+        <source>The entry has no active map and is omitted.</source>
         <translation>L’entrée n’a aucune application active et est omise.</translation>
     </message>
     <message>
-        <source>%1 maps that take no part are left out.</source>
+        <source>%1 inactive maps are omitted.</source>
         <translation>%1 applications inactives sont omises.</translation>
     </message>
     <message>
-        <source>The entry is written under the name “%1”: other programs take 18 plain characters, and each name once.</source>
+        <source>The entry is saved under the name “%1”: other programs need unique names of at most 18 plain characters.</source>
         <translation>L’entrée est écrite sous le nom «&#x202f;%1&#x202f;»&#x202f;: d’autres programmes acceptent 18 caractères simples, et chaque nom une seule fois.</translation>
     </message>
     <message>
@@ -1782,27 +2295,15 @@
         <translation>L’entrée a %1 applications&#x202f;; Fractint jusqu’à 17.2 en lit au plus 31.</translation>
     </message>
     <message>
-        <source>not known</source>
+        <source>unknown</source>
         <translation>inconnu</translation>
-    </message>
-    <message>
-        <source>hyperbolic, s = %1</source>
-        <translation>hyperbolique, s = %1</translation>
-    </message>
-    <message>
-        <source>eventually contractive, γ = %1 from words of length %2</source>
-        <translation>ultimement contractant, γ = %1 pour les mots de longueur %2</translation>
-    </message>
-    <message>
-        <source>none: a word of length %1 does not contract</source>
-        <translation>aucun&#x202f;: un mot de longueur %1 n’est pas contractant</translation>
     </message>
     <message>
         <source>undecided</source>
         <translation>indécis</translation>
     </message>
     <message>
-        <source>none: no map takes part</source>
+        <source>none: no map is active</source>
         <translation>aucun&#x202f;: pas d’application active</translation>
     </message>
     <message>
@@ -1850,14 +2351,6 @@
         <translation>dimension d’affinité</translation>
     </message>
     <message>
-        <source>%1 — in the plane, %2 maps</source>
-        <translation>%1 — dans le plan, %2 applications</translation>
-    </message>
-    <message>
-        <source>%1 — in space, %2 maps</source>
-        <translation>%1 — dans l’espace, %2 applications</translation>
-    </message>
-    <message>
         <source>%1 — could not be read</source>
         <translation>%1 — n’a pas pu être lue</translation>
     </message>
@@ -1870,7 +2363,7 @@
         <translation>cage actuelle</translation>
     </message>
     <message>
-        <source>The stored cage is not usable (its lists of vertices do not match, or its rest vertices lie on one line, cross each other or are more than 64) and is not applied.</source>
+        <source>The stored cage is not valid and is not applied: its lists of vertices do not match, or its rest polygon is flat, crosses itself or has more than 64 vertices.</source>
         <translation>La cage enregistrée est inutilisable (ses listes de sommets ne se correspondent pas, ou ses sommets au repos sont alignés, forment un polygone croisé ou sont plus de 64) et n’est pas appliquée.</translation>
     </message>
     <message>
@@ -1882,23 +2375,23 @@
         <translation>L’application %1 était désactivée ici, mais un autre programme lui a donné un poids.</translation>
     </message>
     <message>
-        <source>A palette has at most %1 colours; the others are left out.</source>
+        <source>A palette can have at most %1 colours; the rest are ignored.</source>
         <translation>Une palette a au plus %1 couleurs&#x202f;; les autres sont omises.</translation>
     </message>
     <message>
-        <source>This line is left out: three whole numbers from 0 to 255 make a colour.</source>
+        <source>This line is ignored: a colour consists of three whole numbers from 0 to 255.</source>
         <translation>Cette ligne est omise&#x202f;: une couleur est formée de trois entiers de 0 à 255.</translation>
     </message>
     <message>
-        <source>The file holds no colours.</source>
+        <source>The file contains no colours.</source>
         <translation>Le fichier ne contient pas de couleurs.</translation>
     </message>
     <message>
-        <source>The file has more than 16 MB, which no palette needs.</source>
+        <source>The file is larger than 16 MB, which is the limit for a palette.</source>
         <translation>Le fichier dépasse 16 Mo, bien plus qu’il n’en faut à une palette.</translation>
     </message>
     <message>
-        <source>The file is no text, so it is no palette.</source>
+        <source>The file is not a text file, so it is not a palette.</source>
         <translation>Le fichier n’est pas un texte, ce n’est donc pas une palette.</translation>
     </message>
     <message>
@@ -1906,35 +2399,31 @@
         <translation>C’est un dégradé GIMP&#x202f;; les palettes sont lues dans des fichiers .gpl, .ugr et .map.</translation>
     </message>
     <message>
-        <source>The file has more than %1 palettes; the others are left out.</source>
+        <source>The file has more than %1 palettes; the rest are ignored.</source>
         <translation>Le fichier a plus de %1 palettes&#x202f;; les autres sont omises.</translation>
     </message>
     <message>
-        <source>The file holds no gradient.</source>
+        <source>The file contains no gradients.</source>
         <translation>Le fichier ne contient pas de dégradé.</translation>
     </message>
     <message>
-        <source>The gradient of line %1 is not closed.</source>
+        <source>The gradient that starts in line %1 is not closed.</source>
         <translation>Le dégradé de la ligne %1 n’est pas fermé.</translation>
     </message>
     <message>
-        <source>“%1” is no whole number.</source>
+        <source>“%1” is not a whole number.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas un entier.</translation>
     </message>
     <message>
-        <source>“%1” is not a system in the plane, of which alone points are written.</source>
-        <translation>«&#x202f;%1&#x202f;» n’est pas un système du plan&#x202f;; on n’écrit de points que pour ceux-ci.</translation>
-    </message>
-    <message>
-        <source>“%1” has no map that takes part, so it has no points.</source>
+        <source>“%1” has no active map, so it has no points.</source>
         <translation>«&#x202f;%1&#x202f;» n’a aucune application active, donc pas de points.</translation>
     </message>
     <message>
-        <source>A cage of more than three corners bends the picture, and its points are not written.</source>
+        <source>A cage with more than three corners bends the picture; its points cannot be written.</source>
         <translation>Une cage de plus de trois sommets courbe l’image, et ses points ne sont pas écrits.</translation>
     </message>
     <message>
-        <source>A point cloud has from 1 to %1 points.</source>
+        <source>A point cloud can have from 1 to %1 points.</source>
         <translation>Un nuage de points compte de 1 à %1 points.</translation>
     </message>
     <message>
@@ -1942,7 +2431,7 @@
         <translation>«&#x202f;%1&#x202f;» est un dossier. Choisissez un nom de fichier.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and is not replaced. Choose another name.</source>
+        <source>“%1” is not an ordinary file and will not be replaced. Choose another name.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et n’est pas remplacé. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -1954,11 +2443,11 @@
         <translation>«&#x202f;%1&#x202f;» est en lecture seule. Enregistrez sous un autre nom, ou changez ses permissions.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on the disk is as it was.</source>
+        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on disk is unchanged.</source>
         <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: le disque est plein. Libérez de la place et enregistrez à nouveau&#x202f;; le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.</source>
+        <source>“%1” was not saved: you do not have permission to write to the folder “%2”. Save somewhere else.</source>
         <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: vous n’avez pas le droit d’écrire dans le dossier «&#x202f;%2&#x202f;». Enregistrez ailleurs.</translation>
     </message>
     <message>
@@ -1966,7 +2455,7 @@
         <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: le nom est trop long.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: %2. The file on the disk is as it was.</source>
+        <source>“%1” was not saved: %2. The file on disk is unchanged.</source>
         <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: %2. Le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
@@ -1990,11 +2479,11 @@
         <translation>«&#x202f;%1&#x202f;» ne peut pas être lu&#x202f;: %2.</translation>
     </message>
     <message>
-        <source>Only plane systems can be written as a scalable picture.</source>
-        <translation>Seuls les systèmes du plan peuvent être écrits comme image vectorielle.</translation>
+        <source>Only systems in the plane can be written as vector graphics.</source>
+        <translation>Seuls les systèmes du plan peuvent être écrits en graphiques vectoriels.</translation>
     </message>
     <message>
-        <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
+        <source>No outline of an attractor could be certified for this system, so there is nothing to make copies of.</source>
         <translation>Le système n’a pas d’attracteur dont on puisse certifier un contour&#x202f;: il n’y a donc rien à copier.</translation>
     </message>
     <message>
@@ -2002,19 +2491,19 @@
         <translation>Dans cette vue, l’image est trop grande pour être écrite en formes vectorielles.</translation>
     </message>
     <message>
-        <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
+        <source>There are no rows of numbers: a row consists of a b c d e f and optionally a weight.</source>
         <translation>Il n’y a pas de lignes de nombres&#x202f;: une ligne est a b c d e f, suivie éventuellement d’un poids.</translation>
     </message>
     <message>
-        <source>After the count, a map is its weight and a matrix of 3 rows.</source>
+        <source>After the count, a map consists of its weight and a matrix of 3 rows.</source>
         <translation>Après leur nombre, chaque application est donnée par son poids et une matrice de 3 lignes.</translation>
     </message>
     <message>
-        <source>The last row of the matrix of an affine map is 0 0 1.</source>
+        <source>The last row of the matrix of an affine map must be 0 0 1.</source>
         <translation>La dernière ligne de la matrice d’une application affine est 0 0 1.</translation>
     </message>
     <message>
-        <source>The table says that it has %1 maps, and it has %2.</source>
+        <source>The table declares %1 maps but has %2.</source>
         <translation>Le tableau annonce %1 applications, et il en a %2.</translation>
     </message>
     <message>
@@ -2022,7 +2511,7 @@
         <translation>L’en-tête ne dit pas quelles colonnes sont a, b, c, d, e et f&#x202f;; choisissez l’ordre des colonnes.</translation>
     </message>
     <message>
-        <source>This row has %1 numbers; a map is 6 numbers, or 7 with its weight.</source>
+        <source>This row has %1 numbers; a map has 6 numbers, or 7 with its weight.</source>
         <translation>Cette ligne a %1 nombres&#x202f;; une application en compte 6, ou 7 avec son poids.</translation>
     </message>
     <message>
@@ -2034,11 +2523,11 @@
         <translation>Le tableau a plus de %1 lignes, ce qui est la limite.</translation>
     </message>
     <message>
-        <source>This is a %1 file, not a text with iterated function systems.</source>
+        <source>This is a %1 file, not a text file with iterated function systems.</source>
         <translation>C’est un fichier %1, et non un texte contenant des systèmes de fonctions itérées.</translation>
     </message>
     <message>
-        <source>This is a text in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
+        <source>This text is encoded in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
         <translation>C’est un texte en UTF-16. Enregistrez-le en UTF-8 ou en ASCII et ouvrez-le à nouveau.</translation>
     </message>
     <message>
@@ -2086,23 +2575,23 @@
         <translation>C’est un script StyrofoamIFS, et non une collection Fractint.</translation>
     </message>
     <message>
-        <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
+        <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text file with iterated function systems.</source>
         <translation>C’est un fichier binaire (peut-être une image à compression fractale ou une bibliothèque d’icônes), et non un texte contenant des systèmes de fonctions itérées.</translation>
     </message>
     <message>
-        <source>No iterated function system was found, and for a table of numbers the file is too large: the limit is 64 MB.</source>
+        <source>No iterated function system was found, and the file is too large for a table of numbers: the limit is 64 MB.</source>
         <translation>Aucun système de fonctions itérées n’a été trouvé, et pour un tableau de nombres le fichier est trop grand : la limite est de 64 Mo.</translation>
     </message>
     <message>
-        <source>a number is larger than a coefficient can be (3.4e38 in size)</source>
+        <source>a number is too large for a coefficient (the largest absolute value is 3.4e38)</source>
         <translation>un nombre est plus grand que ne peut l’être un coefficient (3.4e38 en valeur absolue)</translation>
     </message>
     <message>
-        <source>The file has more than %1 flames; the rest is left out.</source>
+        <source>The file has more than %1 flames; the rest are ignored.</source>
         <translation>Le fichier a plus de %1 flammes ; le reste est omis.</translation>
     </message>
     <message>
-        <source>%1 flames in all are no systems of affine maps.</source>
+        <source>%1 flames in total are not systems of affine maps.</source>
         <translation>%1 flammes en tout ne sont pas des systèmes d’applications affines.</translation>
     </message>
     <message>
@@ -2126,11 +2615,11 @@
         <translation>ajustement affine</translation>
     </message>
     <message>
-        <source>A number of this row is larger than a coefficient can be (3.4e38 in size).</source>
+        <source>A number in this row is too large for a coefficient (the largest absolute value is 3.4e38).</source>
         <translation>Un nombre de cette ligne est plus grand que ne peut l’être un coefficient (3.4e38 en valeur absolue).</translation>
     </message>
     <message>
-        <source>The text has more than 64 MB, which is the limit for a table of numbers.</source>
+        <source>The text is larger than 64 MB, which is the limit for a table of numbers.</source>
         <translation>Le texte dépasse 64 Mo, ce qui est la limite pour un tableau de nombres.</translation>
     </message>
     <message>
@@ -2138,11 +2627,11 @@
         <translation>Une balise a plus de %1 attributs, ce qui est la limite.</translation>
     </message>
     <message>
-        <source>The elements are nested more than %1 deep, which is the limit.</source>
+        <source>The elements are nested more than %1 levels deep, which is the limit.</source>
         <translation>Les éléments sont imbriqués à plus de %1 niveaux, ce qui est la limite.</translation>
     </message>
     <message>
-        <source>The file has more than 64 MB, which is the limit for XML.</source>
+        <source>The file is larger than 64 MB, which is the limit for XML.</source>
         <translation>Le fichier dépasse 64 Mo, ce qui est la limite pour le XML.</translation>
     </message>
     <message>
@@ -2150,11 +2639,11 @@
         <translation>branche déplacée</translation>
     </message>
     <message>
-        <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
+        <source>The stored position of a branch is not valid and is not applied: its map is incomplete, its address names maps that do not exist or occurs twice, or there are too many.</source>
         <translation>Une place enregistrée d’une branche n’est pas utilisable (son application est incomplète, son adresse nomme des applications qui n’existent pas ou apparaît deux fois, ou il y en a trop) et n’est pas appliquée.</translation>
     </message>
     <message>
-        <source>%1 lines of blocks that are no iterated function systems are left out.</source>
+        <source>%1 lines of blocks that are not iterated function systems are omitted.</source>
         <translation>%1 lignes de blocs qui ne sont pas des systèmes de fonctions itérées sont omises.</translation>
     </message>
     <message>
@@ -2162,27 +2651,19 @@
         <translation>Une cellule de cette ligne est vide.</translation>
     </message>
     <message>
-        <source>A comma can be read as a decimal point or between two numbers here, and both give whole rows. Write decimal points.</source>
+        <source>A comma can be a decimal comma or a separator here; both readings give complete rows. Use decimal points.</source>
         <translation>La virgule peut ici être décimale ou séparer deux nombres, et les deux lectures donnent des lignes complètes. Écrivez des points décimaux.</translation>
     </message>
     <message>
-        <source>The cage and the colours of the entry are left out.</source>
-        <translation>La cage et les couleurs de l’entrée sont omises.</translation>
-    </message>
-    <message>
-        <source>The code is written without its cage and moved branches: other programs draw another picture.</source>
-        <translation>Le code est écrit sans sa cage ni ses branches déplacées : d’autres programmes dessinent une autre image.</translation>
-    </message>
-    <message>
-        <source>The table has maps of the plane and maps of space.</source>
+        <source>The table mixes maps of the plane and maps of space.</source>
         <translation>Le tableau a des applications du plan et des applications de l’espace.</translation>
     </message>
     <message>
-        <source>This is a list of other files, as the program Fraktale has one, not a Fractint collection.</source>
+        <source>This is a list of other files, as used by the program Fraktale, not a Fractint collection.</source>
         <translation>C’est une liste d’autres fichiers, comme celle du programme Fraktale, et non une collection Fractint.</translation>
     </message>
     <message>
-        <source>This row has %1 numbers, and the header names %2 columns.</source>
+        <source>This row has %1 numbers, but the header names %2 columns.</source>
         <translation>Cette ligne a %1 nombres, et l’en-tête nomme %2 colonnes.</translation>
     </message>
     <message>
@@ -2197,19 +2678,19 @@
         </translation>
     </message>
     <message>
-        <source>No column is called “%1”: they are a b c d or r s theta phi, e f, and p or cumulative.</source>
+        <source>There is no column “%1”: the columns are a b c d or r s theta phi, e f, and p or cumulative.</source>
         <translation>Aucune colonne ne s’appelle «&#x202f;%1&#x202f;»&#x202f;: il y a a b c d ou r s theta phi, e f, et p ou cumulative.</translation>
     </message>
     <message>
-        <source>“%1” is there twice.</source>
+        <source>“%1” occurs twice.</source>
         <translation>«&#x202f;%1&#x202f;» apparaît deux fois.</translation>
     </message>
     <message>
-        <source>A row has one weight: p or cumulative.</source>
+        <source>A row has only one weight: p or cumulative.</source>
         <translation>Une ligne a un seul poids&#x202f;: p ou cumulative.</translation>
     </message>
     <message>
-        <source>a b c d and r s theta phi do not go together.</source>
+        <source>a b c d and r s theta phi cannot be combined.</source>
         <translation>a b c d et r s theta phi ne vont pas ensemble.</translation>
     </message>
     <message>
@@ -2217,20 +2698,400 @@
         <translation>Il manque&#x202f;: %1.</translation>
     </message>
     <message>
-        <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
+        <source>The outline has more corners than other programs can read in one path. Choose a smaller depth.</source>
         <translation>Le contour a plus de sommets que les programmes n’en lisent dans un seul tracé. Choisissez une profondeur plus petite.</translation>
     </message>
     <message>
-        <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
+        <source>The cage bends or flattens the picture. The numbers describe the picture at rest.</source>
         <translation>La cage courbe ou aplatit l’image. Les nombres sont ceux de l’image au repos.</translation>
     </message>
     <message>
-        <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
-        <translation>Le nom «&#x202f;%1&#x202f;» n’est pas en UTF-8. Renommez le fichier, ou menez-y par un lien.</translation>
+        <source>The name “%1” is not valid UTF-8. Rename the file, or open it through a symbolic link.</source>
+        <translation>Le nom « %1 » n’est pas de l’UTF-8 valide. Renommez le fichier, ou ouvrez-le par un lien symbolique.</translation>
     </message>
     <message>
-        <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
+        <source>Map %1 has no weight, so all weights are computed from the determinants and the given ones are ignored.</source>
         <translation>L’application %1 n’a pas de poids&#x202f;; les poids de toutes les applications sont donc tirés des déterminants, et ceux qui sont donnés ne sont pas utilisés.</translation>
+    </message>
+    <message>
+        <source>The stored cage is not valid and is not applied: its lists of vertices do not match, or its vertices at rest are in one plane or coincide.</source>
+        <translation>La cage enregistrée est inutilisable (ses listes de sommets ne se correspondent pas, ou ses sommets au repos sont dans un même plan ou confondus) et n’est pas appliquée.</translation>
+    </message>
+    <message>
+        <source>This entry is %1-dimensional, but its stored cage or moved branches are not: they are not applied, and their lines are kept.</source>
+        <translation>Cette entrée a %1 dimensions, mais pas sa cage enregistrée ou ses branches déplacées&#x202f;: elles ne sont pas appliquées, et leurs lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>none: ρ(A) ≥ 1 for the word %1</source>
+        <translation>aucun : ρ(A) ≥ 1 pour le mot %1</translation>
+    </message>
+    <message>
+        <source>(of the attractor: its pieces are disjoint)</source>
+        <translation>(de l’attracteur : ses morceaux sont disjoints)</translation>
+    </message>
+    <message>
+        <source>(upper bound: pieces coincide)</source>
+        <translation>(majorant : des morceaux coïncident)</translation>
+    </message>
+    <message>
+        <source>(if the open set condition holds; else an upper bound)</source>
+        <translation>(si la condition de l’ensemble ouvert est remplie ; sinon, un majorant)</translation>
+    </message>
+    <message>
+        <source>strong: no two pieces meet</source>
+        <translation>forte : deux morceaux ne se touchent jamais</translation>
+    </message>
+    <message>
+        <source>none: pieces coincide</source>
+        <translation>aucune : des morceaux coïncident</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>connexe</translation>
+    </message>
+    <message>
+        <source>connected, as far as rounding tells</source>
+        <translation>connexe, autant que l’arrondi permet d’en juger</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>non connexe</translation>
+    </message>
+    <message>
+        <source>separation</source>
+        <translation>séparation</translation>
+    </message>
+    <message>
+        <source>connectedness</source>
+        <translation>connexité</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map</source>
+        <translation>les mots %1 et %2 sont la même application</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map to rounding</source>
+        <translation>les mots %1 et %2 sont la même application à l’arrondi près</translation>
+    </message>
+    <message>
+        <source>joint spectral radius</source>
+        <translation>rayon spectral joint</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>entropy</source>
+        <translation>entropie</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Exposant de Liapounov</translation>
+    </message>
+    <message>
+        <source>dimension of measure</source>
+        <translation>dimension de la mesure</translation>
+    </message>
+    <message>
+        <source>The numbers can be read as %1 maps of 6 numbers, line by line, or as %2 maps of 7 numbers, whose weights then sum to 1. They are read line by line; for the other reading, put 7 numbers on each line.</source>
+        <translation>Les nombres peuvent se lire ligne par ligne comme %1 applications de 6 nombres, ou comme %2 applications de 7 nombres, dont les poids ont alors pour somme 1. Ils sont lus ligne par ligne ; pour l’autre lecture, mettez 7 nombres sur chaque ligne.</translation>
+    </message>
+    <message>
+        <source>The block names no maps: a line such as “A=(f1|f2)*A” is missing.</source>
+        <translation>Le bloc ne nomme aucune application : il manque une ligne comme « A=(f1|f2)*A ».</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood: Barycage reads blocks of affine maps, such as “f1=[e,f]*[a,b,c,d]” and “A=(f1|f2)*A”.</source>
+        <translation>« %1 » n’est pas compris : Barycage lit des blocs d’applications affines, comme « f1=[e,f]*[a,b,c,d] » et « A=(f1|f2)*A ».</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 blocks, which is the limit; the rest was not read.</source>
+        <translation>Le fichier a plus de %1 blocs, la limite ; le reste n’a pas été lu.</translation>
+    </message>
+    <message>
+        <source>This IFStile file contains no affine system.</source>
+        <translation>Ce fichier IFStile ne contient aucun système affine.</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written to.</source>
+        <translation>Impossible d’écrire sur la sortie standard.</translation>
+    </message>
+    <message>
+        <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
+        <translation>Les nombres peuvent se lire ligne par ligne comme %1 applications de %2 nombres, ou comme %3 applications de 7 nombres, dont les poids ont alors pour somme 1. Ils sont lus ligne par ligne, contrairement à Fractint ; pour l’autre lecture, mettez 7 nombres sur chaque ligne.</translation>
+    </message>
+    <message>
+        <source>The numbers are read line by line, as %1 maps of %2 numbers. Fractint ignores line ends and reads %3 maps of 7 numbers.</source>
+        <translation>Les nombres sont lus ligne par ligne, comme %1 applications de %2 nombres. Fractint ignore les fins de ligne et lit %3 applications de 7 nombres.</translation>
+    </message>
+    <message>
+        <source>Entries whose names begin with “ifs:” belong in parameter files (.par); in a collection, Fractint takes the prefix as part of the name.</source>
+        <translation>Les entrées dont le nom commence par « ifs: » ont leur place dans les fichiers de paramètres (.par) ; dans une collection, Fractint prend le préfixe pour une partie du nom.</translation>
+    </message>
+    <message>
+        <source>The lines end with CR alone, as on old Macintosh computers; Fractint reads such a file as a single line.</source>
+        <translation>Les lignes se terminent par CR seul, comme sur les anciens Macintosh ; Fractint lit un tel fichier comme une seule ligne.</translation>
+    </message>
+    <message>
+        <source>The convex hull has an error of up to %1: the tolerance %2 was not reached.</source>
+        <translation>L’enveloppe convexe a une erreur d’au plus %1 : la tolérance %2 n’a pas été atteinte.</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ %1</source>
+        <translation>contractant dans une norme ellipsoïdale, γ %1</translation>
+    </message>
+    <message>
+        <source>contractive in a polytope norm, γ %1</source>
+        <translation>contractant dans une norme polytopale, γ %1</translation>
+    </message>
+    <message>
+        <source>eventually contractive, γ %1 from words of length %2</source>
+        <translation>finalement contractant, γ %1 à partir des mots de longueur %2</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s %1</source>
+        <translation>hyperbolique, s %1</translation>
+    </message>
+    <message>
+        <source>1 map</source>
+        <translation>1 application</translation>
+    </message>
+    <message>
+        <source>%1 maps</source>
+        <translation>%1 applications</translation>
+    </message>
+    <message>
+        <source>%1 — in space, %2</source>
+        <translation>%1 – dans l’espace, %2</translation>
+    </message>
+    <message>
+        <source>%1 — in the plane, %2</source>
+        <translation>%1 – dans le plan, %2</translation>
+    </message>
+    <message>
+        <source>could not be read</source>
+        <translation>n’a pas pu être lue</translation>
+    </message>
+    <message>
+        <source>in space, %1</source>
+        <translation>dans l’espace, %1</translation>
+    </message>
+    <message>
+        <source>in the plane, %1</source>
+        <translation>dans le plan, %1</translation>
+    </message>
+    <message>
+        <source>its cage</source>
+        <translation>sa cage</translation>
+    </message>
+    <message>
+        <source>its moved branches</source>
+        <translation>ses branches déplacées</translation>
+    </message>
+    <message>
+        <source>its palette</source>
+        <translation>sa palette</translation>
+    </message>
+    <message>
+        <source>its background</source>
+        <translation>son arrière-plan</translation>
+    </message>
+    <message>
+        <source>its other colour settings</source>
+        <translation>ses autres réglages de couleur</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>“%1” is written without %2: other programs will draw a different picture.</source>
+        <translation>« %1 » est écrit sans %2 : d’autres programmes dessineront une image différente.</translation>
+    </message>
+    <message>
+        <source>“%1” is written without %2.</source>
+        <translation>« %1 » est écrit sans %2.</translation>
+    </message>
+    <message>
+        <source>The stored animation is not applied, because “%1” is not understood; its lines are kept.</source>
+        <translation>L’animation enregistrée n’est pas appliquée, car «&#x202f;%1&#x202f;» n’est pas compris&#x202f;; ses lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>The entry has more than one stored animation: the last valid one is used, and the lines of the others are kept.</source>
+        <translation>L’entrée a plusieurs animations enregistrées&#x202f;: la dernière valide est utilisée et les lignes des autres sont conservées.</translation>
+    </message>
+    <message>
+        <source>The stored animation is not valid and is not applied: it moves maps or vertices that do not exist, a frame, number or curve is out of its range, or keys are not in order. Its lines are kept.</source>
+        <translation>L’animation enregistrée n’est pas valide et n’est pas appliquée&#x202f;: elle déplace des applications ou des sommets qui n’existent pas, une image, un nombre ou une courbe sort de son intervalle, ou les images clés ne sont pas dans l’ordre. Ses lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>in a cycle</source>
+        <translation>en boucle</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>en aller-retour</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>une fois</translation>
+    </message>
+    <message>
+        <source>animation</source>
+        <translation>animation</translation>
+    </message>
+    <message>
+        <source>%1 frames at %2 per second, %3; %4 tracks, %5 motions</source>
+        <translation>%1 images à %2 par seconde, %3&#x202f;; %4 pistes, %5 mouvements</translation>
+    </message>
+    <message>
+        <source>This is not a format of fractal programs. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.</source>
+        <translation>Ce n’est pas un format de programmes de fractales. Ses listes de nombres sont lues comme des tableaux d’applications (systèmes&#x202f;: %1, applications&#x202f;: %2), dans l’ordre a b c d e f là où des noms n’en indiquent pas d’autre.</translation>
+    </message>
+    <message>
+        <source>it acts in space after its variations (“%1”)</source>
+        <translation>elle agit dans l’espace après ses variations (« %1 »)</translation>
+    </message>
+    <message>
+        <source>its “%1” is not six numbers</source>
+        <translation>son « %1 » n’est pas formé de six nombres</translation>
+    </message>
+    <message>
+        <source>The flame names a palette of another program by its number; its colours are not in the file.</source>
+        <translation>La flamme n’indique que le numéro d’une palette d’un autre programme&#x202f;; ses couleurs ne sont pas dans le fichier.</translation>
+    </message>
+    <message>
+        <source>“%1” could not be read, so it has no points.</source>
+        <translation>« %1 » n’a pas pu être lu et n’a donc pas de points.</translation>
+    </message>
+    <message>
+        <source>This is JSON text (data of another program), not a Fractint collection, and none of its lists are affine maps.</source>
+        <translation>C’est un texte JSON (données d’un autre programme), et non une collection Fractint, et aucune de ses listes n’est faite d’applications affines.</translation>
+    </message>
+    <message>
+        <source>This is the text of a program, not a Fractint collection, and none of its lists are affine maps.</source>
+        <translation>C’est le texte d’un programme, et non une collection Fractint, et aucune de ses listes n’est faite d’applications affines.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it has no solid.</source>
+        <translation>« %1 » n’est pas un système de l’espace et n’a donc pas de solide.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” bends the picture, so its solid cannot be written.</source>
+        <translation>La cage de « %1 » courbe l’image ; son solide ne peut donc pas être écrit.</translation>
+    </message>
+    <message>
+        <source>“%1” has no certified attractor, so it has no solid.</source>
+        <translation>« %1 » n’a pas d’attracteur certifié et n’a donc pas de solide.</translation>
+    </message>
+    <message>
+        <source>“%1” would need more than %2 parts in OpenSCAD. Choose larger voxels.</source>
+        <translation>« %1 » demanderait plus de %2 parties dans OpenSCAD. Choisissez des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
+        <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger voxels.</source>
+        <translation>Les parties de « %1 » se recouvrent trop pour trouver ses voxels en un temps raisonnable. Choisissez des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large for a solid.</source>
+        <translation>« %1 » est trop grand pour un solide.</translation>
+    </message>
+    <message>
+        <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
+        <translation>« %1 » est un seul point : seule la taille de son voxel peut être choisie.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for voxels of this size. Choose larger voxels.</source>
+        <translation>La paroi est trop épaisse pour des voxels de cette taille. Choisissez des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” would have more than %2 million triangles. Choose larger voxels.</source>
+        <translation>La surface de « %1 » aurait plus de %2 millions de triangles. Choisissez des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” is not closed, so it was not written.</source>
+        <translation>La surface de « %1 » n’est pas fermée et n’a donc pas été écrite.</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for its distance from the origin: the numbers of the file cannot tell its points apart. Move it to the origin.</source>
+        <translation>« %1 » est trop petit pour sa distance à l’origine : les nombres du fichier ne distinguent pas ses points. Déplacez-le à l’origine.</translation>
+    </message>
+    <message>
+        <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
+        <translation>Taille : %1 × %2 × %3 mm ; volume : %4 mm³ ; triangles : %5.</translation>
+    </message>
+    <message>
+        <source>Distance from the attractor: at most %1 mm = √3 · %2 mm + %3 mm for the wall.</source>
+        <translation>Distance à l’attracteur : au plus %1 mm = √3 · %2 mm + %3 mm pour la paroi.</translation>
+    </message>
+    <message>
+        <source>Cavities filled: %1, with %2 mm³.</source>
+        <translation>Cavités remplies : %1, de %2 mm³.</translation>
+    </message>
+    <message>
+        <source>Closed cavities: %1, with %2 mm³.</source>
+        <translation>Cavités fermées : %1, de %2 mm³.</translation>
+    </message>
+    <message>
+        <source>Separate bodies: %1.</source>
+        <translation>Corps séparés : %1.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>« %1 » : %2</translation>
+    </message>
+    <message>
+        <source>“%1” is of another picture: the entry, the view, the size, the seed or the format differs.</source>
+        <translation>« %1 » vient d’une autre image : l’entrée, la vue, la taille, la graine ou le format diffèrent.</translation>
+    </message>
+    <message>
+        <source>“%1” is of a picture with another number of points, so the sums do not add up.</source>
+        <translation>« %1 » vient d’une image avec un autre nombre de points : les sommes ne peuvent pas être ajoutées.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” hold the same part of the picture, which would be counted twice.</source>
+        <translation>« %1 » et « %2 » contiennent la même partie de l’image, qui serait comptée deux fois.</translation>
+    </message>
+    <message>
+        <source>“%1” was written by another version of the program, which may draw other pixels.</source>
+        <translation>« %1 » a été écrit par une autre version du programme, qui peut dessiner d’autres pixels.</translation>
+    </message>
+    <message>
+        <source>The picture is not complete: %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <translation>L’image n’est pas complète : %1 % sont présents. Ajoutez les fichiers des autres parties, ou écrivez un fichier .sum.</translation>
+    </message>
+    <message>
+        <source>This is not a file of sums.</source>
+        <translation>Ce n’est pas un fichier de sommes.</translation>
+    </message>
+    <message>
+        <source>The file of sums is damaged or incomplete.</source>
+        <translation>Le fichier de sommes est endommagé ou incomplet.</translation>
+    </message>
+    <message>
+        <source>“%1” is a symbolic link that leads back to itself, or through too many others.</source>
+        <translation>«&#x202f;%1&#x202f;» est un lien symbolique qui revient à lui-même, ou passe par trop d’autres.</translation>
+    </message>
+    <message>
+        <source>You do not have permission to enter the folder “%1”.</source>
+        <translation>Vous n’avez pas le droit d’entrer dans le dossier «&#x202f;%1&#x202f;».</translation>
+    </message>
+    <message>
+        <source>not computed within the budget</source>
+        <translation>non calculé dans le temps imparti</translation>
+    </message>
+    <message>
+        <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
+        <translation>%1 sommets, aire %2&#x202f;; erreur au plus %3&#x202f;; adresses périodiques non calculées dans le temps imparti</translation>
     </message>
 </context>
 <context>
@@ -2240,7 +3101,7 @@
         <translation>Contraction</translation>
     </message>
     <message>
-        <source>Every row of this table is a map that makes a smaller copy of the whole, and the picture is all copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the most by which a map stretches. While it is less than 1, the map contracts. Ctrl+Z takes everything back.</source>
+        <source>Each row of this table is a map that makes a smaller copy of the whole; the picture is all the copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the largest factor by which a map stretches distances. As long as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes.</source>
         <translation>Chaque ligne de ce tableau est une application qui fait une copie réduite du tout, et l’image est la réunion de toutes les copies. Double-cliquez sur un nombre et tapez-en un autre&#x202f;: la copie bouge à mesure que vous tapez. ‖A‖ est le plus grand facteur dont l’application étire les distances. Tant qu’il est inférieur à 1, l’application est contractante. Ctrl+Z annule tout.</translation>
     </message>
     <message>
@@ -2248,7 +3109,7 @@
         <translation>Point fixe</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left of the table, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
+        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the check boxes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
         <translation>Une application contractante laisse exactement un point à sa place&#x202f;: son point fixe. Désactivez toutes les applications sauf deux avec les cases à gauche du tableau, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
     </message>
     <message>
@@ -2256,15 +3117,15 @@
         <translation>Jeu du chaos</translation>
     </message>
     <message>
-        <source>Press Chaos Game and then the triangle that starts it. One point jumps about, each time by a map drawn at random, and leaves a dot where it lands. Let it go faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
-        <translation>Appuyez sur Jeu du chaos, puis sur le triangle qui le lance. Un seul point saute, chaque fois par une application tirée au hasard, et laisse une marque là où il tombe. Accélérez-le&#x202f;: quoi que disent les dés, les points remplissent la même image, l’attracteur.</translation>
+        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
+        <translation>Appuyez sur « Jeu du chaos », puis sur « Lancer ». Un seul point saute, chaque fois par une application choisie au hasard, et laisse une marque là où il tombe. Accélérez-le : quoi que disent les dés, les marques remplissent la même image, l’attracteur.</translation>
     </message>
     <message>
         <source>Address</source>
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>The map that made the last jump to a point, the one before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike lie close together, and now they look alike.</source>
+        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike are close together, and now they look alike.</source>
         <translation>L’application du dernier saut vers un point, celle d’avant, et ainsi de suite&#x202f;: ces numéros forment l’adresse du point. Choisissez Colorer selon&#x202f;: Adresse. Les points dont les adresses commencent de la même façon sont voisins, et maintenant ils se ressemblent.</translation>
     </message>
     <message>
@@ -2272,16 +3133,16 @@
         <translation>Coordonnées barycentriques</translation>
     </message>
     <message>
-        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Take a corner and pull: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights at the pointer stand at the bottom of the window.</source>
-        <translation>Chaque point de l’image est une moyenne pondérée des trois sommets du triangle. Prenez un sommet et tirez&#x202f;: les points gardent leurs poids, et la fractale entière suit. Aplatissez le triangle et rouvrez-le&#x202f;: rien n’est perdu. Les poids au pointeur se lisent au bas de la fenêtre.</translation>
+        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights under the pointer are shown in the status bar.</source>
+        <translation>Chaque point de l’image est une moyenne pondérée des trois sommets du triangle. Faites glisser un sommet : les points gardent leurs poids, et la fractale entière suit. Aplatissez le triangle et rouvrez-le : rien n’est perdu. Les poids sous le pointeur s’affichent dans la barre d’état.</translation>
     </message>
     <message>
         <source>Dimension</source>
         <translation>Dimension</translation>
     </message>
     <message>
-        <source>How much of the plane does the attractor fill? The dimension of a curve is 1, that of an area is 2, and most attractors lie between the two. Change a map and look here again. That was the tour; the user guide under Help tells the rest.</source>
-        <translation>Quelle part du plan l’attracteur remplit-il&#x202f;? La dimension d’une courbe est 1, celle d’une surface est 2, et la plupart des attracteurs se situent entre les deux. Modifiez une application et regardez de nouveau ici. La visite est finie&#x202f;; le guide d’utilisation, dans le menu Aide, dit le reste.</translation>
+        <source>How much of the plane does the attractor fill? A curve has dimension 1, an area has dimension 2, and most attractors are in between. Change a map and look here again. This is the end of the tour; the user guide in the Help menu tells you more.</source>
+        <translation>Quelle part du plan l’attracteur remplit-il ? Une courbe a la dimension 1, une surface la dimension 2, et la plupart des attracteurs se situent entre les deux. Modifiez une application et regardez de nouveau ici. La visite s’arrête ici ; le guide d’utilisation, dans le menu Aide, en dit davantage.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -2296,7 +3157,7 @@
         <translation>C’est votre première fois&#x202f;?</translation>
     </message>
     <message>
-        <source>Six short steps show what an attractor is, by pulling on one. You can take the tour later, too: it is in the Help menu.</source>
+        <source>Six short steps show you what an attractor is while you drag one. You can also take the tour later: it is in the Help menu.</source>
         <translation>Six courtes étapes montrent ce qu’est un attracteur, en tirant sur l’un d’eux. Vous pourrez aussi faire la visite plus tard&#x202f;: elle est dans le menu Aide.</translation>
     </message>
     <message>
@@ -2327,7 +3188,7 @@
 <context>
     <name>Welcome</name>
     <message>
-        <source>The last files, and the collection.</source>
+        <source>Recent files and the collection.</source>
         <translation>Les derniers fichiers et la collection.</translation>
     </message>
     <message>
@@ -2335,7 +3196,7 @@
         <translation>Bienvenue</translation>
     </message>
     <message>
-        <source>Go on with</source>
+        <source>Continue with</source>
         <translation>Continuer avec</translation>
     </message>
     <message>
@@ -2347,11 +3208,11 @@
         <translation>&amp;Ouvrir…</translation>
     </message>
     <message>
-        <source>A file, or the collection.</source>
+        <source>A file or the collection.</source>
         <translation>Un fichier ou la collection.</translation>
     </message>
     <message>
-        <source>Begin with</source>
+        <source>Start with</source>
         <translation>Commencer par</translation>
     </message>
     <message>
@@ -2362,11 +3223,11 @@
 <context>
     <name>WhatsThis</name>
     <message>
-        <source>Takes what the dialog shows, and closes it.</source>
+        <source>Accepts the settings and closes the dialog.</source>
         <translation>Applique ce que montre le dialogue, et le ferme.</translation>
     </message>
     <message>
-        <source>Closes the dialog and changes nothing.</source>
+        <source>Closes the dialog without changing anything.</source>
         <translation>Ferme le dialogue sans rien changer.</translation>
     </message>
     <message>
@@ -2377,11 +3238,203 @@
         <source>Clear</source>
         <translation>Effacer</translation>
     </message>
+    <message>
+        <source>%1 Panel “%2”: %3</source>
+        <comment>what it does, panel, what the panel is for</comment>
+        <translation>%1 Panneau «&#x202f;%2&#x202f;»&#x202f;: %3</translation>
+    </message>
+</context>
+<context>
+    <name>document::CageActions</name>
+    <message>
+        <source>This entry is not a system in the plane, so it has no control cage.</source>
+        <translation>Cette entrée n’est pas un système du plan&#x202f;; elle n’a donc pas de cage de contrôle.</translation>
+    </message>
+    <message>
+        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <translation>La cage est trop plate pour que l’on puisse l’inverser. Ouvrez-la en déplaçant un sommet, ou réinitialisez-la, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>The three points are on one line, so they define no coordinates. Click a third point off the line.</source>
+        <translation>Les trois points sont alignés et ne portent pas de coordonnées. Placez le troisième à côté de la droite.</translation>
+    </message>
+    <message>
+        <source>Fit the minimal canonical simplex</source>
+        <translation>Ajuster le simplexe canonique minimal</translation>
+    </message>
+    <message>
+        <source>Reset the cage</source>
+        <translation>Réinitialiser la cage</translation>
+    </message>
+    <message>
+        <source>Bake the placement into the code</source>
+        <translation>Intégrer le placement au code</translation>
+    </message>
+    <message>
+        <source>Define the control triangle</source>
+        <translation>Définir le triangle de contrôle</translation>
+    </message>
+    <message>
+        <source>Vertex %1 is already there.</source>
+        <translation>Le sommet %1 y est déjà.</translation>
+    </message>
+    <message>
+        <source>A cage can have at most %1 vertices.</source>
+        <translation>Une cage a au plus %1 sommets.</translation>
+    </message>
+    <message>
+        <source>There is no room for a vertex here.</source>
+        <translation>Il n’y a pas de place ici pour un sommet.</translation>
+    </message>
+    <message>
+        <source>Insert a vertex</source>
+        <translation>Insérer un sommet</translation>
+    </message>
+    <message>
+        <source>A cage needs at least three vertices.</source>
+        <translation>Une cage a au moins trois sommets.</translation>
+    </message>
+    <message>
+        <source>Without this vertex the cage at rest would cross itself or be flat.</source>
+        <translation>Sans ce sommet, la cage au repos serait croisée ou plate.</translation>
+    </message>
+    <message>
+        <source>Delete vertex %1</source>
+        <translation>Supprimer le sommet %1</translation>
+    </message>
+    <message>
+        <source>Make the cage regular</source>
+        <translation>Rendre la cage régulière</translation>
+    </message>
+    <message>
+        <source>Unbake: extract the placement from the code</source>
+        <translation>Extraire le placement du code</translation>
+    </message>
+    <message>
+        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
+        <translation>Sans ces sommets, la cage au repos serait croisée ou plate.</translation>
+    </message>
+    <message>
+        <source>Delete %1 vertices</source>
+        <translation>Supprimer %1 sommets</translation>
+    </message>
+    <message>
+        <source>The cage is already the minimal canonical simplex.</source>
+        <translation>La cage est déjà le simplexe canonique minimal.</translation>
+    </message>
+    <message>
+        <source>The cage is already regular.</source>
+        <translation>La cage est déjà régulière.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Déplacer le sommet %1 en (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>document::EntriesEdits</name>
+    <message>
+        <source>An entry needs a name.</source>
+        <translation>Une entrée a besoin d’un nom.</translation>
+    </message>
+    <message>
+        <source>A name cannot contain spaces: Fractint would read only its first word.</source>
+        <translation>Un nom ne contient pas d’espaces&#x202f;: Fractint n’en lirait que le premier mot.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
+        <translation>«&#x202f;%1&#x202f;» ne peut pas figurer dans un nom, car il a un sens particulier dans les fichiers .ifs.</translation>
+    </message>
+    <message>
+        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
+        <translation>Un nom a au plus %1 caractères&#x202f;; Fractint ignore le reste.</translation>
+    </message>
+    <message>
+        <source>Fractint does not list an entry called “%1”; choose another name.</source>
+        <translation>Fractint ne liste pas une entrée nommée «&#x202f;%1&#x202f;»&#x202f;; choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
+        <translation>Une autre entrée se nomme «&#x202f;%1&#x202f;» (majuscules et minuscules ne sont pas distinguées).</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapsArrange</name>
+    <message>
+        <source>Flip maps</source>
+        <translation>Retourner des applications</translation>
+    </message>
+    <message>
+        <source>Rotate maps by 90°</source>
+        <translation>Tourner des applications de 90°</translation>
+    </message>
+    <message>
+        <source>Rotate maps by −90°</source>
+        <translation>Tourner des applications de −90°</translation>
+    </message>
+    <message>
+        <source>Align maps</source>
+        <translation>Aligner des applications</translation>
+    </message>
+    <message>
+        <source>Distribute maps</source>
+        <translation>Répartir des applications</translation>
+    </message>
+    <message>
+        <source>Fit maps to the corners</source>
+        <translation>Placer des applications aux coins</translation>
+    </message>
+    <message>
+        <source>Only maps in the plane can be arranged.</source>
+        <translation>Seules des applications du plan peuvent être disposées.</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Choisissez d’abord une application.</translation>
+    </message>
+    <message>
+        <source>Select at least two maps first.</source>
+        <translation>Choisissez d’abord au moins deux applications.</translation>
+    </message>
+    <message>
+        <source>Select at least three maps first.</source>
+        <translation>Choisissez d’abord au moins trois applications.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
+        <translation>La cage est plate&#x202f;: les applications ne peuvent pas y être déplacées. Réinitialisez d’abord la cage.</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapsEdits</name>
+    <message>
+        <source>Duplicate %1 maps</source>
+        <translation>Dupliquer %1 applications</translation>
+    </message>
+    <message>
+        <source>Delete %1 maps</source>
+        <translation>Supprimer %1 applications</translation>
+    </message>
+    <message>
+        <source>Duplicate a map</source>
+        <translation>Dupliquer une application</translation>
+    </message>
+    <message>
+        <source>Delete a map</source>
+        <translation>Supprimer une application</translation>
+    </message>
+</context>
+<context>
+    <name>document::SpaceGeometry</name>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Cette entrée n’est pas un système dans l’espace.</translation>
+    </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Cette entrée n’a pas d’applications du plan.</translation>
     </message>
     <message>
@@ -2389,7 +3442,7 @@
         <translation>Forme affinement invariante</translation>
     </message>
     <message>
-        <source>Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. The matrices do not change when the triangle is dragged. Where no entry is negative, the map takes the triangle into itself.</source>
+        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle into itself.</source>
         <translation>La ligne j d’une matrice contient les coordonnées barycentriques, dans le triangle, de l’image du sommet j&#x202f;; la somme de chaque ligne est donc 1. Les matrices ne changent pas quand on déplace le triangle. Là où aucun coefficient n’est négatif, l’application envoie le triangle dans lui-même.</translation>
     </message>
     <message>
@@ -2397,16 +3450,16 @@
         <translation>&amp;Copier</translation>
     </message>
     <message>
-        <source>Every map as a matrix that takes barycentric coordinates over the control triangle to barycentric coordinates: each row has the sum 1.</source>
+        <source>Each map as a matrix that acts on barycentric coordinates in the control triangle; every row sums to 1.</source>
         <translation>Chaque application comme une matrice qui, relativement au triangle de contrôle, envoie des coordonnées barycentriques sur des coordonnées barycentriques&#x202f;: la somme de chaque ligne est 1.</translation>
     </message>
     <message>
-        <source>Copies the triangle and the matrices with all digits.</source>
+        <source>Copies the triangle and the matrices at full precision.</source>
         <translation>Copie le triangle et les matrices avec tous les chiffres.</translation>
     </message>
     <message>
         <source>
-… and %1 more. Copy takes all of them.
+… and %1 more. Copy includes all of them.
 </source>
         <translation>
 … et %1 de plus. «&#x202f;Copier&#x202f;» les prend toutes.
@@ -2424,27 +3477,23 @@
         <translation>Tout copier</translation>
     </message>
     <message>
-        <source>Copy all facts with all digits</source>
+        <source>Copy all properties at full precision</source>
         <translation>Copier toutes les propriétés avec tous les chiffres</translation>
     </message>
     <message>
-        <source>3D: not yet shown.</source>
-        <translation>3D&#x202f;: pas encore affiché.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read, so nothing is known of it.</source>
+        <source>This entry could not be read, so it cannot be analysed.</source>
         <translation>Cette entrée n’a pas pu être lue&#x202f;: on n’en sait donc rien.</translation>
     </message>
     <message>
-        <source>Copy with All Digits</source>
+        <source>Copy at Full Precision</source>
         <translation>Copier avec tous les chiffres</translation>
     </message>
     <message>
-        <source>Copy All Facts</source>
+        <source>Copy All Properties</source>
         <translation>Copier toutes les propriétés</translation>
     </message>
     <message>
-        <source>Copies every line as its name and its value with all digits.</source>
+        <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Copie chaque ligne comme son nom et sa valeur avec tous les chiffres.</translation>
     </message>
     <message>
@@ -2480,7 +3529,7 @@
         <translation>Ellipse</translation>
     </message>
     <message>
-        <source>Show the mean and the ellipse of the covariance</source>
+        <source>Show the mean and the covariance ellipse</source>
         <translation>Montrer la moyenne et l’ellipse de la covariance</translation>
     </message>
     <message>
@@ -2496,7 +3545,7 @@
         <translation>Cylindres</translation>
     </message>
     <message>
-        <source>Outline the hulls of all pieces with an address of the same length, in the colour of its first map</source>
+        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map</source>
         <translation>Tracer les enveloppes de tous les morceaux dont l’adresse a la même longueur, dans la couleur de sa première application</translation>
     </message>
     <message>
@@ -2504,7 +3553,7 @@
         <translation>Longueur des adresses</translation>
     </message>
     <message>
-        <source>How many symbols the addresses of the cylinders have; fewer where there would be thousands</source>
+        <source>The number of symbols in the addresses of the cylinders; fewer if there would be thousands of cylinders</source>
         <translation>Combien de symboles ont les adresses des cylindres ; moins là où il y en aurait des milliers</translation>
     </message>
     <message>
@@ -2512,8 +3561,8 @@
         <translation>Longueur d’adresse</translation>
     </message>
     <message>
-        <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
-        <translation>La cage courbe l’image, et aucun système ne l’a. Ce sont des faits du code&#x202f;; sur la zone de dessin ils sont courbés avec l’image.</translation>
+        <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
+        <translation>La cage courbe l’image, et aucun système ne produit une image courbée. Ce sont les propriétés du code ; sur la zone de dessin, les contours se courbent avec l’image.</translation>
     </message>
 </context>
 <context>
@@ -2527,7 +3576,7 @@
         <translation>Valeurs par défaut</translation>
     </message>
     <message>
-        <source>Every setting of this panel as in a new fractal</source>
+        <source>Reset every setting of this panel to its default</source>
         <translation>Rétablir tous les réglages de ce panneau comme pour une nouvelle fractale</translation>
     </message>
     <message>
@@ -2539,7 +3588,7 @@
         <translation>Densité</translation>
     </message>
     <message>
-        <source>The palette follows the density of points</source>
+        <source>Colour by the density of points</source>
         <translation>La palette suit la densité des points</translation>
     </message>
     <message>
@@ -2547,7 +3596,7 @@
         <translation>Application</translation>
     </message>
     <message>
-        <source>The colour of the last map applied</source>
+        <source>Colour by the last map applied</source>
         <translation>La couleur de la dernière application appliquée</translation>
     </message>
     <message>
@@ -2555,7 +3604,7 @@
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>The palette follows the address of each point</source>
+        <source>Colour by the address of each point</source>
         <translation>La palette suit l’adresse de chaque point</translation>
     </message>
     <message>
@@ -2563,20 +3612,12 @@
         <translation>Uni</translation>
     </message>
     <message>
-        <source>One colour; the density is its opacity</source>
+        <source>One colour, with the density as its opacity</source>
         <translation>Une seule couleur&#x202f;; la densité en donne l’opacité</translation>
-    </message>
-    <message>
-        <source>Change what the colour shows</source>
-        <translation>Changer ce que montre la couleur</translation>
     </message>
     <message>
         <source>Plain colour</source>
         <translation>Couleur unie</translation>
-    </message>
-    <message>
-        <source>Change the plain colour</source>
-        <translation>Changer la couleur unie</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -2585,10 +3626,6 @@
     <message>
         <source>Palette</source>
         <translation>Palette</translation>
-    </message>
-    <message>
-        <source>Change the palette</source>
-        <translation>Changer la palette</translation>
     </message>
     <message>
         <source>Edit Palette</source>
@@ -2601,10 +3638,6 @@
     <message>
         <source>Background colour</source>
         <translation>Couleur du fond</translation>
-    </message>
-    <message>
-        <source>Change the background colour</source>
-        <translation>Changer la couleur du fond</translation>
     </message>
     <message>
         <source>Transparent</source>
@@ -2627,20 +3660,12 @@
         <translation>Luminosité</translation>
     </message>
     <message>
-        <source>Change the brightness</source>
-        <translation>Changer la luminosité</translation>
-    </message>
-    <message>
-        <source>How early thin parts become visible: κ of the logarithmic tone curve</source>
+        <source>How strongly thin parts show: κ of the logarithmic tone curve</source>
         <translation>À partir de quelle densité les parties ténues deviennent visibles&#x202f;: κ de la courbe de tons logarithmique</translation>
     </message>
     <message>
         <source>Gamma</source>
         <translation>Gamma</translation>
-    </message>
-    <message>
-        <source>Change the gamma</source>
-        <translation>Changer le gamma</translation>
     </message>
     <message>
         <source>Exponent of the tone curve: higher values lift the dark parts</source>
@@ -2659,10 +3684,6 @@
         <translation>%1 × %1 sous-pixels</translation>
     </message>
     <message>
-        <source>Change the supersampling</source>
-        <translation>Changer le suréchantillonnage</translation>
-    </message>
-    <message>
         <source>Map colours</source>
         <translation>Couleurs des applications</translation>
     </message>
@@ -2675,11 +3696,7 @@
         <translation>Couleur de l’application %1</translation>
     </message>
     <message>
-        <source>Change the colour of map %1</source>
-        <translation>Changer la couleur de l’application %1</translation>
-    </message>
-    <message>
-        <source>What the colour of a point tells: how many points fall there, which map came last, or the whole address.</source>
+        <source>What the colour of a point shows: how many points fall there, which map came last, or the whole address.</source>
         <translation>Ce que dit la couleur d’un point&#x202f;: combien de points tombent là, quelle application a agi en dernier, ou l’adresse entière.</translation>
     </message>
     <message>
@@ -2687,126 +3704,35 @@
         <translation>Les couleurs, des parties les plus ténues aux plus denses, ou le long des adresses.</translation>
     </message>
     <message>
-        <source>Leaves the background out of exported pictures.</source>
+        <source>Makes the background of exported pictures transparent.</source>
         <translation>Omet le fond dans les images exportées.</translation>
     </message>
     <message>
-        <source>Draws every pixel from several finer ones: smoother edges, for more memory and time.</source>
+        <source>Computes every pixel from several smaller ones: smoother edges, at the cost of memory and time.</source>
         <translation>Dessine chaque pixel à partir de plusieurs pixels plus fins&#x202f;: des bords plus lisses, pour plus de mémoire et de temps.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Colour by: %1</source>
+        <translation>Colorer selon : %1</translation>
+    </message>
+    <message>
+        <source>Palette: %1</source>
+        <translation>Palette : %1</translation>
+    </message>
+    <message>
+        <source>Supersampling: %1</source>
+        <translation>Suréchantillonnage : %1</translation>
     </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
     <message>
-        <source>Drag, or use the arrow keys. The number beside it is the same value.</source>
+        <source>Drag, or use the arrow keys. The field next to it shows the same value.</source>
         <translation>Faites glisser, ou utilisez les touches fléchées. Le nombre à côté est la même valeur.</translation>
-    </message>
-</context>
-<context>
-    <name>view::ArisingBar</name>
-    <message>
-        <source>How the attractor arises</source>
-        <translation>Comment naît l’attracteur</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Densité</translation>
-    </message>
-    <message>
-        <source>The invariant measure, refined while nothing moves</source>
-        <translation>La mesure invariante, affinée tant que rien ne bouge</translation>
-    </message>
-    <message>
-        <source>Steps Wⁿ</source>
-        <translation>Étapes Wⁿ</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>L’algorithme déterministe&#x202f;: toutes les applications appliquées n fois à la cage au repos</translation>
-    </message>
-    <message>
-        <source>Chaos Game</source>
-        <translation>Jeu du chaos</translation>
-    </message>
-    <message>
-        <source>One point that jumps by maps drawn at random; the first 14 points are not plotted</source>
-        <translation>Un point qui saute par des applications tirées au hasard&#x202f;; les 14 premiers points ne sont pas tracés</translation>
-    </message>
-    <message>
-        <source>n: how often all maps are applied</source>
-        <translation>n&#x202f;: combien de fois toutes les applications sont appliquées</translation>
-    </message>
-    <message>
-        <source>Begin Again</source>
-        <translation>Recommencer</translation>
-    </message>
-    <message>
-        <source>No points yet, and other dice</source>
-        <translation>Repartir sans aucun point, avec d’autres tirages</translation>
-    </message>
-    <message>
-        <source>One Point</source>
-        <translation>Un point</translation>
-    </message>
-    <message>
-        <source>Plot one more point</source>
-        <translation>Tracer un point de plus</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Démarrer</translation>
-    </message>
-    <message>
-        <source>Let points appear</source>
-        <translation>Faire apparaître des points</translation>
-    </message>
-    <message>
-        <source>Points a second</source>
-        <translation>Points par seconde</translation>
-    </message>
-    <message>
-        <source>%1 a second</source>
-        <translation>%1 par seconde</translation>
-    </message>
-    <message>
-        <source>W%1: the cage itself</source>
-        <translation>W%1&#x202f;: la cage elle-même</translation>
-    </message>
-    <message>
-        <source>W%1: %2 copies of the cage</source>
-        <translation>W%1&#x202f;: %2 copies de la cage</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stay at these points</source>
-        <translation>En rester à ces points</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 points</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 point</translation>
-    </message>
-    <message>
-        <source>, the last by map %1</source>
-        <translation>, le dernier par l’application %1</translation>
-    </message>
-    <message>
-        <source>How often all maps are applied to the cage: 0 is the cage itself, and with every step the picture comes closer to the attractor.</source>
-        <translation>Combien de fois toutes les applications sont appliquées à la cage&#x202f;: 0 donne la cage elle-même, et à chaque étape l’image se rapproche de l’attracteur.</translation>
-    </message>
-    <message>
-        <source>How many points the chaos game plots in a second.</source>
-        <translation>Combien de points le jeu du chaos trace en une seconde.</translation>
-    </message>
-    <message>
-        <source>no points yet: press ▶</source>
-        <translation>pas encore de points&#x202f;: appuyez sur ▶</translation>
     </message>
 </context>
 <context>
@@ -2816,7 +3742,7 @@
         <translation>Diagramme du comptage de boîtes</translation>
     </message>
     <message>
-        <source>How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the line: there the size of the whole or of a cell shows.</source>
+        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: there the size of the whole or of a cell has an effect.</source>
         <translation>Combien de boîtes rencontrent l’attracteur selon leur finesse : log₂ N en fonction de k pour des boîtes de côté L·2⁻ᵏ, L le côté du carré autour de l’attracteur. Les points évidés ne comptent pas pour la droite : là se voit la taille de l’ensemble ou d’une cellule.</translation>
     </message>
     <message>
@@ -2855,32 +3781,32 @@
         <translation>Profondeur de la branche</translation>
     </message>
     <message>
-        <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
+        <source>The number of maps in the address of the branch (Shift + wheel over the canvas)</source>
         <translation>Combien d’applications de l’adresse nomment la branche (Maj + molette sur la zone de dessin)</translation>
     </message>
     <message>
-        <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
-        <translation>L’adresse du point cliqué, l’application la plus extérieure d’abord ; la branche est ce qui est en gras</translation>
+        <source>The address of the clicked point, outermost map first; the bold part is the address of the branch</source>
+        <translation>L’adresse du point cliqué, l’application la plus extérieure d’abord ; la partie en gras est l’adresse de la branche</translation>
     </message>
     <message>
-        <source>this branch, as a map of its own</source>
-        <translation>cette branche, comme application à part</translation>
+        <source>New map for this branch</source>
+        <translation>Nouvelle application pour cette branche</translation>
     </message>
     <message>
-        <source>The system gets a map for this branch and one for every branch beside it. Its change is seen again at all smaller scales.</source>
-        <translation>Le système reçoit une application pour cette branche et une pour chaque branche voisine. Le changement se revoit à toutes les échelles plus petites.</translation>
+        <source>Gives this branch and each of its sibling branches a map of its own. The change appears again at all smaller scales.</source>
+        <translation>Cette branche et chacune de ses branches sœurs reçoivent leur propre application. Le changement réapparaît à toutes les échelles plus petites.</translation>
     </message>
     <message>
-        <source>the last map of its address</source>
-        <translation>la dernière application de son adresse</translation>
+        <source>Last map of the address</source>
+        <translation>Dernière application de l’adresse</translation>
     </message>
     <message>
-        <source>The code keeps its maps. All branches that this map makes change alike.</source>
-        <translation>Le code garde ses applications. Toutes les branches que fait cette application changent de même.</translation>
+        <source>The system keeps its number of maps. All branches that this map makes change in the same way.</source>
+        <translation>Le système garde le même nombre d’applications. Toutes les branches que produit cette application changent de la même façon.</translation>
     </message>
     <message>
-        <source>What changing the branch changes</source>
-        <translation>Ce que change la modification de la branche</translation>
+        <source>What editing the branch changes</source>
+        <translation>Ce que change une modification de la branche</translation>
     </message>
     <message>
         <source>&amp;Weave</source>
@@ -2891,7 +3817,7 @@
         <translation>Angle dont les applications choisies oscillent autour de leurs racines</translation>
     </message>
     <message>
-        <source>Lets the selected maps swing, each about the image of the lowest point of the fractal; the slider goes back to the middle when it is let go</source>
+        <source>Swings the selected maps, each about the image of the lowest point of the fractal; the slider returns to the middle when you release it</source>
         <translation>Fait osciller les applications choisies, chacune autour de l’image du point le plus bas de la fractale ; relâché, le curseur revient au milieu</translation>
     </message>
     <message>
@@ -2907,16 +3833,16 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Let maps swing</source>
+        <source>Swing maps</source>
         <translation>Faire osciller des applications</translation>
     </message>
     <message>
-        <source>where it is shown, and it alone</source>
-        <translation>où elle est montrée, et elle seule</translation>
+        <source>Only here</source>
+        <translation>Seulement ici</translation>
     </message>
     <message>
-        <source>The code stays as it is. This branch is shown elsewhere, and nothing like it at other scales.</source>
-        <translation>Le code reste tel quel. Cette branche est montrée ailleurs, et rien de semblable aux autres échelles.</translation>
+        <source>The code does not change. Only this branch is shown elsewhere; the same change does not appear at other scales.</source>
+        <translation>Le code ne change pas. Seule cette branche est montrée ailleurs ; le changement ne se répète pas aux autres échelles.</translation>
     </message>
     <message>
         <source>Put &amp;Back</source>
@@ -2927,11 +3853,11 @@
         <translation>Tout &amp;remettre en place</translation>
     </message>
     <message>
-        <source>Shows the branch where its maps put it</source>
+        <source>Shows the branch in its original position, given by its maps</source>
         <translation>Montre la branche là où ses applications la mettent</translation>
     </message>
     <message>
-        <source>Shows every branch where its maps put it</source>
+        <source>Shows all branches in their original positions, given by their maps</source>
         <translation>Montre chaque branche là où ses applications la mettent</translation>
     </message>
     <message>
@@ -2974,95 +3900,8 @@
         <translation>Mettre à l’échelle la branche %1</translation>
     </message>
     <message>
-        <source>This branch is map 1 now. Numbers in the table change it further.</source>
+        <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Cette branche est maintenant l’application 1. Les nombres du tableau continuent de la modifier.</translation>
-    </message>
-</context>
-<context>
-    <name>view::CageActions</name>
-    <message>
-        <source>This entry is not a system of the plane, so it has no control cage.</source>
-        <translation>Cette entrée n’est pas un système du plan&#x202f;; elle n’a donc pas de cage de contrôle.</translation>
-    </message>
-    <message>
-        <source>The cage is too flat to be undone. Open it by dragging a vertex, or reset it, and try again.</source>
-        <translation>La cage est trop plate pour que l’on puisse l’inverser. Ouvrez-la en déplaçant un sommet, ou réinitialisez-la, puis réessayez.</translation>
-    </message>
-    <message>
-        <source>The three points lie on one line and hold no coordinates. Put the third one beside the line.</source>
-        <translation>Les trois points sont alignés et ne portent pas de coordonnées. Placez le troisième à côté de la droite.</translation>
-    </message>
-    <message>
-        <source>Fit the minimal canonical simplex</source>
-        <translation>Ajuster le simplexe canonique minimal</translation>
-    </message>
-    <message>
-        <source>Reset the cage</source>
-        <translation>Réinitialiser la cage</translation>
-    </message>
-    <message>
-        <source>Bake the placement into the code</source>
-        <translation>Intégrer le placement au code</translation>
-    </message>
-    <message>
-        <source>Define the control triangle</source>
-        <translation>Définir le triangle de contrôle</translation>
-    </message>
-    <message>
-        <source>Vertex %1 is there already.</source>
-        <translation>Le sommet %1 y est déjà.</translation>
-    </message>
-    <message>
-        <source>Move vertex %1</source>
-        <translation>Déplacer le sommet %1</translation>
-    </message>
-    <message>
-        <source>A cage has at most %1 vertices.</source>
-        <translation>Une cage a au plus %1 sommets.</translation>
-    </message>
-    <message>
-        <source>There is no room for a vertex here.</source>
-        <translation>Il n’y a pas de place ici pour un sommet.</translation>
-    </message>
-    <message>
-        <source>Insert a vertex</source>
-        <translation>Insérer un sommet</translation>
-    </message>
-    <message>
-        <source>A cage has at least three vertices.</source>
-        <translation>Une cage a au moins trois sommets.</translation>
-    </message>
-    <message>
-        <source>Without this vertex the cage at rest would cross itself or be flat.</source>
-        <translation>Sans ce sommet, la cage au repos serait croisée ou plate.</translation>
-    </message>
-    <message>
-        <source>Delete vertex %1</source>
-        <translation>Supprimer le sommet %1</translation>
-    </message>
-    <message>
-        <source>Make the cage regular</source>
-        <translation>Rendre la cage régulière</translation>
-    </message>
-    <message>
-        <source>Unbake: take the placement out of the code</source>
-        <translation>Extraire le placement du code</translation>
-    </message>
-    <message>
-        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
-        <translation>Sans ces sommets, la cage au repos serait croisée ou plate.</translation>
-    </message>
-    <message>
-        <source>Delete %1 vertices</source>
-        <translation>Supprimer %1 sommets</translation>
-    </message>
-    <message>
-        <source>The cage is the minimal canonical simplex already.</source>
-        <translation>La cage est déjà le simplexe canonique minimal.</translation>
-    </message>
-    <message>
-        <source>The cage is regular already.</source>
-        <translation>La cage est déjà régulière.</translation>
     </message>
 </context>
 <context>
@@ -3088,7 +3927,7 @@
         <translation>Réécrire</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture; the code stays</source>
+        <source>Moving the cage moves the picture; the code does not change</source>
         <translation>Déplacer la cage déplace l’image&#x202f;; le code reste</translation>
     </message>
     <message>
@@ -3104,11 +3943,11 @@
         <translation>Ajustement affine</translation>
     </message>
     <message>
-        <source>Every vertex is followed; the picture bends, which cannot be baked into a code</source>
+        <source>The picture follows every vertex and bends; a bent picture cannot be baked into the code</source>
         <translation>Chaque sommet est suivi&#x202f;; l’image se courbe, ce qui ne peut pas être intégré à un code</translation>
     </message>
     <message>
-        <source>The picture moves by the affine map that comes nearest to the vertices; it can be baked</source>
+        <source>The picture follows the vertices by the closest affine map; it can be baked</source>
         <translation>L’image suit l’application affine qui s’approche le plus des sommets&#x202f;; celle-ci peut être intégrée au code</translation>
     </message>
     <message>
@@ -3179,7 +4018,7 @@
         <translation>Cage au repos</translation>
     </message>
     <message>
-        <source>Show the vertices that hold the attractor while the cage is at rest</source>
+        <source>Show the positions of the vertices when the cage is at rest</source>
         <translation>Montrer les sommets qui tiennent l’attracteur quand la cage est au repos</translation>
     </message>
     <message>
@@ -3207,7 +4046,7 @@
         <translation>Simplexe canonique minimal</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs say to which side its legs point from the right angle.</source>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs give the directions in which its legs point from the right angle.</source>
         <translation>Le plus petit triangle rectangle isocèle aux cathètes parallèles aux axes qui contient l’image. Les signes disent de quel côté pointent ses cathètes depuis l’angle droit.</translation>
     </message>
     <message>
@@ -3215,7 +4054,7 @@
         <translation>Coordonnées barycentriques d’un point</translation>
     </message>
     <message>
-        <source>The weights a, b, c with a + b + c = 1 that the vertices take to balance in the point.</source>
+        <source>The weights a, b, c with a + b + c = 1 for which the point is the weighted mean of the vertices.</source>
         <translation>Les poids a, b, c, avec a + b + c = 1, qu’il faut donner aux sommets pour que le point en soit le barycentre.</translation>
     </message>
     <message>
@@ -3239,20 +4078,12 @@
         <translation>%1 du sommet au repos %2</translation>
     </message>
     <message>
-        <source>Move vertex %1</source>
-        <translation>Déplacer le sommet %1</translation>
-    </message>
-    <message>
         <source>The three points are on one line: the rest cage must enclose an area.</source>
         <translation>Les trois points sont alignés&#x202f;: la cage au repos doit entourer une aire.</translation>
     </message>
     <message>
         <source>The rest cage must be a polygon that does not cross itself.</source>
         <translation>La cage au repos doit être un polygone non croisé.</translation>
-    </message>
-    <message>
-        <source>Define vertex %1</source>
-        <translation>Définir le sommet %1</translation>
     </message>
     <message>
         <source>The picture is too thin for such a cage.</source>
@@ -3267,35 +4098,31 @@
         <translation>Intégrer la cage au code</translation>
     </message>
     <message>
-        <source>3D: not yet shown.</source>
-        <translation>3D&#x202f;: pas encore affiché.</translation>
-    </message>
-    <message>
         <source>This entry could not be read, so it has no cage.</source>
         <translation>Cette entrée n’a pas pu être lue&#x202f;; elle n’a donc pas de cage.</translation>
     </message>
     <message>
-        <source>At rest: the picture is that of the code.</source>
+        <source>At rest: the picture shows the code.</source>
         <translation>Au repos&#x202f;: l’image est celle du code.</translation>
     </message>
     <message>
-        <source>%1 vertices, at rest: the picture is that of the code.</source>
+        <source>%1 vertices, at rest: the picture shows the code.</source>
         <translation>%1 sommets, au repos&#x202f;: l’image est celle du code.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by Wachspress coordinates, not bakeable.</source>
+        <source>%1 vertices: bent by Wachspress coordinates, cannot be baked.</source>
         <translation>%1 sommets&#x202f;: image courbée par les coordonnées de Wachspress, impossible à intégrer au code.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by mean value coordinates, not bakeable.</source>
+        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
         <translation>%1 sommets&#x202f;: image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
     </message>
     <message>
-        <source>Flat: the picture lies on one line. Open the cage and it comes back.</source>
+        <source>Flat: the picture is squeezed onto a line. Open the cage to get it back.</source>
         <translation>Plate&#x202f;: l’image est tout entière sur une droite. Ouvrez la cage et elle réapparaît.</translation>
     </message>
     <message>
-        <source>Placed and mirrored: areas change by the factor %1, and the sense of rotation is reversed.</source>
+        <source>Placed and mirrored: areas change by the factor %1, and the orientation is reversed.</source>
         <translation>Placée et retournée&#x202f;: les aires sont multipliées par %1, et l’orientation est inversée.</translation>
     </message>
     <message>
@@ -3303,7 +4130,7 @@
         <translation>Placée&#x202f;: les aires sont multipliées par %1.</translation>
     </message>
     <message>
-        <source>The triangle is flat: it holds no coordinates.</source>
+        <source>The triangle is flat: it defines no coordinates.</source>
         <translation>Le triangle est plat&#x202f;: il ne porte pas de coordonnées.</translation>
     </message>
     <message>
@@ -3311,24 +4138,100 @@
         <translation>%1, cathète %2, angle droit en (%3, %4)</translation>
     </message>
     <message>
-        <source>Hold the picture by a fitted cage; the picture stays</source>
+        <source>Replace the cage by one fitted to the picture; the picture stays</source>
         <translation>Tenir l’image par une cage ajustée&#x202f;; l’image reste</translation>
     </message>
     <message>
-        <source>Put the cage and the picture back to rest</source>
+        <source>Return the cage and the picture to rest</source>
         <translation>Remettre la cage et l’image au repos</translation>
     </message>
     <message>
-        <source>Make the displayed picture the code; the cage then rests</source>
+        <source>Write the displayed picture into the code; the cage is then at rest</source>
         <translation>Faire de l’image affichée le code&#x202f;; la cage est ensuite au repos</translation>
     </message>
     <message>
-        <source>The cage is there already.</source>
+        <source>The cage is already there.</source>
         <translation>La cage y est déjà.</translation>
     </message>
     <message>
-        <source>The coordinates are read over a triangle.</source>
-        <translation>Les coordonnées se lisent sur un triangle.</translation>
+        <source>Only a cage with three vertices has barycentric coordinates.</source>
+        <translation>Seule une cage à trois sommets a des coordonnées barycentriques.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Déplacer le sommet %1 en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Define vertex %1 at (%2, %3)</source>
+        <translation>Définir le sommet %1 en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>z at rest</source>
+        <translation>z au repos</translation>
+    </message>
+    <message>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the picture. The signs give the directions in which its legs point from their common corner.</source>
+        <translation>Le plus petit tétraèdre à trois arêtes égales parallèles aux axes qui contient l’image. Les signes disent où pointent ces arêtes depuis leur sommet commun.</translation>
+    </message>
+    <message>
+        <source>The weights a, b, c, d with a + b + c + d = 1 for which the point is the weighted mean of the vertices.</source>
+        <translation>Les poids a, b, c, d de somme a + b + c + d = 1 à placer aux sommets pour que le point soit leur barycentre.</translation>
+    </message>
+    <message>
+        <source>z of the point</source>
+        <translation>z du point</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3, %4)</source>
+        <translation>Déplacer le sommet %1 en (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>The vertices are in one plane: the rest cage must enclose a volume.</source>
+        <translation>Les sommets sont dans un même plan&#x202f;: la cage au repos doit enfermer un volume.</translation>
+    </message>
+    <message>
+        <source>Define vertex %1 at (%2, %3, %4)</source>
+        <translation>Définir le sommet %1 en (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>Three clicks define a triangle in the plane. In space, show the rest cage and type the coordinates of its vertices.</source>
+        <translation>Trois clics définissent un triangle dans le plan. Dans l’espace, affichez la cage au repos et tapez les coordonnées de ses sommets.</translation>
+    </message>
+    <message>
+        <source>These cages are polygons in the plane. In space, the cage is the minimal canonical simplex until you change it.</source>
+        <translation>Ces cages sont des polygones du plan. Dans l’espace, la cage est le simplexe canonique minimal tant que vous ne la modifiez pas.</translation>
+    </message>
+    <message>
+        <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
+        <translation>Aplatie&#x202f;: le solide est écrasé sur un plan ou une droite. Ouvrez la cage et il revient.</translation>
+    </message>
+    <message>
+        <source>Placed and mirrored: volumes change by the factor %1, and the orientation is reversed.</source>
+        <translation>Placée et retournée&#x202f;: les volumes sont multipliés par %1 et l’orientation est renversée.</translation>
+    </message>
+    <message>
+        <source>Placed: volumes change by the factor %1.</source>
+        <translation>Placée&#x202f;: les volumes sont multipliés par %1.</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices has barycentric coordinates.</source>
+        <translation>Seule une cage à quatre sommets a des coordonnées barycentriques.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron is flat: it defines no coordinates.</source>
+        <translation>Le tétraèdre est plat&#x202f;: il ne porte pas de coordonnées.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Ce système n’a pas d’attracteur que l’on puisse enfermer.</translation>
+    </message>
+    <message>
+        <source>%1, leg %2, corner (%3, %4, %5)</source>
+        <translation>%1, arête %2, sommet (%3, %4, %5)</translation>
     </message>
 </context>
 <context>
@@ -3362,7 +4265,7 @@
         <translation>Choisissez d’abord un sommet.</translation>
     </message>
     <message>
-        <source>Point at an edge, or select a vertex, to insert one.</source>
+        <source>To insert a vertex, point to an edge or select a vertex.</source>
         <translation>Pour insérer un sommet, pointez une arête ou choisissez un sommet.</translation>
     </message>
 </context>
@@ -3373,35 +4276,31 @@
         <translation>Pas d’attracteur&#x202f;: l’application %1 n’est pas contractante (plus grande valeur singulière %2, rayon spectral %3). Réduisez-la, ou désactivez-la.</translation>
     </message>
     <message>
-        <source>No attractor: the maps %1, one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
+        <source>No attractor: the maps %1, applied one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
         <translation>Pas d’attracteur&#x202f;: les applications %1, l’une après l’autre, ne sont pas contractantes (plus grande valeur singulière %2, rayon spectral %3). Réduisez l’une d’elles, ou désactivez-la.</translation>
     </message>
     <message>
-        <source>It is not settled whether this system has an attractor: map %1 stretches by %2. Points that run away are left out.</source>
+        <source>It is undecided whether this system has an attractor: map %1 stretches by up to %2. Points that escape are left out.</source>
         <translation>On n’a pas pu décider si ce système a un attracteur&#x202f;: l’application %1 étire d’un facteur %2. Les points qui s’échappent sont omis.</translation>
     </message>
     <message>
-        <source>It is not settled whether this system has an attractor. Points that run away are left out.</source>
+        <source>It is undecided whether this system has an attractor. Points that escape are left out.</source>
         <translation>On n’a pas pu décider si ce système a un attracteur. Les points qui s’échappent sont omis.</translation>
     </message>
     <message>
-        <source>This entry is a system in space: not yet shown. It is kept as it is.</source>
-        <translation>Cette entrée est un système de l’espace&#x202f;: pas encore affiché. Elle est conservée telle quelle.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read. Its text is kept as it is in the file.</source>
+        <source>This entry could not be read. Its text is kept unchanged in the file.</source>
         <translation>Cette entrée n’a pas pu être lue. Son texte est conservé tel qu’il est dans le fichier.</translation>
     </message>
     <message>
-        <source>No map takes part, so there is nothing to draw. Add a map or switch one on.</source>
+        <source>No map is active, so there is nothing to draw. Add a map or switch one on.</source>
         <translation>Aucune application n’est active&#x202f;: il n’y a rien à dessiner. Ajoutez une application ou activez-en une.</translation>
     </message>
     <message>
-        <source>This is as deep as the arithmetic reaches: zoom out a little for a true picture.</source>
+        <source>This is the limit of numerical precision: zoom out a little for an accurate picture.</source>
         <translation>L’arithmétique ne descend pas plus profond&#x202f;: faites un petit zoom arrière pour une image fidèle.</translation>
     </message>
     <message>
-        <source>Drawn with fewer iterations than asked for: more would need more memory than allowed.</source>
+        <source>Drawn with fewer iterations than requested: more would exceed the memory limit.</source>
         <translation>Dessiné avec moins d’itérations que demandé&#x202f;: davantage exigerait plus de mémoire que permis.</translation>
     </message>
     <message>
@@ -3409,28 +4308,36 @@
         <translation>La cage est plate, et l’image aussi. Tirez un sommet pour l’ouvrir&#x202f;: rien n’est perdu.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <source>Stopped: beyond this, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
         <translation>Arrêté : plus loin, l’application %1 ne contracterait pas (plus grande valeur singulière %2, rayon spectral %3), et il n’y aurait pas d’attracteur.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, the maps %1, one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <source>Stopped: beyond this, the maps %1, applied one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
         <translation>Arrêté : plus loin, les applications %1, l’une après l’autre, ne contracteraient pas (plus grande valeur singulière %2, rayon spectral %3), et il n’y aurait pas d’attracteur.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
-        <translation>Arrêté : plus loin, il n’est pas établi qu’il y aurait un attracteur (l’application %1 a la plus grande valeur singulière, %2).</translation>
+        <source>Stopped: beyond this, an attractor is not guaranteed (map %1 has the largest singular value, %2).</source>
+        <translation>Arrêté : au-delà, l’existence d’un attracteur n’est pas garantie (l’application %1 a la plus grande valeur singulière, %2).</translation>
     </message>
     <message>
-        <source>One map alone: nothing is left but its fixed point.</source>
+        <source>With a single map, only its fixed point is left.</source>
         <translation>Une seule application : il ne reste que son point fixe.</translation>
     </message>
     <message>
-        <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
+        <source>With a single map, only its fixed point (%1, %2) is left.</source>
         <translation>Une seule application : il ne reste que son point fixe (%1, %2).</translation>
     </message>
     <message>
-        <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
+        <source>No map that is switched on has a positive weight, so there is nothing to draw. Give one of them a weight.</source>
         <translation>Aucune application activée n’a un poids supérieur à 0&#x202f;: il n’y a rien à dessiner. Donnez un poids à l’une d’elles.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor. The picture shows where its points spend their time.</source>
+        <translation>Ce système n’a pas d’attracteur. L’image montre où ses points séjournent.</translation>
+    </message>
+    <message>
+        <source>Whether this system has an attractor is undecided.</source>
+        <translation>On ne sait pas si ce système a un attracteur.</translation>
     </message>
 </context>
 <context>
@@ -3444,15 +4351,15 @@
         <translation>&amp;Coordonnées…</translation>
     </message>
     <message>
-        <source>Types the place of this vertex</source>
-        <translation>Saisir la position de ce sommet</translation>
+        <source>Lets you type the coordinates of this vertex</source>
+        <translation>Permet de saisir les coordonnées de ce sommet</translation>
     </message>
     <message>
         <source>&amp;Reset This Vertex</source>
         <translation>Ré&amp;initialiser ce sommet</translation>
     </message>
     <message>
-        <source>Puts this vertex back to rest</source>
+        <source>Returns this vertex to its position at rest</source>
         <translation>Remettre ce sommet au repos</translation>
     </message>
     <message>
@@ -3484,7 +4391,7 @@
         <translation>&amp;Supprimer ce sommet</translation>
     </message>
     <message>
-        <source>Takes this vertex out of the cage</source>
+        <source>Removes this vertex from the cage</source>
         <translation>Retirer ce sommet de la cage</translation>
     </message>
     <message>
@@ -3492,7 +4399,7 @@
         <translation>Placer le &amp;pivot ici</translation>
     </message>
     <message>
-        <source>Turns and scales the cage about this vertex</source>
+        <source>Rotates and scales the cage about this vertex</source>
         <translation>Faire tourner et redimensionner la cage autour de ce sommet</translation>
     </message>
     <message>
@@ -3504,15 +4411,15 @@
         <translation>&amp;Insérer un sommet ici</translation>
     </message>
     <message>
-        <source>Puts one more vertex on this edge; a double click does the same</source>
+        <source>Inserts a vertex on this edge; double-clicking does the same</source>
         <translation>Mettre un sommet de plus sur cette arête&#x202f;; un double-clic fait de même</translation>
     </message>
     <message>
-        <source>Rotate: Shift turns in steps of 15°</source>
+        <source>Rotate: hold Shift for steps of 15°</source>
         <translation>Rotation&#x202f;: Maj tourne par pas de 15°</translation>
     </message>
     <message>
-        <source>Scale: Shift keeps to x or y</source>
+        <source>Scale: hold Shift for x or y only</source>
         <translation>Échelle&#x202f;: Maj s’en tient à x ou à y</translation>
     </message>
     <message>
@@ -3520,11 +4427,11 @@
         <translation>Pivot</translation>
     </message>
     <message>
-        <source>Put the &amp;Pivot in the Middle</source>
+        <source>Put the &amp;Pivot in the Centre</source>
         <translation>Placer le &amp;pivot au milieu</translation>
     </message>
     <message>
-        <source>Turns and scales the cage about its middle</source>
+        <source>Rotates and scales the cage about its centre</source>
         <translation>Faire tourner et redimensionner la cage autour de son milieu</translation>
     </message>
     <message>
@@ -3536,15 +4443,15 @@
         <translation>Ajuster le simplexe canonique &amp;minimal</translation>
     </message>
     <message>
-        <source>Holds the picture by the smallest right-angled triangle around it</source>
-        <translation>Tenir l’image par le plus petit triangle rectangle isocèle qui la contient</translation>
+        <source>Fits the smallest isosceles right triangle with legs parallel to the axes around the picture</source>
+        <translation>Ajuste autour de l’image le plus petit triangle rectangle isocèle à côtés parallèles aux axes</translation>
     </message>
     <message>
         <source>&amp;Define Triangle</source>
         <translation>&amp;Définir un triangle</translation>
     </message>
     <message>
-        <source>Holds the picture by three points that are clicked</source>
+        <source>Defines the triangle by three clicks; the picture stays</source>
         <translation>Tenir l’image par trois points choisis d’un clic</translation>
     </message>
     <message>
@@ -3552,7 +4459,7 @@
         <translation>&amp;Réinitialiser la cage</translation>
     </message>
     <message>
-        <source>Puts every vertex back to rest</source>
+        <source>Returns every vertex to its position at rest</source>
         <translation>Remettre tous les sommets au repos</translation>
     </message>
     <message>
@@ -3560,7 +4467,7 @@
         <translation>Rendre régu&amp;lière</translation>
     </message>
     <message>
-        <source>Puts the vertices on the regular polygon nearest to them</source>
+        <source>Moves the vertices to the nearest regular polygon</source>
         <translation>Mettre les sommets sur le polygone régulier le plus proche</translation>
     </message>
     <message>
@@ -3568,7 +4475,7 @@
         <translation>In&amp;tégrer le placement au code</translation>
     </message>
     <message>
-        <source>Rewrites the maps so that they draw what is shown, with the cage at rest</source>
+        <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
         <translation>Réécrire les applications pour qu’elles dessinent ce qui est montré, la cage étant au repos</translation>
     </message>
     <message>
@@ -3588,7 +4495,7 @@
         <translation>&amp;100&#x202f;%	1</translation>
     </message>
     <message>
-        <source>Shows one unit of the plane as a hundred pixels</source>
+        <source>Shows one unit of the plane as one hundred pixels</source>
         <translation>Afficher une unité du plan sur cent pixels</translation>
     </message>
     <message>
@@ -3612,8 +4519,8 @@
         <translation>Axe des &amp;y vers le bas</translation>
     </message>
     <message>
-        <source>Turns the plane over, as on the screen of a computer</source>
-        <translation>Retourner le plan, comme sur l’écran d’un ordinateur</translation>
+        <source>Points the y axis down, as in window coordinates</source>
+        <translation>Dirige l’axe y vers le bas, comme dans les coordonnées d’une fenêtre</translation>
     </message>
     <message>
         <source>&amp;Only the Picture	H</source>
@@ -3628,7 +4535,7 @@
         <translation>&amp;Copier l’image</translation>
     </message>
     <message>
-        <source>Copies the picture as it is seen, without the cage</source>
+        <source>Copies the picture as shown, without the cage</source>
         <translation>Copier l’image telle qu’on la voit, sans la cage</translation>
     </message>
     <message>
@@ -3648,7 +4555,7 @@
         <translation>&amp;Désactiver</translation>
     </message>
     <message>
-        <source>Lets this map take part, or not</source>
+        <source>Switches this map on or off</source>
         <translation>Faire participer cette application, ou non</translation>
     </message>
     <message>
@@ -3664,7 +4571,7 @@
         <translation>D&amp;upliquer</translation>
     </message>
     <message>
-        <source>Puts a copy of this map beside it</source>
+        <source>Adds a copy of this map</source>
         <translation>Met une copie de cette application à côté</translation>
     </message>
     <message>
@@ -3672,7 +4579,7 @@
         <translation>&amp;Supprimer</translation>
     </message>
     <message>
-        <source>Takes this map out of the system</source>
+        <source>Removes this map from the system</source>
         <translation>Retire cette application du système</translation>
     </message>
 </context>
@@ -3693,14 +4600,6 @@
     <message>
         <source>Pivot</source>
         <translation>Pivot</translation>
-    </message>
-    <message>
-        <source>Rotate handle</source>
-        <translation>Poignée de rotation</translation>
-    </message>
-    <message>
-        <source>Scale handle</source>
-        <translation>Poignée d’échelle</translation>
     </message>
     <message>
         <source>the arrow keys move both its ends</source>
@@ -3731,16 +4630,24 @@
         <translation>les flèches changent l’échelle d’un pour cent</translation>
     </message>
     <message>
-        <source>Drag the pivot: turning and scaling are about it.</source>
+        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
         <translation>Tirez le pivot : rotation et mise à l’échelle se font autour de lui.</translation>
     </message>
     <message>
-        <source>Drag to turn about the pivot; Shift: in steps of 15°.</source>
+        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
         <translation>Tirez pour tourner autour du pivot ; Maj : par pas de 15°.</translation>
     </message>
     <message>
-        <source>Drag to scale about the pivot; Shift: along x or y only.</source>
+        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
         <translation>Tirez pour mettre à l’échelle autour du pivot ; Maj : selon x ou y seulement.</translation>
+    </message>
+    <message>
+        <source>Round handle</source>
+        <translation>Poignée ronde</translation>
+    </message>
+    <message>
+        <source>Square handle</source>
+        <translation>Poignée carrée</translation>
     </message>
 </context>
 <context>
@@ -3750,7 +4657,7 @@
         <translation>Zone de dessin</translation>
     </message>
     <message>
-        <source>The attractor and its control cage. Tab goes from handle to handle, the arrow keys move the one in focus, F6 leaves the canvas.</source>
+        <source>The attractor and its control cage. Tab moves from handle to handle, the arrow keys move the handle in focus, F6 leaves the canvas.</source>
         <translation>L’attracteur et sa cage de contrôle. Tab passe d’une poignée à l’autre, les touches fléchées déplacent celle qui a le focus, F6 quitte la zone de dessin.</translation>
     </message>
     <message>
@@ -3762,7 +4669,7 @@
         <translation>La cage est plate&#x202f;: de nouveaux sommets ne peuvent pas être rapportés à l’image.</translation>
     </message>
     <message>
-        <source>Put the cage back to rest first?</source>
+        <source>Reset the cage first?</source>
         <translation>Remettre d’abord la cage au repos&#x202f;?</translation>
     </message>
     <message>
@@ -3778,7 +4685,7 @@
         <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
-        <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the plane. Tab goes from handle to handle, arrow keys move them, F6 leaves.</source>
+        <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas.</source>
         <translation>L’image et sa cage. Tirez un sommet, une arête ou l’intérieur de la cage&#x202f;; Ctrl fait tourner, Alt redimensionne, Maj garde les directions. La molette zoome sur le pointeur, le bouton du milieu déplace le plan. Tab passe d’une poignée à l’autre, les touches fléchées les déplacent, F6 quitte la zone.</translation>
     </message>
 </context>
@@ -3824,19 +4731,15 @@
         <translation>Fractales de la collection</translation>
     </message>
     <message>
-        <source>No favourites yet. Choose a fractal and press Ctrl+D.</source>
+        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
         <translation>Pas encore de favoris. Choisissez une fractale et appuyez sur Ctrl+D.</translation>
     </message>
     <message>
-        <source>Nothing here has these words.</source>
+        <source>No fractal here contains these words.</source>
         <translation>Rien ici ne contient ces mots.</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>&amp;Ouvrir</translation>
-    </message>
-    <message>
-        <source>Open the chosen fractal as a document of its own.</source>
+        <source>Open the selected fractal as a separate document.</source>
         <translation>Ouvrir la fractale choisie dans un document à part.</translation>
     </message>
     <message>
@@ -3844,7 +4747,7 @@
         <translation>&amp;Ajouter à ce fichier</translation>
     </message>
     <message>
-        <source>Add the chosen fractal to the open file.</source>
+        <source>Add the selected fractal to the open file.</source>
         <translation>Ajouter la fractale choisie au fichier ouvert.</translation>
     </message>
     <message>
@@ -3852,7 +4755,7 @@
         <translation>&amp;Favori</translation>
     </message>
     <message>
-        <source>Mark the chosen fractal as one of your favourites.</source>
+        <source>Add the selected fractal to your favourites.</source>
         <translation>Mettre la fractale choisie dans vos favoris.</translation>
     </message>
     <message>
@@ -3860,7 +4763,7 @@
         <translation>Fa&amp;voris seulement</translation>
     </message>
     <message>
-        <source>Show nothing but your favourites.</source>
+        <source>Show only your favourites.</source>
         <translation>N’afficher que vos favoris.</translation>
     </message>
     <message>
@@ -3868,7 +4771,7 @@
         <translation>Ajouter un &amp;dossier…</translation>
     </message>
     <message>
-        <source>Show the .ifs files of a folder of yours here, too.</source>
+        <source>Add the .ifs files of one of your own folders to this list.</source>
         <translation>Afficher ici aussi les fichiers .ifs d’un dossier à vous.</translation>
     </message>
     <message>
@@ -3876,23 +4779,23 @@
         <translation>&amp;Retirer le dossier «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>Show this folder here no more. Its files stay as they are.</source>
-        <translation>Ne plus afficher ce dossier ici. Ses fichiers restent tels quels.</translation>
+        <source>Remove this folder from the list. Its files are not changed.</source>
+        <translation>Retirer ce dossier de la liste. Ses fichiers ne sont pas modifiés.</translation>
     </message>
     <message>
         <source>Folder of .ifs Files</source>
         <translation>Dossier de fichiers .ifs</translation>
     </message>
     <message>
-        <source>Shows only the fractals whose name, theme or comment has these words. Enter opens the first of them.</source>
+        <source>Shows only the fractals whose name, theme or comment contains these words. Enter opens the first of them.</source>
         <translation>N’affiche que les fractales dont le nom, le thème ou le commentaire contient ces mots. Entrée ouvre la première.</translation>
     </message>
     <message>
-        <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
+        <source>Ready-made fractals. Double-click one or press Enter to open it in this window; right-click it to add it to the file instead.</source>
         <translation>Des fractales pour commencer. Un double-clic ou Entrée en ouvre une dans cette fenêtre&#x202f;; le menu du bouton droit permet plutôt de l’ajouter au fichier.</translation>
     </message>
     <message>
-        <source>Files of the collection that were read</source>
+        <source>Progress of reading the collection</source>
         <translation>Fichiers de la collection déjà lus</translation>
     </message>
     <message>
@@ -3900,7 +4803,7 @@
         <translation>Arrêter la lecture</translation>
     </message>
     <message>
-        <source>Stop reading this folder. What was read so far stays here.</source>
+        <source>Stop reading this folder. Files that were already read stay in the list.</source>
         <translation>Arrêter la lecture de ce dossier. Ce qui a été lu reste ici.</translation>
     </message>
     <message>
@@ -3910,6 +4813,18 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Utiliser</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file, or open it if you have not edited anything.</source>
+        <translation>Ajouter la fractale sélectionnée au fichier ouvert, ou l’ouvrir si rien n’a encore été modifié.</translation>
+    </message>
+    <message>
+        <source>&amp;Open as New Document</source>
+        <translation>&amp;Ouvrir comme nouveau document</translation>
     </message>
 </context>
 <context>
@@ -3934,7 +4849,7 @@
         <translation>a b c d e f p&#x202f;: Fractint, Barnsley</translation>
     </message>
     <message>
-        <source>a b e c d f p: each equation in a row</source>
+        <source>a b e c d f p: one equation after the other</source>
         <translation>a b e c d f p&#x202f;: chaque équation sur une ligne</translation>
     </message>
     <message>
@@ -3950,7 +4865,7 @@
         <translation>r s theta phi e f p&#x202f;: facteurs d’échelle, et angles en degrés</translation>
     </message>
     <message>
-        <source>a b c d e f, and weights that add up row by row</source>
+        <source>a b c d e f, and cumulative weights</source>
         <translation>a b c d e f, et des poids qui se cumulent ligne par ligne</translation>
     </message>
     <message>
@@ -3962,11 +4877,11 @@
         <translation>Ordre des colonnes</translation>
     </message>
     <message>
-        <source>Names of the columns in their order</source>
+        <source>Column names in order</source>
         <translation>Noms des colonnes dans leur ordre</translation>
     </message>
     <message>
-        <source>The names of the columns in their order: a b c d or r s theta phi, then e and f, each once, and p for a weight or cumulative for a sum of weights where there is one. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
+        <source>The names of the columns in order: a b c d or r s theta phi, then e and f, each once; if there are weights, also p, or cumulative for running sums of weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
         <translation>Les noms des colonnes dans leur ordre&#x202f;: a b c d ou r s theta phi, puis e et f, chacun une fois, et p pour un poids ou cumulative pour une somme de poids s’il y en a. x′ = a·x + b·y + e et y′ = c·x + d·y + f.</translation>
     </message>
 </context>
@@ -3989,31 +4904,138 @@
         <translation>Commandes correspondantes</translation>
     </message>
     <message>
-        <source>Type some letters of what you want to do. Arrow keys choose, Enter does it.</source>
+        <source>Type some letters of what you want to do. The arrow keys select a command, Enter runs it.</source>
         <translation>Tapez quelques lettres de ce que vous voulez faire. Les touches fléchées choisissent, Entrée exécute.</translation>
     </message>
     <message>
-        <source>The commands whose names have these letters.</source>
+        <source>The commands whose names contain these letters.</source>
         <translation>Les commandes dont le nom contient ces lettres.</translation>
     </message>
     <message>
-        <source>No command is called that.</source>
-        <translation>Aucune commande ne s’appelle ainsi.</translation>
+        <source>No matching command.</source>
+        <translation>Aucune commande correspondante.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ConstructionBar</name>
+    <message>
+        <source>How the attractor is built</source>
+        <translation>Comment l’attracteur se construit</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densité</translation>
+    </message>
+    <message>
+        <source>The invariant measure, refined while nothing moves</source>
+        <translation>La mesure invariante, affinée tant que rien ne bouge</translation>
+    </message>
+    <message>
+        <source>Steps Wⁿ</source>
+        <translation>Étapes Wⁿ</translation>
+    </message>
+    <message>
+        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
+        <translation>L’algorithme déterministe&#x202f;: toutes les applications appliquées n fois à la cage au repos</translation>
+    </message>
+    <message>
+        <source>Chaos Game</source>
+        <translation>Jeu du chaos</translation>
+    </message>
+    <message>
+        <source>One point that jumps by maps chosen at random; the first 14 points are not plotted</source>
+        <translation>Un point qui saute par des applications tirées au hasard&#x202f;; les 14 premiers points ne sont pas tracés</translation>
+    </message>
+    <message>
+        <source>n: how many times all maps are applied</source>
+        <translation>n&#x202f;: combien de fois toutes les applications sont appliquées</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Recommencer</translation>
+    </message>
+    <message>
+        <source>Clear the points and start with new random numbers</source>
+        <translation>Repartir sans aucun point, avec d’autres tirages</translation>
+    </message>
+    <message>
+        <source>One Point</source>
+        <translation>Un point</translation>
+    </message>
+    <message>
+        <source>Plot one more point</source>
+        <translation>Tracer un point de plus</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lancer</translation>
+    </message>
+    <message>
+        <source>Plot points continuously</source>
+        <translation>Faire apparaître des points</translation>
+    </message>
+    <message>
+        <source>Points per second</source>
+        <translation>Points par seconde</translation>
+    </message>
+    <message>
+        <source>%1 per second</source>
+        <translation>%1 par seconde</translation>
+    </message>
+    <message>
+        <source>W%1: the cage itself</source>
+        <translation>W%1&#x202f;: la cage elle-même</translation>
+    </message>
+    <message>
+        <source>W%1: %2 copies of the cage</source>
+        <translation>W%1&#x202f;: %2 copies de la cage</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop at these points</source>
+        <translation>En rester à ces points</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 points</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 point</translation>
+    </message>
+    <message>
+        <source>, the last by map %1</source>
+        <translation>, le dernier par l’application %1</translation>
+    </message>
+    <message>
+        <source>How many times all maps are applied to the cage: 0 is the cage itself, and with every step the picture gets closer to the attractor.</source>
+        <translation>Combien de fois toutes les applications sont appliquées à la cage&#x202f;: 0 donne la cage elle-même, et à chaque étape l’image se rapproche de l’attracteur.</translation>
+    </message>
+    <message>
+        <source>How many points the chaos game plots per second.</source>
+        <translation>Combien de points le jeu du chaos trace en une seconde.</translation>
+    </message>
+    <message>
+        <source>no points yet: press Play (▶)</source>
+        <translation>pas encore de points : appuyez sur Lancer (▶)</translation>
     </message>
 </context>
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc leaves.</source>
-        <translation>Cliquez sur le premier des trois sommets. L’image reste où elle est&#x202f;; Échap abandonne.</translation>
+        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
+        <translation>Cliquez sur le premier des trois sommets. L’image reste où elle est ; Échap annule.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace takes the first one back.</source>
-        <translation>Cliquez sur le deuxième sommet. Retour arrière annule le premier.</translation>
+        <source>Click the second vertex. Backspace removes the last point.</source>
+        <translation>Cliquez sur le deuxième sommet. Retour arrière supprime le dernier point.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace takes the second one back.</source>
-        <translation>Cliquez sur le troisième sommet. Retour arrière annule le deuxième.</translation>
+        <source>Click the third vertex. Backspace removes the last point.</source>
+        <translation>Cliquez sur le troisième sommet. Retour arrière supprime le dernier point.</translation>
     </message>
 </context>
 <context>
@@ -4023,7 +5045,7 @@
         <translation>Commentaire de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>Comment behind the name</source>
+        <source>Comment after the name</source>
         <translation>Commentaire à la suite du nom</translation>
     </message>
     <message>
@@ -4035,7 +5057,7 @@
         <translation>Lignes de commentaire</translation>
     </message>
     <message>
-        <source>Written as lines of their own below the name, each behind a semicolon.</source>
+        <source>Written on separate lines below the name, each after a semicolon.</source>
         <translation>Écrites sur des lignes à part sous le nom, chacune après un point-virgule.</translation>
     </message>
     <message>
@@ -4047,7 +5069,7 @@
         <translation>Conserver ou abandonner le commentaire</translation>
     </message>
     <message>
-        <source>&amp;Behind the name:</source>
+        <source>&amp;After the name:</source>
         <translation>À la &amp;suite du nom&#x202f;:</translation>
     </message>
     <message>
@@ -4055,11 +5077,11 @@
         <translation>&amp;Lignes de commentaire&#x202f;:</translation>
     </message>
     <message>
-        <source>A comment cannot begin with “barycage:”; such lines keep the cage and the colours.</source>
+        <source>A comment cannot begin with “barycage:”; such lines store the cage and the colours.</source>
         <translation>Un commentaire ne peut pas commencer par «&#x202f;barycage:&#x202f;»&#x202f;; ces lignes conservent la cage et les couleurs.</translation>
     </message>
     <message>
-        <source>A line holds at most %1 bytes; Fractint cuts longer ones. Break it in two.</source>
+        <source>A line can have at most %1 bytes; Fractint truncates longer ones. Split it in two.</source>
         <translation>Une ligne compte au plus %1 octets&#x202f;; Fractint coupe les plus longues. Coupez-la en deux.</translation>
     </message>
 </context>
@@ -4071,41 +5093,10 @@
     </message>
 </context>
 <context>
-    <name>view::EntriesEdits</name>
-    <message>
-        <source>An entry needs a name.</source>
-        <translation>Une entrée a besoin d’un nom.</translation>
-    </message>
-    <message>
-        <source>A name holds no blanks: Fractint would read its first word only.</source>
-        <translation>Un nom ne contient pas d’espaces&#x202f;: Fractint n’en lirait que le premier mot.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>«&#x202f;%1&#x202f;» ne peut pas figurer dans un nom, car il a un sens particulier dans les fichiers .ifs.</translation>
-    </message>
-    <message>
-        <source>A name has at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Un nom a au plus %1 caractères&#x202f;; Fractint ignore le reste.</translation>
-    </message>
-    <message>
-        <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint ne liste pas une entrée nommée «&#x202f;%1&#x202f;»&#x202f;; choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>Another entry is called “%1” (upper and lower case count as equal).</source>
-        <translation>Une autre entrée se nomme «&#x202f;%1&#x202f;» (majuscules et minuscules ne sont pas distinguées).</translation>
-    </message>
-</context>
-<context>
     <name>view::EntriesModel</name>
     <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Renommer «&#x202f;%1&#x202f;» en «&#x202f;%2&#x202f;»</translation>
-    </message>
-    <message>
-        <source>3D: not yet shown</source>
-        <translation>3D&#x202f;: pas encore affiché</translation>
     </message>
     <message>
         <source>could not be read</source>
@@ -4142,6 +5133,10 @@
         <source>has warnings</source>
         <translation>donne lieu à des avertissements</translation>
     </message>
+    <message>
+        <source>%1 in space</source>
+        <translation>%1 dans l’espace</translation>
+    </message>
 </context>
 <context>
     <name>view::EntriesPanel</name>
@@ -4166,7 +5161,7 @@
         <translation>Entrées</translation>
     </message>
     <message>
-        <source>This file holds no entries. Add one, or paste the text of an .ifs file.</source>
+        <source>This file contains no entries. Add one, or paste the text of an .ifs file.</source>
         <translation>Ce fichier ne contient aucune entrée. Ajoutez-en une, ou collez le texte d’un fichier .ifs.</translation>
     </message>
     <message>
@@ -4238,7 +5233,7 @@
         <translation>C&amp;oller</translation>
     </message>
     <message>
-        <source>Paste the entries of .ifs text behind the current entry.</source>
+        <source>Paste entries from .ifs text after the current entry.</source>
         <translation>Coller les entrées d’un texte .ifs après l’entrée courante.</translation>
     </message>
     <message>
@@ -4257,7 +5252,7 @@
         </translation>
     </message>
     <message>
-        <source>An entry that could not be read cannot be duplicated: it would keep its name.</source>
+        <source>An entry that could not be read cannot be duplicated: the copy would have the same name.</source>
         <translation>Une entrée qui n’a pas pu être lue ne peut pas être dupliquée&#x202f;: sa copie garderait le même nom.</translation>
     </message>
     <message>
@@ -4276,7 +5271,7 @@
         <translation>Modifier le commentaire de %1</translation>
     </message>
     <message>
-        <source>There is no entry of an .ifs file in what was pasted.</source>
+        <source>The pasted text contains no entry of an .ifs file.</source>
         <translation>Ce qui a été collé ne contient aucune entrée de fichier .ifs.</translation>
     </message>
     <message>
@@ -4291,7 +5286,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pasted entries could not be read; their text is kept as it is.</source>
+        <source>%n pasted entries could not be read; their text is kept unchanged.</source>
         <translation>
             <numerusform>%n entrée collée n’a pas pu être lue&#x202f;; son texte est conservé tel quel.</numerusform>
             <numerusform>%n entrées collées n’ont pas pu être lues&#x202f;; leur texte est conservé tel quel.</numerusform>
@@ -4309,15 +5304,15 @@
         </translation>
     </message>
     <message>
-        <source>No entry has “%1” in its name.</source>
+        <source>No entry name contains “%1”.</source>
         <translation>Aucune entrée n’a «&#x202f;%1&#x202f;» dans son nom.</translation>
     </message>
     <message>
-        <source>Shows only the entries whose name has these letters.</source>
+        <source>Shows only the entries whose names contain these letters.</source>
         <translation>N’affiche que les entrées dont le nom contient ces lettres.</translation>
     </message>
     <message>
-        <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
+        <source>The fractals in the file. Click one to edit it, drag it to move it, press F2 to rename it.</source>
         <translation>Les fractales du fichier. Cliquez sur l’une d’elles pour la modifier, faites-la glisser pour la changer de place, appuyez sur F2 pour la renommer.</translation>
     </message>
     <message>
@@ -4325,7 +5320,7 @@
         <translation>Rien n’a été collé : il n’y a pas de texte dans le presse-papiers.</translation>
     </message>
     <message>
-        <source>Reading what was pasted…</source>
+        <source>Reading the pasted text…</source>
         <translation>Lecture de ce qui a été collé…</translation>
     </message>
     <message>
@@ -4340,7 +5335,7 @@
         <translation>Exporter les données de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>What the file will hold</source>
+        <source>Preview of the file</source>
         <translation>Ce que contiendra le fichier</translation>
     </message>
     <message>
@@ -4384,11 +5379,11 @@
         <translation>Points en couleurs (.ply)</translation>
     </message>
     <message>
-        <source>&amp;Turn y around, so that the flame is the same way up</source>
+        <source>Turn &amp;y around so that the flame is the right way up</source>
         <translation>&amp;Retourner y, pour que la flamme soit dans le même sens</translation>
     </message>
     <message>
-        <source>&amp;Bake the placement, so that the maps draw what is shown</source>
+        <source>&amp;Bake the placement so that the maps draw the picture as shown</source>
         <translation>&amp;Intégrer le placement, pour que les applications dessinent ce qui est montré</translation>
     </message>
     <message>
@@ -4396,7 +5391,7 @@
         <translation>&amp;Format&#x202f;:</translation>
     </message>
     <message>
-        <source>&amp;Columns:</source>
+        <source>C&amp;olumns:</source>
         <translation>&amp;Colonnes&#x202f;:</translation>
     </message>
     <message>
@@ -4404,11 +5399,11 @@
         <translation>&amp;Points&#x202f;:</translation>
     </message>
     <message>
-        <source>Only the numbers of plane systems can be exported.</source>
+        <source>Only the numbers of systems in the plane can be exported.</source>
         <translation>Seuls les nombres des systèmes du plan peuvent être exportés.</translation>
     </message>
     <message>
-        <source>The points of the chaos game where they are shown, without the first 14.</source>
+        <source>The points of the chaos game as shown, without the first 14.</source>
         <translation>Les points du jeu du chaos là où ils sont affichés, sans les 14 premiers.</translation>
     </message>
     <message>
@@ -4424,7 +5419,7 @@
         <translation>&amp;Arrêter</translation>
     </message>
     <message>
-        <source>The text is on the clipboard.</source>
+        <source>The text was copied to the clipboard.</source>
         <translation>Le texte est dans le presse-papiers.</translation>
     </message>
     <message>
@@ -4432,7 +5427,7 @@
         <translation>Fer&amp;mer</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing was written.</source>
+        <source>Export stopped; nothing was written.</source>
         <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
     </message>
     <message>
@@ -4444,11 +5439,11 @@
         <translation>Le début du fichier tel qu’il sera écrit.</translation>
     </message>
     <message>
-        <source>For which program the data are: each format has what that program reads.</source>
+        <source>The program that will read the data; each format contains what that program understands.</source>
         <translation>Le programme auquel les données sont destinées&#x202f;: chaque format contient ce que ce programme lit.</translation>
     </message>
     <message>
-        <source>The order in which each row has its coefficients; other programs expect other orders.</source>
+        <source>The order of the coefficients in each row; programs differ.</source>
         <translation>L’ordre des coefficients dans chaque ligne&#x202f;; d’autres programmes attendent d’autres ordres.</translation>
     </message>
     <message>
@@ -4456,15 +5451,15 @@
         <translation>Combien de points du jeu du chaos sont écrits.</translation>
     </message>
     <message>
-        <source>Flame programs let y grow downwards. With this the flame looks as the fractal does here; without it the numbers are the same.</source>
+        <source>In flame programs, y points down. With this option, the flame looks as it does here; without it, the numbers stay the same.</source>
         <translation>Les programmes de flammes font croître y vers le bas. Avec cette option, la flamme a la même allure que la fractale ici&#x202f;; sans elle, les nombres sont les mêmes.</translation>
     </message>
     <message>
-        <source>With this, the cage is made part of the maps. Without it, the maps are written as they stand in the table.</source>
+        <source>With this option, the cage becomes part of the maps. Without it, the maps are written as they are in the table.</source>
         <translation>Avec cette option, la cage est intégrée aux applications. Sans elle, les applications sont écrites telles qu’elles figurent dans le tableau.</translation>
     </message>
     <message>
-        <source>Asks for the name of the file and writes it.</source>
+        <source>Asks for a file name and writes the file.</source>
         <translation>Demande le nom du fichier et l’écrit.</translation>
     </message>
     <message>
@@ -4503,7 +5498,7 @@
         <translation>Fond &amp;transparent</translation>
     </message>
     <message>
-        <source>Include the &amp;control triangle</source>
+        <source>Include the control t&amp;riangle</source>
         <translation>&amp;Inclure le triangle de contrôle</translation>
     </message>
     <message>
@@ -4515,19 +5510,19 @@
         <translation>Taille&#x202f;:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples a pixel</source>
+        <source>Draft: 25 samples per pixel</source>
         <translation>Brouillon&#x202f;: 25 échantillons par pixel</translation>
     </message>
     <message>
-        <source>Good: 100 samples a pixel</source>
+        <source>Good: 100 samples per pixel</source>
         <translation>Bonne&#x202f;: 100 échantillons par pixel</translation>
     </message>
     <message>
-        <source>Fine: 400 samples a pixel</source>
+        <source>Fine: 400 samples per pixel</source>
         <translation>Fine&#x202f;: 400 échantillons par pixel</translation>
     </message>
     <message>
-        <source>Finest: 2000 samples a pixel</source>
+        <source>Finest: 2000 samples per pixel</source>
         <translation>Maximale&#x202f;: 2000 échantillons par pixel</translation>
     </message>
     <message>
@@ -4535,15 +5530,15 @@
         <translation>Qualité</translation>
     </message>
     <message>
-        <source>Cells along the side of a pixel</source>
+        <source>Cells along each side of a pixel</source>
         <translation>Cellules le long du côté d’un pixel</translation>
     </message>
     <message>
-        <source>8 bits a channel</source>
+        <source>8 bits per channel</source>
         <translation>8 bits par canal</translation>
     </message>
     <message>
-        <source>16 bits a channel, for further work on the picture</source>
+        <source>16 bits per channel, for further editing</source>
         <translation>16 bits par canal, pour retravailler l’image</translation>
     </message>
     <message>
@@ -4559,7 +5554,7 @@
         <translation>&amp;Qualité&#x202f;:</translation>
     </message>
     <message>
-        <source>&amp;Supersampling:</source>
+        <source>S&amp;upersampling:</source>
         <translation>&amp;Suréchantillonnage&#x202f;:</translation>
     </message>
     <message>
@@ -4591,7 +5586,7 @@
         <translation>Nombre de points</translation>
     </message>
     <message>
-        <source>As deep as a pixel &amp;needs</source>
+        <source>As deep as &amp;needed for the pixels</source>
         <translation>Aussi profond que &amp;le demande un pixel</translation>
     </message>
     <message>
@@ -4599,7 +5594,7 @@
         <translation>Niveaux de copies</translation>
     </message>
     <message>
-        <source>What the picture will be like</source>
+        <source>Description of the picture</source>
         <translation>Ce que sera l’image</translation>
     </message>
     <message>
@@ -4623,7 +5618,7 @@
         <translation>Progression de l’exportation</translation>
     </message>
     <message>
-        <source>Only plane systems can be exported as a picture.</source>
+        <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Seuls les systèmes du plan peuvent être exportés comme image.</translation>
     </message>
     <message>
@@ -4631,11 +5626,11 @@
         <translation>environ %1</translation>
     </message>
     <message>
-        <source>One dot for every point of the chaos game that is in view.</source>
+        <source>One dot for every visible point of the chaos game.</source>
         <translation>Un point dessiné pour chaque point visible du jeu du chaos.</translation>
     </message>
     <message>
-        <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
+        <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
         <translation> La cage courbe l’image, ce que des copies ne peuvent pas suivre&#x202f;: c’est l’ajustement affine de la cage qui est écrit. Un PNG montre l’image courbée.</translation>
     </message>
     <message>
@@ -4655,7 +5650,7 @@
         <translation>Exporter l’image</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing was written.</source>
+        <source>Export stopped; nothing was written.</source>
         <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
     </message>
     <message>
@@ -4675,7 +5670,7 @@
         <translation>Une image PNG est faite de pixels&#x202f;; SVG et PDF sont faits de formes, qui restent nettes à toutes les tailles.</translation>
     </message>
     <message>
-        <source>The picture has no background and can be laid over another.</source>
+        <source>The picture has no background and can be placed over another.</source>
         <translation>L’image n’a pas de fond et peut être superposée à une autre.</translation>
     </message>
     <message>
@@ -4683,15 +5678,15 @@
         <translation>Dessine la cage par-dessus l’image.</translation>
     </message>
     <message>
-        <source>How many points are drawn for each pixel: more make a smoother picture and take longer.</source>
+        <source>The number of points drawn for each pixel: more points make a smoother picture and take longer.</source>
         <translation>Combien de points sont dessinés par pixel&#x202f;: davantage de points donnent une image plus lisse et prennent plus de temps.</translation>
     </message>
     <message>
-        <source>Every pixel is drawn from so many finer ones along its side: smoother edges, for more memory and time.</source>
+        <source>The number of smaller cells along each side of a pixel: more cells make smoother edges, at the cost of memory and time.</source>
         <translation>Chaque pixel est dessiné à partir d’autant de pixels plus fins le long de son côté&#x202f;: des bords plus lisses, pour plus de mémoire et de temps.</translation>
     </message>
     <message>
-        <source>16 bits keep fine steps of brightness for later work in a picture editor; 8 bits are enough to look at.</source>
+        <source>16 bits keep fine gradations for later editing; 8 bits are enough for viewing.</source>
         <translation>16 bits conservent les fines nuances de luminosité pour un travail ultérieur dans un éditeur d’images&#x202f;; 8 bits suffisent pour regarder.</translation>
     </message>
     <message>
@@ -4703,11 +5698,11 @@
         <translation>Combien de points du jeu du chaos sont dessinés.</translation>
     </message>
     <message>
-        <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
+        <source>The number of levels of copies. More levels hardly enlarge the file, but the picture takes longer to draw.</source>
         <translation>Combien de niveaux de copies a l’image. Le fichier n’en grossit guère, mais la durée du dessin, elle, augmente.</translation>
     </message>
     <message>
-        <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
+        <source>Asks for a file name and writes the file. You can keep working in the meantime.</source>
         <translation>Demande le nom du fichier et l’écrit. La fenêtre reste utilisable pendant ce temps.</translation>
     </message>
     <message>
@@ -4715,20 +5710,40 @@
         <translation>Copie de l’image…</translation>
     </message>
     <message>
-        <source>Copies are made smaller until no pixel of this size could tell the difference, or programs would take long to draw them.</source>
+        <source>Makes the copies smaller until they cannot be distinguished from the attractor at this pixel size, or until programs would take long to draw them.</source>
         <translation>Les copies sont réduites jusqu’à ce qu’aucun pixel de cette taille ne puisse montrer la différence, ou que les logiciels mettent longtemps à les dessiner.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
+        <source>%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels from the attractor, and no point of the attractor is farther than that from the drawing.</source>
         <translation>%1 références (moins de %3 sont permises). Rien de ce qui est dessiné n’est à plus de %2 pixels de l’attracteur, et rien de celui-ci n’est plus loin de ce qui est dessiné.</translation>
     </message>
     <message>
-        <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
+        <source> Accuracy to the pixel needs more levels; with these, programs still draw the picture without a long wait.</source>
         <translation> Un pixel en demande plus&#x202f;: c’est la plus grande profondeur que les logiciels dessinent sans longue attente.</translation>
     </message>
     <message>
-        <source>Working out the shapes…</source>
+        <source>Computing the shapes…</source>
         <translation>Calcul des formes…</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>La vue du canevas</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>L’attracteur entier</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Cadrage</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Cadrage :</translation>
     </message>
 </context>
 <context>
@@ -4758,7 +5773,7 @@
         <translation>Unité de longueur</translation>
     </message>
     <message>
-        <source>As on the screen</source>
+        <source>Same as on the screen</source>
         <translation>Comme à l’écran</translation>
     </message>
     <message>
@@ -4766,7 +5781,7 @@
         <translation>%1 × l’écran</translation>
     </message>
     <message>
-        <source>Own size</source>
+        <source>Custom size</source>
         <translation>Taille au choix</translation>
     </message>
     <message>
@@ -4774,11 +5789,11 @@
         <translation>Taille par rapport à l’écran</translation>
     </message>
     <message>
-        <source>Keep shape</source>
+        <source>Keep proportions</source>
         <translation>Garder les proportions</translation>
     </message>
     <message>
-        <source>Keep the shape of the picture on the screen</source>
+        <source>Keep the proportions of the picture on the screen</source>
         <translation>Garder les proportions de l’image à l’écran</translation>
     </message>
     <message>
@@ -4790,19 +5805,19 @@
         <translation>Résolution en points par pouce</translation>
     </message>
     <message>
-        <source>A length in the unit chosen beside it. The other side follows while the shape is kept.</source>
+        <source>A length in the selected unit. The other side follows as long as the proportions are kept.</source>
         <translation>Une longueur dans l’unité choisie à côté. L’autre côté suit tant que les proportions sont gardées.</translation>
     </message>
     <message>
-        <source>In pixels, or on paper at the resolution given.</source>
+        <source>Pixels, or a length on paper at the given resolution.</source>
         <translation>En pixels, ou sur papier à la résolution indiquée.</translation>
     </message>
     <message>
-        <source>The picture as on the screen or some times as large.</source>
+        <source>The size of the picture on the screen, or a multiple of it.</source>
         <translation>L’image comme à l’écran, ou plusieurs fois plus grande.</translation>
     </message>
     <message>
-        <source>How many pixels go on an inch of paper: 300 is usual in print.</source>
+        <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Combien de pixels tiennent sur un pouce de papier&#x202f;: 300 est l’usage en imprimerie.</translation>
     </message>
 </context>
@@ -4840,7 +5855,7 @@
         <translation>Ajouter un repère</translation>
     </message>
     <message>
-        <source>Add a stop after the chosen one</source>
+        <source>Add a stop after the selected one</source>
         <translation>Ajouter un repère après celui qui est choisi</translation>
     </message>
     <message>
@@ -4848,7 +5863,7 @@
         <translation>Supprimer le repère</translation>
     </message>
     <message>
-        <source>Delete the chosen stop</source>
+        <source>Delete the selected stop</source>
         <translation>Supprimer le repère choisi</translation>
     </message>
     <message>
@@ -4856,7 +5871,7 @@
         <translation>Inverser</translation>
     </message>
     <message>
-        <source>Turn the palette round</source>
+        <source>Reverse the order of the colours</source>
         <translation>Retourner la palette</translation>
     </message>
     <message>
@@ -4864,7 +5879,7 @@
         <translation>Répartir</translation>
     </message>
     <message>
-        <source>Put the stops at equal distances</source>
+        <source>Space the stops evenly</source>
         <translation>Mettre les repères à distances égales</translation>
     </message>
     <message>
@@ -4944,8 +5959,12 @@
         <translation>%1 est enregistré.</translation>
     </message>
     <message>
-        <source>The palettes that the file holds. Choose one.</source>
+        <source>The palettes in the file. Select one.</source>
         <translation>Les palettes que contient le fichier. Choisissez-en une.</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
     </message>
 </context>
 <context>
@@ -4955,8 +5974,8 @@
         <translation>Repères du dégradé</translation>
     </message>
     <message>
-        <source>Double-click: new stop, or the colour of one. Drag: move. Del: delete it.
-Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
+        <source>Double-click: add a stop, or change the colour of one. Drag: move. Del: delete.
+Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one, Enter opens its colour.</source>
         <translation>Double-clic&#x202f;: nouveau repère, ou couleur d’un repère. Glisser&#x202f;: déplacer. Suppr&#x202f;: supprimer.
 Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches le déplacent, Inser en ajoute un, Entrée ouvre sa couleur.</translation>
     </message>
@@ -4984,7 +6003,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Guide d’utilisation</translation>
     </message>
     <message>
-        <source>The user guide: what can be done here, in the order in which one needs it.</source>
+        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
         <translation>Le guide d’utilisation&#x202f;: ce que l’on peut faire ici, dans l’ordre où l’on en a besoin.</translation>
     </message>
     <message>
@@ -4992,7 +6011,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Chercher dans le guide</translation>
     </message>
     <message>
-        <source>Marks these words in the guide. Enter shows the next place, Shift+Enter the one before. Ctrl+F leads here.</source>
+        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
         <translation>Marque ces mots dans le guide. Entrée montre le passage suivant, Maj+Entrée le précédent. Ctrl+F mène ici.</translation>
     </message>
     <message>
@@ -5015,11 +6034,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Étapes de l’historique</translation>
     </message>
     <message>
-        <source>Choose a step to go back to it, or forward.</source>
+        <source>Select a step to go back or forward to it.</source>
         <translation>Choisissez une étape pour y revenir ou pour y avancer.</translation>
     </message>
     <message>
-        <source>Choose a step to go back to it, or forward. The disk marks what is saved.</source>
+        <source>Select a step to go back or forward to it. The disk marks the saved state.</source>
         <translation>Choisissez une étape pour y revenir ou pour y avancer. La disquette marque ce qui est enregistré.</translation>
     </message>
     <message>
@@ -5050,7 +6069,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Échelle y</translation>
     </message>
     <message>
-        <source>Scale across; negative when the map reflects</source>
+        <source>Scale at right angles to that; negative if the map reflects</source>
         <translation>Échelle en travers&#x202f;; négative quand l’application renverse l’orientation</translation>
     </message>
     <message>
@@ -5058,7 +6077,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Cisaillement</translation>
     </message>
     <message>
-        <source>Shear along x, applied before everything else</source>
+        <source>Shear along x, applied first</source>
         <translation>Cisaillement selon x, appliqué avant tout le reste</translation>
     </message>
     <message>
@@ -5086,8 +6105,80 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Application %1</translation>
     </message>
     <message>
-        <source>Change the shape of map %1</source>
-        <translation>Modifier la forme de l’application %1</translation>
+        <source>%1: %2 %3</source>
+        <translation>%1 : %2 %3</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation; only its direction matters</source>
+        <translation>Axe de la rotation&#x202f;; seule sa direction compte</translation>
+    </message>
+    <message>
+        <source>Axis x</source>
+        <translation>Axe x</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>Axe y</translation>
+    </message>
+    <message>
+        <source>Axis z</source>
+        <translation>Axe z</translation>
+    </message>
+    <message>
+        <source>Angle in degrees, counter-clockwise as seen from the tip of the axis looking back</source>
+        <translation>Angle en degrés, dans le sens antihoraire vu depuis la pointe de l’axe</translation>
+    </message>
+    <message>
+        <source>Scale along y, before the rotation</source>
+        <translation>Échelle selon y, avant la rotation</translation>
+    </message>
+    <message>
+        <source>Scale z</source>
+        <translation>Échelle z</translation>
+    </message>
+    <message>
+        <source>Scale along z, before the rotation; negative if the map reflects</source>
+        <translation>Échelle selon z, avant la rotation&#x202f;; négative quand l’application renverse l’orientation</translation>
+    </message>
+    <message>
+        <source>Shear xy</source>
+        <translation>Cisaillement xy</translation>
+    </message>
+    <message>
+        <source>What y adds to x, applied first</source>
+        <translation>Ce que y ajoute à x, appliqué en premier</translation>
+    </message>
+    <message>
+        <source>Shear xz</source>
+        <translation>Cisaillement xz</translation>
+    </message>
+    <message>
+        <source>What z adds to x, applied first</source>
+        <translation>Ce que z ajoute à x, appliqué en premier</translation>
+    </message>
+    <message>
+        <source>Shear yz</source>
+        <translation>Cisaillement yz</translation>
+    </message>
+    <message>
+        <source>What z adds to y, applied first</source>
+        <translation>Ce que z ajoute à y, appliqué en premier</translation>
+    </message>
+    <message>
+        <source>Translation j, applied last</source>
+        <translation>Translation j, appliquée en dernier</translation>
+    </message>
+    <message>
+        <source>Translation k, applied last</source>
+        <translation>Translation k, appliquée en dernier</translation>
+    </message>
+    <message>
+        <source>Shift z</source>
+        <translation>Translation z</translation>
+    </message>
+    <message>
+        <source>Translation l, applied last</source>
+        <translation>Translation l, appliquée en dernier</translation>
     </message>
 </context>
 <context>
@@ -5128,19 +6219,19 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Une similitude conserve les formes&#x202f;: elle tourne, change l’échelle et translate.</translation>
     </message>
     <message>
-        <source>A reflected similarity keeps shapes, as a mirror does, and scales and shifts them.</source>
+        <source>A reflected similarity keeps shapes but mirrors them; it also turns, scales and shifts them.</source>
         <translation>Une similitude indirecte conserve les formes à la manière d’un miroir, change l’échelle et translate.</translation>
     </message>
     <message>
-        <source>An affine map keeps lines and parallels, not angles.</source>
+        <source>An affine map keeps lines and parallels but not angles.</source>
         <translation>Une application affine conserve les droites et le parallélisme, mais pas les angles.</translation>
     </message>
     <message>
-        <source>A singular map takes the plane to a line.</source>
+        <source>A singular map takes the whole plane to a line.</source>
         <translation>Une application singulière envoie le plan dans une droite.</translation>
     </message>
     <message>
-        <source>A constant map takes the plane to one point.</source>
+        <source>A constant map takes the whole plane to one point.</source>
         <translation>Une application constante envoie le plan sur un seul point.</translation>
     </message>
     <message>
@@ -5168,11 +6259,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>L’application envoie (x, y) sur (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
-        <source>Effective code: the map as it acts on the picture under the current cage. Bake makes it the code.</source>
+        <source>Effective code: the map as it acts on the picture under the current cage. Bake turns it into the code.</source>
         <translation>Code effectif&#x202f;: l’application telle qu’elle agit sur l’image sous la cage actuelle. «&#x202f;Intégrer&#x202f;» en fait le code.</translation>
     </message>
     <message>
-        <source>Whether the map takes part.</source>
+        <source>Whether the map is switched on.</source>
         <translation>Si l’application est active.</translation>
     </message>
     <message>
@@ -5180,23 +6271,23 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Couleur de l’application, utilisée quand l’image est colorée selon les applications.</translation>
     </message>
     <message>
-        <source>Weight as given: how often the chaos game takes the map. The weights need not sum to 1.</source>
+        <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
         <translation>Poids tel qu’il est donné&#x202f;: la fréquence à laquelle le jeu du chaos choisit l’application. La somme des poids n’est pas forcément 1.</translation>
     </message>
     <message>
-        <source>Determinant ad − bc: the factor of areas; negative when the map reflects.</source>
+        <source>Determinant ad − bc: the factor by which areas change; negative if the map reflects.</source>
         <translation>Déterminant ad − bc&#x202f;: le facteur des aires&#x202f;; négatif quand l’application renverse l’orientation.</translation>
     </message>
     <message>
-        <source>Contraction factor ‖A‖, the largest singular value: the most by which distances grow.</source>
+        <source>Contraction factor ‖A‖, the largest singular value: the largest factor by which distances are stretched.</source>
         <translation>Facteur de contraction ‖A‖, la plus grande valeur singulière&#x202f;: le plus grand facteur dont les distances augmentent.</translation>
     </message>
     <message>
-        <source>What the map is geometrically.</source>
+        <source>The geometric kind of the map.</source>
         <translation>Ce qu’est l’application géométriquement.</translation>
     </message>
     <message>
-        <source>Map %1 takes part.</source>
+        <source>Map %1 is switched on.</source>
         <translation>L’application %1 est active.</translation>
     </message>
     <message>
@@ -5212,7 +6303,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>La cage est plate ou courbe l’image&#x202f;: il n’y a pas de code effectif.</translation>
     </message>
     <message>
-        <source>No weight is given; the determinant rule makes the probability %1.</source>
+        <source>No weight is given; the determinant rule gives the probability %1.</source>
         <translation>Aucun poids n’est donné&#x202f;; selon la règle des déterminants, la probabilité est %1.</translation>
     </message>
     <message>
@@ -5240,14 +6331,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Application %1. Faites glisser pour changer l’ordre.</translation>
     </message>
     <message>
-        <source>Change weight of map %1</source>
-        <translation>Modifier le poids de l’application %1</translation>
-    </message>
-    <message>
-        <source>Change %1 of map %2</source>
-        <translation>Modifier %1 de l’application %2</translation>
-    </message>
-    <message>
         <source>Switch map %1 on</source>
         <translation>Activer l’application %1</translation>
     </message>
@@ -5256,16 +6339,40 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Désactiver l’application %1</translation>
     </message>
     <message>
-        <source>Change colour of map %1</source>
-        <translation>Changer la couleur de l’application %1</translation>
-    </message>
-    <message>
         <source>on</source>
         <translation>active</translation>
     </message>
     <message>
         <source>off</source>
         <translation>inactive</translation>
+    </message>
+    <message>
+        <source>Set %1 of map %2 to %3</source>
+        <translation>Fixer %1 de l’application %2 à %3</translation>
+    </message>
+    <message>
+        <source>Colour of map %1: %2</source>
+        <translation>Couleur de l’application %1 : %2</translation>
+    </message>
+    <message>
+        <source>A singular map takes the whole of space to a plane or a line.</source>
+        <translation>Une application singulière envoie l’espace dans un plan ou une droite.</translation>
+    </message>
+    <message>
+        <source>A constant map takes the whole of space to one point.</source>
+        <translation>Une application constante envoie l’espace sur un seul point.</translation>
+    </message>
+    <message>
+        <source>The map takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l).</source>
+        <translation>L’application envoie (x, y, z) sur (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l).</translation>
+    </message>
+    <message>
+        <source>Effective code: the map as it acts on the picture under the current cage.</source>
+        <translation>Code effectif&#x202f;: l’application telle qu’elle agit sur l’image sous la cage actuelle.</translation>
+    </message>
+    <message>
+        <source>Determinant: the factor by which volumes change; negative if the map reflects.</source>
+        <translation>Déterminant&#x202f;: le facteur des volumes&#x202f;; négatif quand l’application renverse l’orientation.</translation>
     </message>
 </context>
 <context>
@@ -5347,7 +6454,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Intégrer</translation>
     </message>
     <message>
-        <source>Make the effective code the code; the cage then rests</source>
+        <source>Turn the effective code into the code; the cage is then at rest</source>
         <translation>Faire du code effectif le code&#x202f;; la cage est ensuite au repos</translation>
     </message>
     <message>
@@ -5355,7 +6462,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Selon |déterminant|</translation>
     </message>
     <message>
-        <source>Weights in proportion to the areas of the images, so that the picture is even</source>
+        <source>Weights in proportion to the areas of the images, for an even picture</source>
         <translation>Poids proportionnels aux aires des images, pour une image uniforme</translation>
     </message>
     <message>
@@ -5371,7 +6478,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Selon la dimension</translation>
     </message>
     <message>
-        <source>Weights for an even cover of the attractor at its own dimension</source>
+        <source>Weights that cover the attractor evenly at its own dimension</source>
         <translation>Poids couvrant uniformément l’attracteur dans sa propre dimension</translation>
     </message>
     <message>
@@ -5379,7 +6486,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Normaliser</translation>
     </message>
     <message>
-        <source>The same proportions, with the sum 1</source>
+        <source>Scale all weights so that they sum to 1</source>
         <translation>Les mêmes proportions, avec la somme 1</translation>
     </message>
     <message>
@@ -5387,7 +6494,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Poids</translation>
     </message>
     <message>
-        <source>Weights of all maps that are on, by a rule</source>
+        <source>Set the weights of all maps that are switched on by a rule</source>
         <translation>Poids de toutes les applications actives, selon une règle</translation>
     </message>
     <message>
@@ -5403,7 +6510,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Afficher les coefficients a … f</translation>
     </message>
     <message>
-        <source>Facts</source>
+        <source>Properties</source>
         <translation>Propriétés</translation>
     </message>
     <message>
@@ -5427,13 +6534,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Aucune application&#x202f;: ajoutez-en une, ou collez des lignes de 6 ou 7 nombres.</translation>
     </message>
     <message>
-        <source>3D: not yet shown.
-The entry is kept as it is.</source>
-        <translation>3D&#x202f;: pas encore affiché.
-L’entrée est conservée telle quelle.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read. It is kept as it is.</source>
+        <source>This entry could not be read. It is kept unchanged.</source>
         <translation>Cette entrée n’a pas pu être lue. Elle est conservée telle quelle.</translation>
     </message>
     <message>
@@ -5443,22 +6544,6 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>Add a map</source>
         <translation>Ajouter une application</translation>
-    </message>
-    <message>
-        <source>Duplicate a map</source>
-        <translation>Dupliquer une application</translation>
-    </message>
-    <message>
-        <source>Duplicate %1 maps</source>
-        <translation>Dupliquer %1 applications</translation>
-    </message>
-    <message>
-        <source>Delete a map</source>
-        <translation>Supprimer une application</translation>
-    </message>
-    <message>
-        <source>Delete %1 maps</source>
-        <translation>Supprimer %1 applications</translation>
     </message>
     <message>
         <source>Reorder maps</source>
@@ -5473,7 +6558,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Rien n’a été collé. %1</translation>
     </message>
     <message>
-        <source>Nothing was pasted: the clipboard holds no rows of 6 or 7 numbers.</source>
+        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
         <translation>Rien n’a été collé&#x202f;: le presse-papiers ne contient pas de lignes de 6 ou 7 nombres.</translation>
     </message>
     <message>
@@ -5493,10 +6578,6 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Les applications sélectionnées ont été remplacées&#x202f;; applications collées&#x202f;: %1.</translation>
     </message>
     <message>
-        <source>Set the weights</source>
-        <translation>Fixer les poids</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Intégrer la cage au code</translation>
     </message>
@@ -5505,12 +6586,40 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Couleur de l’application %1</translation>
     </message>
     <message>
-        <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
+        <source>Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Chaque ligne est une application&#x202f;: (x, y) devient (a x + b y + e, c x + d y + f), aussi souvent que le dit son poids p. Double-cliquez sur un nombre, ou commencez à taper, pour le modifier&#x202f;; l’image suit chaque frappe. Faites glisser le numéro d’une ligne pour la déplacer.</translation>
     </message>
     <message>
-        <source>Reading what was pasted…</source>
+        <source>Reading the pasted text…</source>
         <translation>Lecture de ce qui a été collé…</translation>
+    </message>
+    <message>
+        <source>Properties of the map</source>
+        <translation>Propriétés de l’application</translation>
+    </message>
+    <message>
+        <source>det %1    ‖A‖ %2    %3</source>
+        <translation>det %1    ‖A‖ %2    %3</translation>
+    </message>
+    <message>
+        <source>Weights: %1</source>
+        <translation>Poids : %1</translation>
+    </message>
+    <message>
+        <source>No maps: add one.</source>
+        <translation>Pas d’application&#x202f;: ajoutez-en une.</translation>
+    </message>
+    <message>
+        <source>Weights in proportion to the volumes of the images, for an even picture</source>
+        <translation>Poids proportionnels aux volumes des images, pour une image uniforme</translation>
+    </message>
+    <message>
+        <source>Show the coefficients a … l</source>
+        <translation>Afficher les coefficients a … l</translation>
+    </message>
+    <message>
+        <source>Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
+        <translation>Chaque ligne est une application&#x202f;: (x, y, z) devient (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l), aussi souvent que le dit son poids p. Double-cliquez sur un nombre, ou commencez à taper, pour le modifier&#x202f;; l’image suit chaque frappe. Faites glisser le numéro d’une ligne pour la déplacer.</translation>
     </message>
 </context>
 <context>
@@ -5520,7 +6629,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Numéros des applications</translation>
     </message>
     <message>
-        <source>Drag a number to put the map elsewhere. A mark warns of a map that does not contract.</source>
+        <source>Drag a number to move the map. A warning sign marks a map that does not contract.</source>
         <translation>Faites glisser un numéro pour placer l’application ailleurs. Une marque signale une application qui n’est pas contractante.</translation>
     </message>
 </context>
@@ -5555,15 +6664,15 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Mettre à l’échelle %1 applications</translation>
     </message>
     <message>
-        <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
-        <translation>Ce qui est plat à l’écran ne peut pas être saisi. Ouvrez d’abord la cage ou les applications.</translation>
+        <source>Maps that are flat on the screen cannot be dragged. First open the cage or the maps.</source>
+        <translation>Les applications qui sont plates à l’écran ne peuvent pas être déplacées. Ouvrez d’abord la cage ou les applications.</translation>
     </message>
     <message>
         <source>Select a map first.</source>
         <translation>Choisissez d’abord une application.</translation>
     </message>
     <message>
-        <source>Of so many maps only some are shown. Zoom in to see the others.</source>
+        <source>There are too many maps to show them all. Zoom in to see the others.</source>
         <translation>De si nombreuses applications, seules quelques-unes sont montrées. Agrandissez la vue pour voir les autres.</translation>
     </message>
 </context>
@@ -5574,7 +6683,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Variations de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>Fractals by Chance</source>
+        <source>Random Fractals</source>
         <translation>Fractales au hasard</translation>
     </message>
     <message>
@@ -5594,7 +6703,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Faire &amp;varier celle-ci</translation>
     </message>
     <message>
-        <source>Make the chosen one what the variations start from</source>
+        <source>Use the selected one as the new starting point</source>
         <translation>Faire de celle qui est choisie le point de départ des variations</translation>
     </message>
     <message>
@@ -5614,7 +6723,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Au&amp;tres</translation>
     </message>
     <message>
-        <source>Another sheet: the next seed</source>
+        <source>Show another sheet, from the next seed</source>
         <translation>Une autre planche&#x202f;: la graine suivante</translation>
     </message>
     <message>
@@ -5638,23 +6747,23 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Ajouter une fractale aléatoire</translation>
     </message>
     <message>
-        <source>Choose one and press OK, or double-click it: it takes the place of the fractal, as one step that can be undone.</source>
+        <source>Select one and confirm, or double-click it: it replaces the fractal, in one step that you can undo.</source>
         <translation>Choisissez-en une et appuyez sur OK, ou double-cliquez dessus&#x202f;: elle prend la place de la fractale, en une seule étape annulable.</translation>
     </message>
     <message>
-        <source>To the left the variations are much like what they start from, to the right they are wild.</source>
+        <source>On the left, the variations stay close to their starting point; on the right, they differ wildly.</source>
         <translation>À gauche, les variations ressemblent beaucoup à leur point de départ&#x202f;; à droite, elles sont débridées.</translation>
     </message>
     <message>
-        <source>Takes the chosen one, as one step that can be undone.</source>
+        <source>Uses the selected one, in one step that you can undo.</source>
         <translation>Prend celle qui est choisie, en une seule étape annulable.</translation>
     </message>
 </context>
 <context>
     <name>view::NumberField</name>
     <message>
-        <source>A number, with a decimal point or comma. Arrow keys and the wheel change it: with Shift ten times as fast, with Alt a tenth. Esc takes back what was typed.</source>
-        <translation>Un nombre, avec un point ou une virgule décimale. Les touches fléchées et la molette le modifient&#x202f;: avec Maj, dix fois plus vite&#x202f;; avec Alt, dix fois moins. Échap annule la saisie.</translation>
+        <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
+        <translation>Un nombre, avec un point ou une virgule décimale, ou une expression comme 1/2, sqrt(3)/6, cos(36°) ou pi. Les touches fléchées et la molette le modifient : dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
     </message>
 </context>
 <context>
@@ -5668,7 +6777,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Coller un tableau</translation>
     </message>
     <message>
-        <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>
+        <source>The rows do not say which column is which, and programs differ. Choose the order that gives the picture you expect in the background.</source>
         <translation>Les lignes ne disent pas à quoi correspond chaque colonne, et les programmes diffèrent. Choisissez l’ordre pour lequel l’image derrière ce dialogue est celle que vous attendez.</translation>
     </message>
     <message>
@@ -5676,7 +6785,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Les applications telles qu’elles seront collées</translation>
     </message>
     <message>
-        <source>The maps in the order chosen: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
+        <source>The maps in the chosen order: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
         <translation>Les applications dans l’ordre choisi&#x202f;: (x, y) devient (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
@@ -5688,7 +6797,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>C&amp;oller</translation>
     </message>
     <message>
-        <source>&amp;Columns:</source>
+        <source>C&amp;olumns:</source>
         <translation>&amp;Colonnes&#x202f;:</translation>
     </message>
     <message>
@@ -5704,7 +6813,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Dans cet ordre, toutes les applications sont contractantes.</translation>
     </message>
     <message>
-        <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
+        <source>In this order these maps do not contract: %1. The columns may have a different meaning.</source>
         <translation>Dans cet ordre, ces applications ne sont pas contractantes&#x202f;: %1. Peut-être les colonnes signifient-elles autre chose.</translation>
     </message>
     <message>
@@ -5717,13 +6826,54 @@ L’entrée est conservée telle quelle.</translation>
     </message>
 </context>
 <context>
+    <name>view::PolygonTool</name>
+    <message>
+        <source>%1 by %2°</source>
+        <translation>%1 de %2°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 d’un facteur %2</translation>
+    </message>
+    <message>
+        <source>%1 to (%2, %3)</source>
+        <translation>%1 en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1 by (%2, %3)</source>
+        <translation>%1 de (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <comment>a factor</comment>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Δ (%1, %2)  length %3</source>
+        <translation>Δ (%1, %2)  longueur %3</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>arête %1</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2</source>
+        <translation>arêtes %1 et %2</translation>
+    </message>
+</context>
+<context>
     <name>view::PreferencesDialog</name>
     <message>
-        <source>The language changes when Barycage is started again.</source>
+        <source>The new language takes effect when you restart Barycage.</source>
         <translation>La langue changera au prochain démarrage de Barycage.</translation>
     </message>
     <message>
-        <source>&amp;Open the files of last time at the start</source>
+        <source>&amp;Open the files of the last session at startup</source>
         <translation>R&amp;ouvrir au démarrage les fichiers de la dernière fois</translation>
     </message>
     <message>
@@ -5731,8 +6881,8 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Préférences</translation>
     </message>
     <message>
-        <source>That of the desktop</source>
-        <translation>Celle du bureau</translation>
+        <source>Same as the desktop</source>
+        <translation>Comme le bureau</translation>
     </message>
     <message>
         <source>Language</source>
@@ -5741,10 +6891,6 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>The language of menus and messages. Files and numbers are the same in every language.</source>
         <translation>La langue des menus et des messages. Les fichiers et les nombres sont les mêmes dans toutes les langues.</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>Comme le bureau</translation>
     </message>
     <message>
         <source>Light</source>
@@ -5775,15 +6921,15 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Fine&#x202f;: 1 milliard de points</translation>
     </message>
     <message>
-        <source>Picture at rest</source>
-        <translation>Image au repos</translation>
+        <source>Picture quality</source>
+        <translation>Qualité de l’image</translation>
     </message>
     <message>
-        <source>How many points are drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
+        <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
         <translation>Combien de points sont dessinés tant que rien ne bouge. Davantage de points donnent une image plus lisse et occupent le processeur plus longtemps.</translation>
     </message>
     <message>
-        <source>When on, Barycage opens the files that were open when it was closed, a window each.</source>
+        <source>When this is on, Barycage reopens the files that were open when you closed it, each in its own window.</source>
         <translation>Si cette case est cochée, Barycage ouvre les fichiers qui étaient ouverts à sa fermeture, chacun dans sa fenêtre.</translation>
     </message>
     <message>
@@ -5795,12 +6941,16 @@ L’entrée est conservée telle quelle.</translation>
         <translation>&amp;Thème&#x202f;:</translation>
     </message>
     <message>
-        <source>&amp;Picture at rest:</source>
-        <translation>Image au &amp;repos&#x202f;:</translation>
+        <source>&amp;Picture quality:</source>
+        <translation>&amp;Qualité de l’image :</translation>
     </message>
     <message>
-        <source>Puts every choice of this dialog back to what it is at first.</source>
+        <source>Resets every setting in this dialog to its default.</source>
         <translation>Ramène tous les choix de ce dialogue à leur valeur initiale.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Pas encore enregistré : %1.</translation>
     </message>
 </context>
 <context>
@@ -5822,7 +6972,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Entrée</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Problem</source>
         <translation>Ce qui a été trouvé</translation>
     </message>
 </context>
@@ -5841,7 +6991,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Problèmes</translation>
     </message>
     <message>
-        <source>Choose a line to show the entry it concerns.</source>
+        <source>Select a line to show its entry.</source>
         <translation>Choisissez une ligne pour afficher l’entrée concernée.</translation>
     </message>
     <message>
@@ -5876,16 +7026,16 @@ L’entrée est conservée telle quelle.</translation>
         </translation>
     </message>
     <message>
-        <source>What could not be read is kept as it is.</source>
+        <source>Text that could not be read is kept unchanged.</source>
         <translation>Ce qui n’a pas pu être lu est conservé tel quel.</translation>
     </message>
     <message>
-        <source>Nothing to report: every entry was read.</source>
-        <translation>Rien à signaler&#x202f;: toutes les entrées ont été lues.</translation>
+        <source>No problems: every entry was read.</source>
+        <translation>Aucun problème : toutes les entrées ont été lues.</translation>
     </message>
     <message>
-        <source>What the reader of the file remarked, with line and column. Double-click a line to go to its entry.</source>
-        <translation>Ce qui a été remarqué à la lecture du fichier, avec la ligne et la colonne. Double-cliquez sur une ligne pour aller à son entrée.</translation>
+        <source>The problems found while reading the file, with line and column. Double-click a line to go to its entry.</source>
+        <translation>Les problèmes trouvés à la lecture du fichier, avec la ligne et la colonne. Double-cliquez sur une ligne pour aller à son entrée.</translation>
     </message>
 </context>
 <context>
@@ -5919,7 +7069,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Alt + glisser, ou la poignée carrée</translation>
     </message>
     <message>
-        <source>Move or scale along one axis, turn in steps of 15°</source>
+        <source>Move or scale along one axis, rotate in steps of 15°</source>
         <translation>Déplacer ou redimensionner selon un axe, tourner par pas de 15°</translation>
     </message>
     <message>
@@ -5927,7 +7077,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Maj en glissant</translation>
     </message>
     <message>
-        <source>Take the drag back</source>
+        <source>Cancel the drag</source>
         <translation>Annuler le geste en cours</translation>
     </message>
     <message>
@@ -5949,14 +7099,6 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>arrow keys; Shift ×10, Alt ×0.1</source>
         <translation>touches fléchées&#x202f;; Maj ×10, Alt ×0,1</translation>
-    </message>
-    <message>
-        <source>Leave the canvas</source>
-        <translation>Quitter la zone de dessin</translation>
-    </message>
-    <message>
-        <source>F6</source>
-        <translation>F6</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -5999,11 +7141,11 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Comment</translation>
     </message>
     <message>
-        <source>Shows only the lines that have these words.</source>
+        <source>Shows only the lines that contain these words.</source>
         <translation>N’affiche que les lignes qui contiennent ces mots.</translation>
     </message>
     <message>
-        <source>What every key and every movement of the mouse does.</source>
+        <source>All keys and mouse gestures, and what they do.</source>
         <translation>Ce que fait chaque touche et chaque mouvement de la souris.</translation>
     </message>
     <message>
@@ -6019,7 +7161,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Alt + chiffre, Ctrl+A</translation>
     </message>
     <message>
-        <source>A deeper or a larger branch</source>
+        <source>Select a deeper or a larger branch</source>
         <translation>Une branche plus profonde ou plus grande</translation>
     </message>
     <message>
@@ -6035,7 +7177,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>faire glisser depuis la zone de dessin vide&#x202f;; Maj ajoute</translation>
     </message>
     <message>
-        <source>Select one more map or vertex, or one less</source>
+        <source>Add a map or vertex to the selection, or remove it</source>
         <translation>Choisir une application ou un sommet de plus ou de moins</translation>
     </message>
     <message>
@@ -6047,7 +7189,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Insérer un sommet sur une arête, dupliquer les applications choisies</translation>
     </message>
     <message>
-        <source>Take the last vertex back while a triangle is defined</source>
+        <source>Remove the last vertex while defining a triangle</source>
         <translation>Reprendre le dernier sommet pendant la définition d’un triangle</translation>
     </message>
     <message>
@@ -6055,7 +7197,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Retour arrière</translation>
     </message>
     <message>
-        <source>Choose another stop</source>
+        <source>Select another stop</source>
         <translation>Choisir un autre repère</translation>
     </message>
     <message>
@@ -6095,7 +7237,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Entrée ou Espace, ou double-clic dessus</translation>
     </message>
     <message>
-        <source>Take the change back</source>
+        <source>Cancel the change</source>
         <translation>Annuler la modification</translation>
     </message>
     <message>
@@ -6105,6 +7247,87 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>On the strip of the gradient</source>
         <translation>Sur la bande du dégradé</translation>
+    </message>
+    <message>
+        <source>Next or previous part of the window</source>
+        <translation>Partie suivante ou précédente de la fenêtre</translation>
+    </message>
+    <message>
+        <source>F6, Shift+F6</source>
+        <translation>F6, Maj+F6</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceInput</name>
+    <message>
+        <source>Rotate Cage</source>
+        <translation>Faire tourner la cage</translation>
+    </message>
+    <message>
+        <source>Scale Cage</source>
+        <translation>Mettre la cage à l’échelle</translation>
+    </message>
+    <message>
+        <source>Move Vertex %1</source>
+        <translation>Déplacer le sommet %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceView</name>
+    <message>
+        <source>Canvas in space</source>
+        <translation>Canevas dans l’espace</translation>
+    </message>
+    <message>
+        <source>The solid and its tetrahedron. Drag a corner: X, Y or Z keeps it on an axis, with Shift in a plane, and the wheel pushes it away. Drag anywhere else to turn the view; the wheel zooms at the pointer, the middle button pans. Double-click the solid to turn about that point.</source>
+        <translation>Le solide et son tétraèdre. Faites glisser un coin : X, Y ou Z le garde sur un axe, avec Maj dans un plan, et la molette l’éloigne. Faites glisser ailleurs pour tourner la vue ; la molette zoome au pointeur, le bouton du milieu déplace. Double-cliquez sur le solide pour tourner autour de ce point.</translation>
+    </message>
+    <message>
+        <source>The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
+        <translation>L’attracteur et son tétraèdre de contrôle. Tab passe de coin en coin, les flèches déplacent le coin qui a le focus ou tournent la vue, F6 quitte le canevas.</translation>
+    </message>
+    <message>
+        <source>Vertex %1 at %2, %3, %4</source>
+        <translation>Sommet %1 en %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;juster à la vue</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspective</translation>
+    </message>
+    <message>
+        <source>Look from the F&amp;ront</source>
+        <translation>Regarder de f&amp;ace</translation>
+    </message>
+    <message>
+        <source>Look from the &amp;Right</source>
+        <translation>Regarder de &amp;droite</translation>
+    </message>
+    <message>
+        <source>Look from &amp;Above</source>
+        <translation>Regarder d’en &amp;haut</translation>
+    </message>
+</context>
+<context>
+    <name>view::ToolOptionsBar</name>
+    <message>
+        <source>Tool options</source>
+        <translation>Options de l’outil</translation>
+    </message>
+    <message>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
+        <translation>Faites glisser un coin, une arête ou l’intérieur de la cage.  Ctrl fait tourner  ·  Alt met à l’échelle  ·  Maj conserve les directions  ·  double-clic sur une arête&#x202f;: nouveau sommet</translation>
+    </message>
+    <message>
+        <source>Click the three corners of the new triangle.  Backspace takes a corner back  ·  Esc cancels</source>
+        <translation>Cliquez sur les trois coins du nouveau triangle.  Retour arrière reprend un coin  ·  Échap annule</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Faites glisser un coin du tétraèdre.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
     </message>
 </context>
 <context>
@@ -6118,8 +7341,8 @@ L’entrée est conservée telle quelle.</translation>
         <translation>y</translation>
     </message>
     <message>
-        <source>Transform by Numbers</source>
-        <translation>Transformer par valeurs numériques</translation>
+        <source>Transform</source>
+        <translation>Transformer</translation>
     </message>
     <message>
         <source>x of the fixed point</source>
@@ -6162,7 +7385,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Translation en y</translation>
     </message>
     <message>
-        <source>Done in this order, from top to bottom.</source>
+        <source>Applied in this order, from top to bottom.</source>
         <translation>Effectué dans cet ordre, de haut en bas.</translation>
     </message>
     <message>
@@ -6170,11 +7393,11 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Problème</translation>
     </message>
     <message>
-        <source>Start Again</source>
+        <source>Reset</source>
         <translation>Recommencer</translation>
     </message>
     <message>
-        <source>All values as they were when the dialog opened</source>
+        <source>Reset all values to what they were when the dialog opened</source>
         <translation>Toutes les valeurs comme à l’ouverture du dialogue</translation>
     </message>
     <message>
@@ -6182,7 +7405,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Placer l’image</translation>
     </message>
     <message>
-        <source>The code stays; the cage moves</source>
+        <source>The cage moves; the code does not change</source>
         <translation>Le code reste&#x202f;; la cage se déplace</translation>
     </message>
     <message>
@@ -6194,7 +7417,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Chaque application w devient T∘w∘T⁻¹&#x202f;; la cage suit</translation>
     </message>
     <message>
-        <source>The point that stays</source>
+        <source>Fixed point</source>
         <translation>Le point qui reste fixe</translation>
     </message>
     <message>
@@ -6206,11 +7429,11 @@ L’entrée est conservée telle quelle.</translation>
         <translation>la moyenne de la mesure invariante</translation>
     </message>
     <message>
-        <source>a typed point</source>
+        <source>a point of your choice</source>
         <translation>un point saisi</translation>
     </message>
     <message>
-        <source>in the line at the angle °</source>
+        <source>in the line at the angle (°)</source>
         <translation>par rapport à la droite d’angle °</translation>
     </message>
     <message>
@@ -6218,11 +7441,11 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Angle de l’axe de symétrie en degrés&#x202f;: 0 pour l’horizontale, 90 pour la verticale</translation>
     </message>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Cette entrée n’a pas d’applications du plan.</translation>
     </message>
     <message>
-        <source>This transformation is too flat to be undone, so it cannot be written into the code. Choose other scales, or place the picture.</source>
+        <source>This transformation is too flat to be inverted, so it cannot be written into the code. Choose other scales, or place the picture.</source>
         <translation>Cette transformation est trop plate pour que l’on puisse l’inverser&#x202f;; elle ne peut donc pas être inscrite dans le code. Choisissez d’autres échelles, ou placez l’image.</translation>
     </message>
     <message>
@@ -6238,11 +7461,11 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Maintient le facteur en y égal à celui en x.</translation>
     </message>
     <message>
-        <source>About which point the fractal is turned, scaled and reflected: it stays where it is.</source>
+        <source>The point about which the fractal is rotated, scaled and reflected; it stays where it is.</source>
         <translation>Le point autour duquel on tourne, redimensionne et réfléchit la fractale&#x202f;: il reste où il est.</translation>
     </message>
     <message>
-        <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
+        <source>Reflects in a line through the fixed point; the angle is measured from the x axis.</source>
         <translation>Symétrie par rapport à une droite passant par le point fixe&#x202f;; l’angle se compte depuis l’axe des x.</translation>
     </message>
     <message>
@@ -6274,7 +7497,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>Translation :</translation>
     </message>
     <message>
-        <source>the middle of the picture’s box</source>
+        <source>the centre of the picture’s box</source>
         <translation>le centre de la boîte englobante de l’image</translation>
     </message>
 </context>
@@ -6297,7 +7520,7 @@ L’entrée est conservée telle quelle.</translation>
         <translation>y du sommet</translation>
     </message>
     <message>
-        <source>What is wrong with the numbers</source>
+        <source>Problem with the numbers</source>
         <translation>Ce qui ne va pas dans les nombres</translation>
     </message>
     <message>
@@ -6315,6 +7538,29 @@ L’entrée est conservée telle quelle.</translation>
     <message>
         <source>A coordinate of the vertex, with a decimal point or comma. The picture follows as you type.</source>
         <translation>Une coordonnée du sommet, avec un point ou une virgule décimale. L’image suit la saisie.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Déplacer le sommet %1 en (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>view::ZoomBox</name>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose.</source>
+        <translation>Zoom en pour cent : à 100 %, une unité du plan occupe 100 pixels. Saisissez une autre valeur ou choisissez-en une.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

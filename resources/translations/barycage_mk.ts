@@ -21,30 +21,93 @@
     </message>
 </context>
 <context>
+    <name>ActionDetails</name>
+    <message>
+        <source>Drag an edge to move both its ends, the inside to move the whole cage. Ctrl rotates, Alt scales, Shift keeps directions. The fractal follows at once, and each drag is one step of the history.</source>
+        <translation>Раб ги поместува двата свои краја, внатрешноста целиот кафез. Ctrl врти, Alt менува големина, Shift ги задржува правците. Фракталот следи веднаш, а секое влечење е еден чекор во историјата.</translation>
+    </message>
+    <message>
+        <source>Each map is shown as the image of the cage in its colour. A corner changes one map; the inside moves all selected maps. A drag stops where the attractor would be lost.</source>
+        <translation>Секое пресликување е прикажано како слика на кафезот во своја боја. Теме менува едно пресликување, внатрешноста ги поместува сите избрани. Влечењето запира таму каде што атракторот би се изгубил.</translation>
+    </message>
+    <message>
+        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, or only this branch.</source>
+        <translation>Shift + тркалце избира колку длабока е гранката. Лентата под платното кажува што менува влечењето: ново пресликување за гранката, последното пресликување од нејзината адреса или само оваа гранка.</translation>
+    </message>
+    <message>
+        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace takes the last corner back, Esc cancels.</source>
+        <translation>Сликата останува каде што е: отсега ја држи новиот триаголник. Backspace го враќа последното теме, Esc откажува.</translation>
+    </message>
+    <message>
+        <source>The picture stays where it is. Every point of the fractal then has barycentric coordinates that are not negative.</source>
+        <translation>Сликата останува каде што е. Потоа секоја точка на фракталот има барицентрични координати што не се негативни.</translation>
+    </message>
+    <message>
+        <source>The coefficients do not change. To keep the picture as it is and change the coefficients instead, use Bake.</source>
+        <translation>Коефициентите не се менуваат. За сликата да остане иста, а да се сменат коефициентите, користи Впиши во кодот.</translation>
+    </message>
+    <message>
+        <source>Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
+        <translation>Секое пресликување w станува T w T⁻¹, каде што T е она што кафезот ѝ го прави на сликата. Потоа кафезот е во мирување. Рамен кафез или кафез што ја витка сликата не може да се впише.</translation>
+    </message>
+    <message>
+        <source>The table of maps keeps its numbers, and Bake writes the placement into them later.</source>
+        <translation>Табелата на пресликувања ги задржува своите броеви, а Впиши во кодот подоцна ја внесува поставеноста.</translation>
+    </message>
+    <message>
+        <source>The table of maps shows the new numbers during the drag, and the cage is at rest again afterwards.</source>
+        <translation>Табелата на пресликувања ги покажува новите броеви за време на влечењето, а потоа кафезот пак е во мирување.</translation>
+    </message>
+    <message>
+        <source>The cage is included where that costs little room. The fractal itself does not change.</source>
+        <translation>Кафезот е вклучен кога тоа бара малку простор. Самиот фрактал не се менува.</translation>
+    </message>
+    <message>
+        <source>The distance of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
+        <translation>Растојанието на линиите го следи зумот. Темињата се лепат за мрежата ако тоа е избрано во менито Приказ.</translation>
+    </message>
+    <message>
+        <source>Only the view is turned over: coefficients and coordinates do not change.</source>
+        <translation>Се превртува само приказот: коефициентите и координатите не се менуваат.</translation>
+    </message>
+    <message>
+        <source>Cage, handles, grid, axes and outlines come back when you press the key again.</source>
+        <translation>Кафезот, рачките, мрежата, оските и обрисите се враќаат кога пак ќе го притиснеш копчето.</translation>
+    </message>
+    <message>
+        <source>A bar appears under the canvas: choose the number of steps, or let the chaos game run point by point at any speed.</source>
+        <translation>Под платното се појавува лента: избери број на чекори или пушти ја играта на хаосот да оди точка по точка со која било брзина.</translation>
+    </message>
+    <message>
+        <source>As placement, the coefficients stay; as code, they become those of the transformed fractal. The canvas shows the result before you accept it.</source>
+        <translation>Како поставеност, коефициентите остануваат; како код, стануваат коефициенти на трансформираниот фрактал. Платното го покажува резултатот пред да го прифатиш.</translation>
+    </message>
+    <message>
+        <source>Where a table does not say what its columns are, you are asked. In the Maps panel, Paste replaces the selected maps instead.</source>
+        <translation>Ако табелата не кажува кои се нејзините колони, програмата прашува. Во панелот со пресликувања, вметнувањето ги заменува избраните пресликувања.</translation>
+    </message>
+    <message>
+        <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
+        <translation>Новиот јазик важи од следното стартување; сѐ друго веднаш, во сите прозорци.</translation>
+    </message>
+</context>
+<context>
     <name>Analysis</name>
     <message>
         <source>Attractor</source>
         <translation>Атрактор</translation>
     </message>
     <message>
-        <source>A system has one attractor if some power of it contracts: then every start leads to the same set.</source>
-        <translation>Системот има единствен атрактор ако некој негов степен е контракција: тогаш секој почеток води кон истото множество.</translation>
-    </message>
-    <message>
         <source>Contraction</source>
         <translation>Контракција</translation>
     </message>
     <message>
-        <source>‖A‖ of each map that takes part: the most by which it stretches distances.</source>
+        <source>‖A‖ of each active map: the largest factor by which it stretches distances.</source>
         <translation>‖A‖ на секое пресликување што учествува: колку пати најмногу ги растегнува растојанијата.</translation>
     </message>
     <message>
         <source>Box</source>
         <translation>Правоаголник</translation>
-    </message>
-    <message>
-        <source>The smallest box with sides parallel to the axes that holds the attractor; certified.</source>
-        <translation>Најмалиот правоаголник со страни паралелни на оските што го содржи атракторот; докажано.</translation>
     </message>
     <message>
         <source>Canonical simplex</source>
@@ -63,10 +126,6 @@
         <translation>Средна вредност</translation>
     </message>
     <message>
-        <source>Mean of the invariant measure, solved exactly: the centre of mass of the picture.</source>
-        <translation>Средна вредност на инваријантната мера, точно пресметана: тежиштето на сликата.</translation>
-    </message>
-    <message>
         <source>Covariance</source>
         <translation>Коваријанса</translation>
     </message>
@@ -75,19 +134,15 @@
         <translation>Неподвижни точки</translation>
     </message>
     <message>
-        <source>The point that each map leaves where it is; it lies on the attractor.</source>
+        <source>The point that each map leaves unchanged; it belongs to the attractor.</source>
         <translation>Точката што секое пресликување ја остава на место; таа лежи на атракторот.</translation>
-    </message>
-    <message>
-        <source>The D with Σ sᵢᴰ = 1 over the ratios sᵢ, when all maps are similarities in some coordinates. It is the dimension of the attractor when the pieces do not overlap.</source>
-        <translation>Она D за кое Σ sᵢᴰ = 1 по односите sᵢ, кога сите пресликувања се сличности во некои координати. Тоа е димензијата на атракторот кога деловите не се преклопуваат.</translation>
     </message>
     <message>
         <source>Affinity dimension</source>
         <translation>Афина димензија</translation>
     </message>
     <message>
-        <source>Falconer’s dimension: where the sum of the singular value functions of all words of one length neither grows nor falls, at most 2. An upper bound of the box-counting dimension, and equal to it for almost all translations when the maps contract enough.</source>
+        <source>Falconer’s dimension, at most 2: the exponent at which the sum of the singular value functions of all words of one length neither grows nor shrinks as the words get longer. It is an upper bound for the box-counting dimension, and equal to it for almost all translations if the maps contract enough.</source>
         <translation>Димензијата на Фалконер: каде што збирот на функциите на сингуларни вредности на сите зборови со иста должина ниту расте ниту опаѓа, најмногу 2. Горна граница на димензијата со броење кутии и еднаква на неа за речиси сите поместувања кога пресликувањата доволно контрахираат.</translation>
     </message>
     <message>
@@ -95,31 +150,15 @@
         <translation>Димензија со броење кутии</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line through ln N against ln 1/ε, where N boxes of side ε meet the attractor. An estimate: it depends on the sizes counted.</source>
-        <translation>Наклон на правата на најмали квадрати низ ln N спрема ln 1/ε, каде што N кутии со страна ε го допираат атракторот. Проценка: зависи од избраните големини.</translation>
-    </message>
-    <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved exactly: how widely the picture spreads. The ellipse is the one on which an even mass has the same mean and covariance.</source>
-        <translation>Коваријанса xx, xy, yy на инваријантната мера, точно решена: колку е распространета сликата. Елипсата е онаа на која рамномерна маса ја има истата средина и коваријанса.</translation>
-    </message>
-    <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that holds the attractor; certified. The signs are the directions of its legs.</source>
-        <translation>Најмалиот рамнокрак правоаголен триаголник со катети паралелни на оските што го содржи атракторот; докажано. Знаците се насоките на катетите.</translation>
-    </message>
-    <message>
         <source>Hull area</source>
         <translation>Плоштина на обвивката</translation>
-    </message>
-    <message>
-        <source>Area of the convex hull: of the polygon whose vertices were found on the attractor. The hull itself is larger by at most its border times the error bound.</source>
-        <translation>Плоштина на конвексната обвивка: на многуаголникот чии темиња се најдени на атракторот. Самата обвивка е поголема најмногу за нејзиниот раб помножен со границата на грешката.</translation>
     </message>
     <message>
         <source>Hull vertices</source>
         <translation>Темиња на обвивката</translation>
     </message>
     <message>
-        <source>Corners of the convex hull as found, each a point of the attractor. A hull with infinitely many has as many as its tolerance asks for.</source>
+        <source>Vertices of the computed hull; each is a point of the attractor. If the exact hull has infinitely many, as many are computed as the tolerance requires.</source>
         <translation>Темиња на конвексната обвивка како што се најдени, секое точка на атракторот. Обвивка со бесконечно многу има онолку колку што бара нејзината толеранција.</translation>
     </message>
     <message>
@@ -127,7 +166,7 @@
         <translation>Граница на грешката на обвивката</translation>
     </message>
     <message>
-        <source>The attractor reaches at most this far beyond the polygon; certified.</source>
+        <source>The attractor extends at most this far beyond the polygon; certified.</source>
         <translation>Атракторот излегува од многуаголникот најмногу за толку; докажано.</translation>
     </message>
     <message numerus="yes">
@@ -139,113 +178,290 @@
         </translation>
     </message>
     <message>
-        <source>Yes: hyperbolic, every map contracts by %1 or less.</source>
+        <source>Yes: hyperbolic, every map has a contraction factor of %1 or less.</source>
         <translation>Да: хиперболичен, секое пресликување контрахира со фактор %1 или помалку.</translation>
-    </message>
-    <message>
-        <source>Yes: eventually contractive, every word of %1 maps contracts (%2 a map).</source>
-        <translation>Да: на крајот контрактивен, секој збор од %1 пресликувања контрахира (%2 по пресликување).</translation>
-    </message>
-    <message>
-        <source>None: the word %1 does not contract (%2 a map).</source>
-        <translation>Нема: зборот %1 не контрахира (%2 по пресликување).</translation>
     </message>
     <message>
         <source>Undecided: no proof either way was found.</source>
         <translation>Неодлучено: не е најден доказ ниту за едното ниту за другото.</translation>
     </message>
     <message>
-        <source>None: no map takes part.</source>
+        <source>None: no map is active.</source>
         <translation>Нема: ниту едно пресликување не учествува.</translation>
     </message>
     <message>
-        <source>None: map %1 does not contract (%2 a map).</source>
-        <translation>Нема: пресликувањето %1 не контрахира (%2 по пресликување).</translation>
+        <source>unknown: the error would be larger</source>
+        <translation>непознато: грешката би била поголема</translation>
+    </message>
+    <message>
+        <source>A compact set to which every compact starting set leads, step by step. A system has one exactly if its maps contract in some norm.</source>
+        <translation>Компактно множество до кое чекор по чекор води секое компактно почетно множество. Систем го има точно ако неговите пресликувања контрахираат во некоја норма.</translation>
+    </message>
+    <message>
+        <source>(of the attractor: its pieces are disjoint)</source>
+        <translation>(на атракторот: неговите делови се дисјунктни)</translation>
+    </message>
+    <message>
+        <source>(upper bound: pieces coincide)</source>
+        <translation>(горна граница: има делови што се совпаѓаат)</translation>
+    </message>
+    <message>
+        <source>(if the open set condition holds; else an upper bound)</source>
+        <translation>(ако важи условот на отворено множество; инаку горна граница)</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Раздвоеност</translation>
+    </message>
+    <message>
+        <source>Whether the pieces that the maps make of the attractor are disjoint (strong separation, proved by disjoint covers), or words of maps coincide, so that the open set condition fails.</source>
+        <translation>Дали деловите што пресликувањата ги прават од атракторот се дисјунктни (силна раздвоеност, докажана со дисјунктни покривки) или зборови од пресликувања се совпаѓаат, па условот на отворено множество не важи.</translation>
+    </message>
+    <message>
+        <source>strong: no two pieces meet</source>
+        <translation>силна: никои два дела не се допираат</translation>
+    </message>
+    <message>
+        <source>none: pieces coincide</source>
+        <translation>нема: има делови што се совпаѓаат</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>непознато</translation>
+    </message>
+    <message>
+        <source>Connectedness</source>
+        <translation>Сврзаност</translation>
+    </message>
+    <message>
+        <source>An attractor is connected exactly if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
+        <translation>Атрактор е сврзан точно ако заеднички точки ги поврзуваат неговите делови (Хата). Заедничките точки се бараат меѓу неподвижните точки на кратки зборови, а дека ги нема се докажува со дисјунктни покривки.</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>сврзан</translation>
+    </message>
+    <message>
+        <source>connected, as far as rounding tells</source>
+        <translation>сврзан, колку што се гледа од заокружувањето</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>не е сврзан</translation>
+    </message>
+    <message>
+        <source>Overlaps</source>
+        <translation>Преклопувања</translation>
+    </message>
+    <message>
+        <source>Words of maps that are one and the same map, neither of them the beginning of the other: their pieces coincide.</source>
+        <translation>Зборови од пресликувања што се едно исто пресликување, а ниеден не е почеток на другиот: нивните делови се совпаѓаат.</translation>
+    </message>
+    <message>
+        <source>Joint spectral radius</source>
+        <translation>Заеднички спектрален радиус</translation>
+    </message>
+    <message>
+        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm exactly if it is less than 1.</source>
+        <translation>Најголемиот фактор по пресликување со кој растегнуваат долгите зборови. Двата краја на интервалот се докажани; систем контрахира во некоја норма точно ако е помал од 1.</translation>
+    </message>
+    <message>
+        <source>Entropy</source>
+        <translation>Ентропија</translation>
+    </message>
+    <message>
+        <source>−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats.</source>
+        <translation>−Σ pᵢ ln pᵢ: колку остава отворено еден чекор од играта на хаос, во нати.</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Експонент на Љапунов</translation>
+    </message>
+    <message>
+        <source>Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are similarities in some coordinates.</source>
+        <translation>Σ pᵢ ln sᵢ: како се менува логаритмот на растојание по чекор од играта на хаос, ако сите пресликувања се сличности во некои координати.</translation>
+    </message>
+    <message>
+        <source>Dimension of the measure</source>
+        <translation>Димензија на мерата</translation>
+    </message>
+    <message>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Ентропијата поделена со минус експонентот на Љапунов, најмногу 2: димензијата на инваријантната мера под условот на отворено множество, а инаку нејзина горна граница.</translation>
+    </message>
+    <message>
+        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Бројот D со Σ sᵢᴰ = 1, каде што sᵢ се коефициентите на пресликувањата, ако сите се сличности во некои координати. Тоа е димензијата на атракторот под условот на отворено множество, а инаку нејзина горна граница.</translation>
+    </message>
+    <message>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the uncertainty comes from how parts of that range differ, and is no proof.</source>
+        <translation>Наклон на правата на најмали квадрати за ln N наспроти ln 1/ε, каде што N е бројот на кутии со страна ε што го допираат атракторот, за големините при кои е најрамномерен. Тоа е проценка; несигурноста доаѓа од разликите меѓу деловите на тој опсег и не е доказ.</translation>
+    </message>
+    <message>
+        <source>Mean of the invariant measure, solved without sampling: the centre of mass of the picture.</source>
+        <translation>Средна вредност на инваријантната мера, пресметана без примероци: тежиштето на сликата.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. An even mass that fills the ellipse has the same mean and covariance.</source>
+        <translation>Коваријанса xx, xy, yy на инваријантната мера, пресметана без примероци: колку се шири сликата. Рамномерна маса што ја исполнува елипсата има иста средна вредност и коваријанса.</translation>
+    </message>
+    <message>
+        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Its sides are off by the error at most.</source>
+        <translation>Најмалиот правоаголник со страни паралелни на оските што го содржи атракторот; потврдено. Неговите страни отстапуваат најмногу за грешката.</translation>
+    </message>
+    <message>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <translation>Најмалиот рамнокрак правоаголен триаголник со катети паралелни на оските што го содржи атракторот; потврдено. Знаците ги даваат насоките на неговите катети. За една точка катетата е 1.</translation>
+    </message>
+    <message>
+        <source>Area of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most its perimeter times the error bound e, and πe² for the corners.</source>
+        <translation>Плоштина на пресметаната обвивка, чии темиња се точки од атракторот. Точната конвексна обвивка е поголема најмногу за нејзиниот периметар по границата на грешката e, и πe² за аглите.</translation>
+    </message>
+    <message>
+        <source>Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.</source>
+        <translation>Да: во елипсоидна норма секое пресликување контрахира со фактор %1 или помал.</translation>
+    </message>
+    <message>
+        <source>Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of %1 or less.</source>
+        <translation>Да: во норма чија единечна топка е политоп секое пресликување контрахира со фактор %1 или помал.</translation>
+    </message>
+    <message>
+        <source>None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
+        <translation>Нема: пресликувањето %1 не контрахира во ниедна норма (ρ ≥ 1 е докажано; %2 по пресликување).</translation>
+    </message>
+    <message>
+        <source>None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
+        <translation>Нема: зборот %1 не контрахира во ниедна норма (ρ ≥ 1 е докажано; %2 по пресликување).</translation>
+    </message>
+    <message>
+        <source>Yes: any %1 maps in a row contract, by a factor of %2 or less per map.</source>
+        <translation>Да: кои било %1 последователни пресликувања контрахираат, со фактор %2 или помалку по пресликување.</translation>
+    </message>
+    <message>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <translation>Ентропија поделена со негативниот експонент на Љапунов, најмногу 3: димензијата на инваријантната мера под условот на отворено множество, инаку нејзина горна граница.</translation>
+    </message>
+    <message>
+        <source>Covariance xx, xy, xz, yy, yz, zz of the invariant measure, solved without sampling: how far the picture spreads.</source>
+        <translation>Коваријанса xx, xy, xz, yy, yz, zz на инваријантната мера, решена без примероци: колку се простира сликата.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <comment>in space</comment>
+        <translation>Квадар</translation>
+    </message>
+    <message>
+        <source>The smallest box with edges parallel to the axes that contains the attractor, to the error bound.</source>
+        <translation>Најмалиот квадар со рабови паралелни на оските што го содржи атракторот, до границата на грешката.</translation>
+    </message>
+    <message>
+        <source>Box error bound</source>
+        <translation>Граница на грешката на квадарот</translation>
+    </message>
+    <message>
+        <source>The attractor extends at most this far beyond the box; certified.</source>
+        <translation>Атракторот излегува од квадарот најмногу за толку; докажано.</translation>
+    </message>
+    <message>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <translation>Најмалиот тетраедар со три еднакви краци паралелни на оските што го содржи атракторот; потврден. Знаците ги даваат насоките на краците. За една точка, кракот е 1.</translation>
+    </message>
+    <message>
+        <source>Hull volume</source>
+        <translation>Волумен на обвивката</translation>
+    </message>
+    <message>
+        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by the error at most.</source>
+        <translation>Волумен на пресметаната обвивка, чии темиња се точки од атракторот. Точната конвексна обвивка е поголема најмногу за грешката.</translation>
+    </message>
+    <message>
+        <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
+        <translation>Атракторот излегува од полиедарот најмногу за толку; докажано.</translation>
     </message>
 </context>
 <context>
     <name>Application</name>
     <message>
-        <source>Take a fractal by its corners: an editor for iterated function systems.</source>
+        <source>Grab a fractal by its corners: an editor for iterated function systems.</source>
         <translation>Фатете го фракталот за темињата: уредувач на итерирани функциски системи.</translation>
     </message>
     <message>
-        <source>.ifs files to open, a window each</source>
+        <source>.ifs files to open, each in its own window</source>
         <translation>.ifs-датотеки за отворање, секоја во свој прозорец</translation>
     </message>
     <message>
-        <source>a window with the maple, whatever was open before</source>
-        <translation>прозорец со јаворот, што и да било отворено претходно</translation>
+        <source>start with the maple instead of the last session</source>
+        <translation>почни со јаворот наместо со последната сесија</translation>
     </message>
     <message>
-        <source>a window that shows the collection</source>
-        <translation>прозорец што ја покажува збирката</translation>
+        <source>open a window with the collection</source>
+        <translation>отвори прозорец со збирката</translation>
     </message>
     <message>
-        <source>a window with fractals made by chance to pick from</source>
-        <translation>прозорец со случајни фрактали за избор</translation>
+        <source>open a window with random fractals to choose from</source>
+        <translation>отвори прозорец со случајни фрактали за избор</translation>
     </message>
 </context>
 <context>
     <name>CageEdits</name>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Овој запис нема пресликувања на рамнината.</translation>
     </message>
     <message>
-        <source>The cage is at rest: the code is what is displayed.</source>
+        <source>The cage is at rest: the picture shows the code.</source>
         <translation>Кафезот е во мирување: се прикажува самиот код.</translation>
     </message>
     <message>
-        <source>The cage bends the picture, and no affine code has a bent picture. Choose “Affine fit” to bake what comes nearest to it.</source>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
         <translation>Кафезот ја свиткува сликата, а ниеден афин код не дава свиткана слика. Изберете „Афино приближување“ за да се впише она што е најблиску до неа.</translation>
     </message>
     <message>
-        <source>The cage is flat: no code has this picture. Open the cage first.</source>
-        <translation>Кафезот е сплескан: ниеден код ја нема оваа слика. Прво раширете го кафезот.</translation>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>Кафезот е рамен, па неговата положба не може да се впише во кодот. Прво отворете го кафезот.</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture. The code stays as it is until you bake.</source>
+        <source>Moving the cage moves the picture. Bake to change the code.</source>
         <translation>Поместувањето на кафезот ја поместува сликата. Кодот останува ист додека не го впишете тоа во него.</translation>
     </message>
     <message>
-        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can follow, and leaves it.</source>
+        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
         <translation>Поместувањето на целиот кафез го менува кодот. Поместувањето на одделни темиња ја свиткува сликата; тоа кодот не може да го следи, па останува ист.</translation>
     </message>
     <message>
-        <source>Moving the cage rewrites every coefficient of the code, and the cage rests where it is.</source>
+        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
         <translation>Поместувањето на кафезот ги менува сите коефициенти на кодот, а кафезот останува во мирување таму каде што е.</translation>
     </message>
     <message>
-        <source>The cage already places the code.</source>
-        <translation>Кафезот веќе го поставува кодот.</translation>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>Кафезот не мирува: веќе содржи положба.</translation>
     </message>
     <message>
-        <source>Only a triangle can be taken out of the code.</source>
+        <source>Only a cage with three vertices can be unbaked.</source>
         <translation>Од кодот може да се извади само триаголник.</translation>
     </message>
     <message>
-        <source>The cage has a notch: the picture may fold over itself there.</source>
+        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
         <translation>Кафезот има вдлабнатина: таму сликата може да се превитка преку себе.</translation>
     </message>
     <message>
-        <source>The cage is folded: parts of the picture lie over one another. Move the vertices apart to unfold it.</source>
+        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
         <translation>Кафезот е превиткан: делови од сликата лежат еден врз друг. Раздалечете ги темињата за да го одвиткате.</translation>
     </message>
     <message>
-        <source>No map takes part, so there is nothing to enclose.</source>
+        <source>No map is active, so there is nothing to enclose.</source>
         <translation>Не учествува ниедно пресликување, па нема што да се опфати.</translation>
     </message>
     <message>
-        <source>A bent picture cannot be held by another cage. Reset the cage, or choose “Affine fit”, first.</source>
+        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
         <translation>Свиткана слика не може да ја држи друг кафез. Прво вратете го кафезот во мирување или изберете „Афино приближување“.</translation>
     </message>
     <message>
-        <source>The cage is flat. Open the triangle, or reset it, first.</source>
+        <source>The cage is flat. First open or reset the triangle.</source>
         <translation>Кафезот е сплескан. Прво раширете го триаголникот или вратете го во мирување.</translation>
     </message>
     <message>
-        <source>This system has no attractor that could be enclosed.</source>
+        <source>This system has no attractor that can be enclosed.</source>
         <translation>Овој систем нема атрактор што би можел да се опфати.</translation>
     </message>
     <message>
@@ -268,7 +484,7 @@
         <translation>Папрати</translation>
     </message>
     <message>
-        <source>Fronds: a long slow map climbs the rachis, two short ones hang the pinnae, a flat one draws the stem.</source>
+        <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
         <translation>Папратови листови: едно долго бавно пресликување се качува по главната оска, две кратки ги додаваат страничните ливчиња, а едно сплескано ја црта дршката.</translation>
     </message>
     <message>
@@ -276,15 +492,15 @@
         <translation>Дрвја</translation>
     </message>
     <message>
-        <source>Trunks that fork: the whole tree stands on its own branches.</source>
-        <translation>Стебла што се разгрануваат: целото дрво стои на секоја од своите гранки.</translation>
+        <source>Forking trunks: the branches of the tree are copies of the whole tree.</source>
+        <translation>Стебла што се разгрануваат: гранките на дрвото се копии на целото дрво.</translation>
     </message>
     <message>
         <source>Dragons</source>
         <translation>Змејови</translation>
     </message>
     <message>
-        <source>Folded paper curves and the fractals of two or three twisted similarities.</source>
+        <source>Paper-folding curves, and fractals of two or three rotating similarities.</source>
         <translation>Криви од свиткана хартија и фрактали од две или три завртени сличности.</translation>
     </message>
     <message>
@@ -292,7 +508,7 @@
         <translation>Фамилија Серпињски</translation>
     </message>
     <message>
-        <source>Gaskets and carpets: a polygon holds shrunken copies of itself and keeps its holes.</source>
+        <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
         <translation>Триаголници и килими: многуаголникот содржи смалени копии од себе и ги задржува дупките.</translation>
     </message>
     <message>
@@ -300,7 +516,7 @@
         <translation>Фамилија Кох</translation>
     </message>
     <message>
-        <source>Curves built by replacing a segment, and the islands they bound.</source>
+        <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
         <translation>Криви добиени со замена на отсечка и островите што тие ги оградуваат.</translation>
     </message>
     <message>
@@ -308,7 +524,7 @@
         <translation>Спирали</translation>
     </message>
     <message>
-        <source>One map that turns and shrinks a little, and small ones that bead its path.</source>
+        <source>One map that turns and shrinks a little, and small maps that set beads along its path.</source>
         <translation>Едно пресликување што врти и малку смалува, и други, мали, што го нижат неговиот пат како мониста.</translation>
     </message>
     <message>
@@ -316,7 +532,7 @@
         <translation>Листови и цветови</translation>
     </message>
     <message>
-        <source>Leaf outlines, and flowers whose petals are turned copies of one another.</source>
+        <source>Leaf outlines, and flowers whose petals are rotated copies of one another.</source>
         <translation>Контури на листови и цветови чии ливчиња се завртени копии едни од други.</translation>
     </message>
     <message>
@@ -324,7 +540,7 @@
         <translation>Поплочувања и рептајли</translation>
     </message>
     <message>
-        <source>Sets that tile the plane: copies of themselves, rep-tiles, and the central tiles of number systems.</source>
+        <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
         <translation>Множества што ја поплочуваат рамнината: копии од самите себе, рептајли и централните плочки на бројните системи.</translation>
     </message>
     <message>
@@ -332,7 +548,7 @@
         <translation>Канторови множества и прав</translation>
     </message>
     <message>
-        <source>Sets full of gaps at every scale: points everywhere near, hardly any of them joined.</source>
+        <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
         <translation>Множества полни со празнини во секој размер: насекаде во близина има точки, а речиси ниедни не се поврзани.</translation>
     </message>
     <message>
@@ -340,7 +556,7 @@
         <translation>Кристали и снегулки</translation>
     </message>
     <message>
-        <source>Sets with the symmetry of frost: five, six and more arms.</source>
+        <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
         <translation>Множества со симетрија на мраз: со пет, шест и повеќе краци.</translation>
     </message>
     <message>
@@ -348,7 +564,7 @@
         <translation>Криви и графици</translation>
     </message>
     <message>
-        <source>Graphs of strange functions, smooth curves as attractors, space-filling coordinates.</source>
+        <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
         <translation>Графици на необични функции, мазни криви како атрактори, координати на криви што го исполнуваат просторот.</translation>
     </message>
     <message>
@@ -356,19 +572,90 @@
         <translation>Апстрактни</translation>
     </message>
     <message>
-        <source>Affine patterns without a name in nature: relatives of the gasket, weaves, rosettes.</source>
+        <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
         <translation>Афини шари без име во природата: роднини на триаголникот на Серпињски, плетенки, розети.</translation>
+    </message>
+    <message>
+        <source>Polyhedra in space</source>
+        <translation>Полиедри во простор</translation>
+    </message>
+    <message>
+        <source>A polyhedron made of smaller copies of itself, one at each corner.</source>
+        <translation>Полиедар составен од помали копии на самиот себе, по една на секое теме.</translation>
+    </message>
+    <message>
+        <source>Sponges and cubes in space</source>
+        <translation>Сунѓери и коцки во простор</translation>
+    </message>
+    <message>
+        <source>Cubes divided into smaller cubes, some of which are left out or turned.</source>
+        <translation>Коцки поделени на помали коцки, од кои некои се изоставени или завртени.</translation>
+    </message>
+    <message>
+        <source>Plants in space</source>
+        <translation>Растенија во простор</translation>
+    </message>
+    <message>
+        <source>Fronds and trees whose branches stand all around the stem.</source>
+        <translation>Лисја и дрвја чии гранки стојат насекаде околу стеблото.</translation>
+    </message>
+    <message>
+        <source>Shells and corals in space</source>
+        <translation>Школки и корали во простор</translation>
+    </message>
+    <message>
+        <source>Helical shells, cones arranged by the golden angle, and corals with thick branches.</source>
+        <translation>Спирални школки, конуси распоредени според златниот агол и корали со дебели гранки.</translation>
+    </message>
+    <message>
+        <source>Dragons in space</source>
+        <translation>Змејови во простор</translation>
+    </message>
+    <message>
+        <source>Folded surfaces, and polyhedra whose copies are turned.</source>
+        <translation>Преклопени површини и полиедри чии копии се завртени.</translation>
+    </message>
+</context>
+<context>
+    <name>DimensionEdits</name>
+    <message>
+        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
+        <translation>„%1“ не е систем во рамнината, па не може да се подигне во просторот.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake or reset it first.</source>
+        <translation>Кафезот на „%1“ има повеќе од три темиња, од кои не се добива тетраедар. Прво впишете го или вратете го.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it cannot be flattened.</source>
+        <translation>„%1“ не е систем во просторот, па не може да се израмни.</translation>
+    </message>
+    <message>
+        <source>The direction must have a length other than 0.</source>
+        <translation>Насоката не смее да има должина 0.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
+        <translation>„%1“ има поместени гранки, кои не можат да се израмнат. Прво вратете ги.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
+        <translation>Кафезот на „%1“ не може да се впише во пресликувањата, па не може да се израмни.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
+        <translation>Пресликувањето %1 од „%2“ ја менува насоката, па сенката не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
     </message>
 </context>
 <context>
     <name>ExportJob</name>
     <message>
-        <source>There is not enough memory for this picture. Make it smaller, or supersample less.</source>
+        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
         <translation>Нема доволно меморија за оваа слика. Намалете ја или намалете го суперсемплирањето.</translation>
     </message>
 </context>
 <context>
-    <name>FlameCard</name>
+    <name>FlameBanner</name>
     <message>
         <source>Flames</source>
         <translation>Пламени</translation>
@@ -382,15 +669,15 @@
         </translation>
     </message>
     <message>
-        <source>In flames y grows downwards. They were turned over, so that they look here as they do in flame programs.</source>
+        <source>In flame files, y points down. The flames were flipped so that they look the same here as in flame programs.</source>
         <translation>Во пламените y расте надолу. Превртени се, за тука да изгледаат како во flame-програмите.</translation>
     </message>
     <message>
-        <source>Leave &amp;y as it is written</source>
+        <source>Keep &amp;y As Written</source>
         <translation>Остави ја &amp;y како што е запишана</translation>
     </message>
     <message>
-        <source>Takes the numbers of the flames as they are in the text. The picture is then upside down.</source>
+        <source>Uses the numbers as they are in the file. The picture is then upside down.</source>
         <translation>Ги зема броевите на пламените како што се во текстот. Сликата тогаш е превртена.</translation>
     </message>
     <message>
@@ -398,18 +685,18 @@
         <translation>Затвори</translation>
     </message>
     <message>
-        <source>Leave y as it is written</source>
+        <source>Keep y as written</source>
         <translation>Остави ја y како што е запишана</translation>
     </message>
     <message>
-        <source>Turn the flames over</source>
+        <source>Flip the flames</source>
         <translation>Преврти ги пламените</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures that carry their fractal (*.png *.svg);;All files (*)</source>
+        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)</source>
         <translation>Збирки на Fractint (*.ifs *.par);;Пламени (*.flame *.flam3);;Табели со броеви (*.csv *.tsv *.txt);;Слики што го носат својот фрактал (*.png *.svg);;Сите датотеки (*)</translation>
     </message>
     <message>
@@ -417,7 +704,7 @@
         <translation>Додавање на %1</translation>
     </message>
     <message>
-        <source>Show or hide the panel “%1”</source>
+        <source>Show or hide the “%1” panel</source>
         <translation>Прикажи или скриј го панелот „%1“</translation>
     </message>
     <message>
@@ -453,8 +740,8 @@
         <translation>Проблеми</translation>
     </message>
     <message>
-        <source>Take the maple by a corner and pull. Or press D and define another triangle by three clicks.</source>
-        <translation>Фатете го јаворот за едно теме и повлечете. Или притиснете D и со три кликања дефинирајте друг триаголник.</translation>
+        <source>Drag a corner of the triangle. Or press D and click three points to define another triangle.</source>
+        <translation>Влечете едно теме на триаголникот. Или притиснете D и кликнете на три точки за да дефинирате друг триаголник.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
@@ -473,7 +760,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n of them could not be read and are kept as they are</source>
+        <source>, %n of them could not be read and are kept unchanged</source>
         <translation>
             <numerusform>, %n од нив не можеше да се прочита и е задржан како што е</numerusform>
             <numerusform>, %n од нив не можеа да се прочитаат и се задржани како што се</numerusform>
@@ -481,7 +768,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>, %n read with a remark</source>
+        <source>, %n read with warnings</source>
         <translation>
             <numerusform>, %n прочитан со забелешка</numerusform>
             <numerusform>, %n прочитани со забелешка</numerusform>
@@ -497,7 +784,7 @@
         <translation>Незачувани измени</translation>
     </message>
     <message>
-        <source>“%1” has changes that are not saved.</source>
+        <source>“%1” has unsaved changes.</source>
         <translation>„%1“ има измени што не се зачувани.</translation>
     </message>
     <message>
@@ -509,11 +796,11 @@
         <translation>Изменета на дискот</translation>
     </message>
     <message>
-        <source>“%1” was changed by another program since it was opened here.</source>
+        <source>Another program has changed “%1” since you opened it.</source>
         <translation>Откако е отворена тука, датотеката „%1“ ја изменила друга програма.</translation>
     </message>
     <message>
-        <source>Saving replaces what the other program wrote.</source>
+        <source>Saving overwrites the changes made by the other program.</source>
         <translation>Со зачувувањето се заменува она што го запишала другата програма.</translation>
     </message>
     <message>
@@ -545,11 +832,11 @@
         <translation>Врати од диск</translation>
     </message>
     <message>
-        <source>Go back to “%1” as it is on disk? The changes made since then are lost.</source>
+        <source>Revert to “%1” as it is on disk? Your changes since then will be lost.</source>
         <translation>Да се врати „%1“ како што е на дискот? Измените направени оттогаш ќе се изгубат.</translation>
     </message>
     <message>
-        <source>%1 could not be read again</source>
+        <source>%1 could not be reloaded</source>
         <translation>„%1“ не можеше повторно да се прочита</translation>
     </message>
     <message>
@@ -564,11 +851,6 @@
         <source>%1[*] — %2</source>
         <comment>file, entry</comment>
         <translation>%1[*] — %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>what it does, shortcut</comment>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -611,7 +893,7 @@
         <translation>&amp;Зачувај</translation>
     </message>
     <message>
-        <source>Save the file; entries not edited keep every byte</source>
+        <source>Save the file; entries that you did not edit stay unchanged to the byte</source>
         <translation>Зачувај ја датотеката; неизменетите записи го задржуваат секој бајт</translation>
     </message>
     <message>
@@ -631,7 +913,7 @@
         <translation>Врати од &amp;диск</translation>
     </message>
     <message>
-        <source>Go back to the file as it is on disk</source>
+        <source>Discard your changes and reload the file from disk</source>
         <translation>Врати ја датотеката како што е на дискот</translation>
     </message>
     <message>
@@ -671,7 +953,7 @@
         <translation>Копирај ја сликата на таблата со исечоци</translation>
     </message>
     <message>
-        <source>The picture is on the clipboard.</source>
+        <source>The picture was copied to the clipboard.</source>
         <translation>Сликата е на таблата со исечоци.</translation>
     </message>
     <message>
@@ -711,7 +993,7 @@
         <translation>Ctrl+Z</translation>
     </message>
     <message>
-        <source>Take the last edit back</source>
+        <source>Undo the last edit</source>
         <translation>Врати ја последната измена</translation>
     </message>
     <message>
@@ -727,7 +1009,7 @@
         <translation>Ctrl+Y</translation>
     </message>
     <message>
-        <source>Make the edit again that was taken back</source>
+        <source>Redo the last edit that was undone</source>
         <translation>Повтори ја вратената измена</translation>
     </message>
     <message>
@@ -739,7 +1021,7 @@
         <translation>Ctrl+T</translation>
     </message>
     <message>
-        <source>Rotate, scale, shear, reflect or move the whole fractal by numbers</source>
+        <source>Rotate, scale, shear, reflect or move the whole fractal by exact amounts</source>
         <translation>Ротирај, скалирај, искоси, отсликај или премести го целиот фрактал со внесување броеви</translation>
     </message>
     <message>
@@ -759,7 +1041,7 @@
         <translation>Ctrl+Shift+M</translation>
     </message>
     <message>
-        <source>Pick one of many fractals made by chance, and add it to the file</source>
+        <source>Choose from a sheet of random fractals and add one to the file</source>
         <translation>Избери еден од многу случајно создадени фрактали и додај го во датотеката</translation>
     </message>
     <message>
@@ -771,7 +1053,7 @@
         <translation>Ctrl+,</translation>
     </message>
     <message>
-        <source>Language, theme, quality of the picture at rest, what is opened at the start</source>
+        <source>Language, theme, picture quality, and what opens at startup</source>
         <translation>Јазик, тема, квалитет на сликата во мирување, што се отвора на почетокот</translation>
     </message>
     <message>
@@ -787,8 +1069,8 @@
         <translation>C</translation>
     </message>
     <message>
-        <source>Take the fractal by the vertices of its control triangle</source>
-        <translation>Фати го фракталот за темињата на неговиот контролен триаголник</translation>
+        <source>Drag the corners of the control triangle</source>
+        <translation>Влечи ги темињата на контролниот триаголник</translation>
     </message>
     <message>
         <source>De&amp;fine Triangle</source>
@@ -807,7 +1089,7 @@
         <translation>Опфати со минимален каноничен &amp;симплекс</translation>
     </message>
     <message>
-        <source>Hold the attractor in the smallest isosceles right triangle around it</source>
+        <source>Fit the smallest isosceles right triangle with legs parallel to the axes around the attractor</source>
         <translation>Опфати го атракторот со најмалиот рамнокрак правоаголен триаголник околу него</translation>
     </message>
     <message>
@@ -815,7 +1097,7 @@
         <translation>Врати во &amp;мирување</translation>
     </message>
     <message>
-        <source>Put the cage back to rest: the code is drawn as it is</source>
+        <source>Return the cage to rest: the picture shows the code as it is</source>
         <translation>Врати го кафезот во мирување: кодот се црта онаков каков што е</translation>
     </message>
     <message>
@@ -827,7 +1109,7 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>Make the placement part of the code: the picture stays, the coefficients change</source>
+        <source>Write the placement into the code: the picture stays, the coefficients change</source>
         <translation>Впиши ја поставеноста во кодот: сликата останува иста, се менуваат коефициентите</translation>
     </message>
     <message>
@@ -835,7 +1117,7 @@
         <translation>&amp;Извади од кодот</translation>
     </message>
     <message>
-        <source>Take the placement out of the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
+        <source>Extract the placement from the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
         <translation>Извади ја поставеноста од кодот: сликата останува иста, а кодот станува код на триаголникот (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
@@ -843,7 +1125,7 @@
         <translation>&amp;Направи го правилен</translation>
     </message>
     <message>
-        <source>Put the vertices on the regular polygon nearest to them</source>
+        <source>Move the vertices to the nearest regular polygon</source>
         <translation>Стави ги темињата на правилниот многуаголник што им е најблизок</translation>
     </message>
     <message>
@@ -851,7 +1133,7 @@
         <translation>&amp;Афино инваријантен облик…</translation>
     </message>
     <message>
-        <source>Show every map as a row-stochastic matrix over the control triangle</source>
+        <source>Show every map as a matrix over the control triangle, with rows that sum to 1</source>
         <translation>Прикажи го секое пресликување како редично-стохастичка матрица во однос на контролниот триаголник</translation>
     </message>
     <message>
@@ -859,7 +1141,7 @@
         <translation>Само п&amp;остави</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture; the code stays</source>
+        <source>Moving the cage moves the picture; the code does not change</source>
         <translation>Поместувањето на кафезот ја поместува сликата; кодот останува ист</translation>
     </message>
     <message>
@@ -947,7 +1229,7 @@
         <translation>Y</translation>
     </message>
     <message>
-        <source>Let y grow downwards, as in window coordinates</source>
+        <source>Point the y axis down, as in window coordinates</source>
         <translation>Нека y расте надолу, како кај координатите на прозорец</translation>
     </message>
     <message>
@@ -955,7 +1237,7 @@
         <translation>H</translation>
     </message>
     <message>
-        <source>Hide everything on the canvas but the picture</source>
+        <source>Hide everything on the canvas except the picture</source>
         <translation>Скриј сѐ од платното освен сликата</translation>
     </message>
     <message>
@@ -967,7 +1249,7 @@
         <translation>&amp;Темиња</translation>
     </message>
     <message>
-        <source>Let dragged vertices snap to this</source>
+        <source>Make dragged vertices snap to this</source>
         <translation>Темињата што се влечат нека се прилепуваат кон ова</translation>
     </message>
     <message>
@@ -983,24 +1265,24 @@
         <translation>F11</translation>
     </message>
     <message>
-        <source>Use the whole screen</source>
+        <source>Fill the whole screen</source>
         <translation>Користи го целиот екран</translation>
     </message>
     <message>
-        <source>How It Arises</source>
-        <translation>Како настанува</translation>
+        <source>How It Is Built</source>
+        <translation>Како се гради</translation>
     </message>
     <message>
-        <source>&amp;How It Arises</source>
-        <translation>&amp;Како настанува</translation>
+        <source>&amp;How It Is Built</source>
+        <translation>&amp;Како се гради</translation>
     </message>
     <message>
         <source>W</source>
         <translation>W</translation>
     </message>
     <message>
-        <source>Watch the attractor arise: by steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Гледај како настанува атракторот: по чекори на детерминистичкиот алгоритам или со игра на хаос</translation>
+        <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
+        <translation>Гледај како се гради атракторот: по чекори на детерминистичкиот алгоритам или со игра на хаос</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1051,7 +1333,7 @@
         <translation>За Barycage</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Take a fractal by its corners: an editor for iterated function systems whose attractors are held in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
+        <source>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Grab a fractal by its corners: an editor for iterated function systems that describes their attractors in barycentric coordinates of a control triangle.&lt;/p&gt;&lt;p&gt;After E. Hadzieva and M. Shuminoska, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Barycage %1&lt;/h3&gt;&lt;p&gt;Фатете го фракталот за темињата: уредувач на итерирани функциски системи чии атрактори се зададени во барицентрични координати на контролен триаголник.&lt;/p&gt;&lt;p&gt;Според Е. Хаџиева и М. Шуминоска, &lt;i&gt;Real-time Tool for Affine Transformations of Two Dimensional IFS Fractals&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Лиценца MIT.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -1067,19 +1349,19 @@
         <translation>Алатки</translation>
     </message>
     <message>
-        <source>The fractals of the open file. The one chosen here is in the picture.</source>
+        <source>The fractals in the open file. The canvas shows the one you select here.</source>
         <translation>Фракталите од отворената датотека. Избраниот се прикажува на сликата.</translation>
     </message>
     <message>
-        <source>Fractals to begin with, by theme, and your own folders of them.</source>
+        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
         <translation>Фрактали за почеток, подредени по теми, и Ваши папки со фрактали.</translation>
     </message>
     <message>
-        <source>The maps of the fractal: its code, one map in a row.</source>
+        <source>The maps of the fractal: its code, one map per row.</source>
         <translation>Пресликувањата на фракталот: неговиот код, по едно пресликување во редица.</translation>
     </message>
     <message>
-        <source>The control cage by numbers: where its vertices are, where they are at rest, what moving them does, and other cages to choose from.</source>
+        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
         <translation>Контролниот кафез во броеви: каде му се темињата, каде се тие во мирување, што прави нивното поместување и други кафези за избор.</translation>
     </message>
     <message>
@@ -1087,16 +1369,16 @@
         <translation>Бои, осветленост и позадина на сликата. Се зачувуваат со фракталот.</translation>
     </message>
     <message>
-        <source>What mathematics knows of this fractal. Point at a name to read what it means.</source>
-        <translation>Што знае математиката за овој фрактал. Задржете го покажувачот над некое име за да прочитате што значи.</translation>
+        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
+        <translation>Математички својства на овој фрактал. Задржете го покажувачот над некое име за да прочитате што значи.</translation>
     </message>
     <message>
-        <source>Every step since the file was opened. Choose one to go back to it, or forward.</source>
+        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
         <translation>Сите чекори откако е отворена датотеката. Изберете еден за да се вратите на него или да одите напред.</translation>
     </message>
     <message>
-        <source>What was odd in the file, with line and column. It is kept as it is.</source>
-        <translation>Што беше необично во датотеката, со ред и колона. Тоа е задржано како што е.</translation>
+        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
+        <translation>Проблеми најдени во датотеката, со ред и колона. Текстот на датотеката останува непроменет.</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
@@ -1111,20 +1393,20 @@
         <translation>&amp;Што е ова?</translation>
     </message>
     <message>
-        <source>Click anything to read what it is for</source>
+        <source>Click anything to see what it does</source>
         <translation>Кликнете на што било за да прочитате за што служи</translation>
     </message>
     <message>
-        <source>No recovery</source>
-        <translation>Нема обновување</translation>
+        <source>Recovery Unavailable</source>
+        <translation>Обновувањето не е можно</translation>
     </message>
     <message>
         <source>Allow Systems &amp;without an Attractor</source>
         <translation>Дозволи системи &amp;без атрактор</translation>
     </message>
     <message>
-        <source>Let maps be dragged to where they no longer contract; otherwise the drag stops there</source>
-        <translation>Пресликувањата да може да се влечат до каде што веќе не контрахираат; инаку влечењето запира таму</translation>
+        <source>Let a drag of maps continue where an attractor is no longer guaranteed</source>
+        <translation>Влечењето на пресликувањата нека продолжи и таму каде што атрактор веќе не е загарантиран</translation>
     </message>
     <message>
         <source>Drag t&amp;he Maps</source>
@@ -1135,8 +1417,8 @@
         <translation>M</translation>
     </message>
     <message>
-        <source>Show the maps as images of the cage and take them by their corners</source>
-        <translation>Прикажи ги пресликувањата како слики на кафезот и фати ги за аглите</translation>
+        <source>Show each map as its image of the cage, and drag it by its corners</source>
+        <translation>Прикажи го секое пресликување како негова слика на кафезот и влечи го за темињата</translation>
     </message>
     <message>
         <source>Drag a Bra&amp;nch</source>
@@ -1147,31 +1429,27 @@
         <translation>B</translation>
     </message>
     <message>
-        <source>Click a point of the attractor and take the branch that it belongs to</source>
-        <translation>Кликни на точка од атракторот и фати ја гранката на која ѝ припаѓа</translation>
-    </message>
-    <message>
-        <source>Maps and Branches</source>
-        <translation>Пресликувања и гранки</translation>
+        <source>Click a point of the attractor and drag the branch that contains it</source>
+        <translation>Кликни на точка од атракторот и влечи ја гранката што ја содржи</translation>
     </message>
     <message>
         <source>P&amp;aste</source>
         <translation>&amp;Залепи</translation>
     </message>
     <message>
-        <source>Add the fractals on the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
+        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
         <translation>Додај ги во датотеката фракталите од таблата со исечоци: записи од датотека .ifs, flame-фрактали или табела со броеви</translation>
     </message>
     <message>
-        <source>The unsaved work is here all the same.</source>
+        <source>Your unsaved work was recovered nevertheless.</source>
         <translation>Незачуваната работа е сепак тука.</translation>
     </message>
     <message>
-        <source>%1 was not recovered. It is offered again at the next start.</source>
+        <source>%1 was not recovered. Barycage will offer it again at the next start.</source>
         <translation>%1 не е вратено. Повторно ќе биде понудено при следното стартување.</translation>
     </message>
     <message>
-        <source>Esc brings menus and panels back.</source>
+        <source>Press Esc to bring back the menus and panels.</source>
         <translation>Esc ги враќа менијата и панелите.</translation>
     </message>
     <message>
@@ -1183,7 +1461,7 @@
         <translation>Shift+F11</translation>
     </message>
     <message>
-        <source>Leave the whole screen to the canvas, as for a projector; Esc brings the rest back</source>
+        <source>Show only the canvas, on the whole screen, as for a projector; press Esc to return</source>
         <translation>Целиот екран се остава на платното, на пример за проектор; Esc го враќа останатото</translation>
     </message>
     <message>
@@ -1193,6 +1471,222 @@
     <message>
         <source>Only the Pi&amp;cture</source>
         <translation>&amp;Само сликата</translation>
+    </message>
+    <message>
+        <source>Ca&amp;mera</source>
+        <translation>Ка&amp;мера</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>На&amp;пред</translation>
+    </message>
+    <message>
+        <source>Look along the z axis (1 on the keypad)</source>
+        <translation>Поглед по z-оската (1 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Назад</translation>
+    </message>
+    <message>
+        <source>Look along the z axis from behind (Ctrl+1 on the keypad)</source>
+        <translation>Поглед по z-оската одзади (Ctrl+1 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Десно</translation>
+    </message>
+    <message>
+        <source>Look along the x axis (3 on the keypad)</source>
+        <translation>Поглед по x-оската (3 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Лево</translation>
+    </message>
+    <message>
+        <source>Look along the x axis from behind (Ctrl+3 on the keypad)</source>
+        <translation>Поглед по x-оската одзади (Ctrl+3 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Горе</translation>
+    </message>
+    <message>
+        <source>Look down (7 on the keypad)</source>
+        <translation>Поглед надолу (7 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>До&amp;лу</translation>
+    </message>
+    <message>
+        <source>Look up (Ctrl+7 on the keypad)</source>
+        <translation>Поглед нагоре (Ctrl+7 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Изометриски</translation>
+    </message>
+    <message>
+        <source>Look from a corner (Home)</source>
+        <translation>Поглед од агол (Home)</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>Перспе&amp;ктива</translation>
+    </message>
+    <message>
+        <source>Show what is far away smaller (5 on the keypad)</source>
+        <translation>Подалечното се прикажува помало (5 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>In the menu %1.</source>
+        <translation>Во менито „%1“.</translation>
+    </message>
+    <message>
+        <source>Shortcut: %1</source>
+        <translation>Кратенка: %1</translation>
+    </message>
+    <message>
+        <source>Tool Options</source>
+        <translation>Опции на алатката</translation>
+    </message>
+    <message>
+        <source>Show the options of the tool under the canvas</source>
+        <translation>Прикажи ги опциите на алатката под платното</translation>
+    </message>
+    <message>
+        <source>A bar that keeps its place: it shows the options of the tool that is chosen, or how the tool is used.</source>
+        <translation>Лента што си го задржува местото: ги покажува опциите на избраната алатка или како таа се користи.</translation>
+    </message>
+    <message>
+        <source>&amp;Maps</source>
+        <translation>Пр&amp;есликувања</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Horizontally</source>
+        <translation>Преврти &amp;хоризонтално</translation>
+    </message>
+    <message>
+        <source>Mirror the selected maps about the vertical line through their centre</source>
+        <translation>Преврти ги избраните пресликувања околу вертикалата низ нивното средиште</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Vertically</source>
+        <translation>Преврти &amp;вертикално</translation>
+    </message>
+    <message>
+        <source>Mirror the selected maps about the horizontal line through their centre</source>
+        <translation>Преврти ги избраните пресликувања околу хоризонталата низ нивното средиште</translation>
+    </message>
+    <message>
+        <source>Rotate 90° &amp;Left</source>
+        <translation>Заврти 90° на&amp;лево</translation>
+    </message>
+    <message>
+        <source>Rotate the selected maps counter-clockwise about their centre</source>
+        <translation>Заврти ги избраните пресликувања спротивно од стрелките на часовникот околу нивното средиште</translation>
+    </message>
+    <message>
+        <source>Rotate 90° &amp;Right</source>
+        <translation>Заврти 90° на&amp;десно</translation>
+    </message>
+    <message>
+        <source>Rotate the selected maps clockwise about their centre</source>
+        <translation>Заврти ги избраните пресликувања во насока на стрелките на часовникот околу нивното средиште</translation>
+    </message>
+    <message>
+        <source>Ali&amp;gn Centres</source>
+        <translation>&amp;Порамни ги средиштата</translation>
+    </message>
+    <message>
+        <source>In a &amp;Row</source>
+        <translation>Во &amp;ред</translation>
+    </message>
+    <message>
+        <source>Move the selected maps up or down until their centres are at the same height</source>
+        <translation>Помести ги избраните пресликувања нагоре или надолу додека средиштата не им се на иста висина</translation>
+    </message>
+    <message>
+        <source>In a &amp;Column</source>
+        <translation>Во &amp;колона</translation>
+    </message>
+    <message>
+        <source>Move the selected maps left or right until their centres are one below the other</source>
+        <translation>Помести ги избраните пресликувања лево или десно додека средиштата не им се едно под друго</translation>
+    </message>
+    <message>
+        <source>D&amp;istribute Centres</source>
+        <translation>&amp;Распореди ги средиштата</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontally</source>
+        <translation>&amp;Хоризонтално</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected maps evenly from left to right</source>
+        <translation>Рамномерно распореди ги средиштата на избраните пресликувања од лево кон десно</translation>
+    </message>
+    <message>
+        <source>&amp;Vertically</source>
+        <translation>&amp;Вертикално</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected maps evenly from bottom to top</source>
+        <translation>Рамномерно распореди ги средиштата на избраните пресликувања од долу кон горе</translation>
+    </message>
+    <message>
+        <source>&amp;Fit to Corners</source>
+        <translation>Постави во &amp;темињата</translation>
+    </message>
+    <message>
+        <source>Move each selected map until it takes the nearest corner of the cage to itself</source>
+        <translation>Помести го секое избрано пресликување додека најблиското теме на кафезот не се пресликува во себе</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Прво избери пресликување.</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected maps</source>
+        <translation>Дуплирај ги избраните пресликувања</translation>
+    </message>
+    <message>
+        <source>Delete the selected maps</source>
+        <translation>Избриши ги избраните пресликувања</translation>
+    </message>
+    <message>
+        <source>Select all maps</source>
+        <translation>Избери ги сите пресликувања</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate Maps</source>
+        <translation>Дуп&amp;лирај пресликувања</translation>
+    </message>
+    <message>
+        <source>D&amp;elete Maps</source>
+        <translation>&amp;Избриши пресликувања</translation>
+    </message>
+    <message>
+        <source>Select &amp;All Maps</source>
+        <translation>Избери ги &amp;сите пресликувања</translation>
+    </message>
+    <message>
+        <source>Missing on disk</source>
+        <translation>Ја нема на дискот</translation>
+    </message>
+    <message>
+        <source>“%1” has been deleted, renamed or moved since you opened it.</source>
+        <translation>Откако е отворена тука, датотеката „%1“ е избришана, преименувана или преместена.</translation>
+    </message>
+    <message>
+        <source>Saving creates it again at its old place.</source>
+        <translation>Со зачувувањето повторно се создава на старото место.</translation>
+    </message>
+    <message>
+        <source>Other names of the file (hard links) keep the old contents.</source>
+        <translation>Другите имиња на датотеката (тврди врски) ја задржуваат старата содржина.</translation>
     </message>
 </context>
 <context>
@@ -1216,10 +1710,6 @@
     <message>
         <source>A number is missing here.</source>
         <translation>Тука недостига број.</translation>
-    </message>
-    <message>
-        <source>“%1” is a fraction: write it as a decimal number.</source>
-        <translation>„%1“ е дропка: напишете ја како децимален број.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -1253,7 +1743,7 @@
         <translation>Се зачувува „%1“…</translation>
     </message>
     <message>
-        <source>Saving “%1” was cancelled. The file on the disk is as it was.</source>
+        <source>Saving “%1” was cancelled. The file on disk is unchanged.</source>
         <translation>Зачувувањето на „%1“ е откажано. Датотеката на дискот е како што беше.</translation>
     </message>
     <message>
@@ -1319,16 +1809,20 @@
 <context>
     <name>PngSystem</name>
     <message>
-        <source>The picture holds no system: it was not written by Barycage, or another program removed its text.</source>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
         <translation>Сликата не содржи систем: не ја запишал Barycage или друга програма ѝ го отстранила текстот.</translation>
     </message>
     <message>
-        <source>The system in the picture has more than 8 MB.</source>
+        <source>The system in the picture is larger than 8 MB.</source>
         <translation>Системот во сликата е поголем од 8 MB.</translation>
     </message>
     <message>
-        <source>The file is no PNG picture, or it is damaged.</source>
+        <source>The file is not a PNG picture, or it is damaged.</source>
         <translation>Датотеката не е PNG-слика или е оштетена.</translation>
+    </message>
+    <message>
+        <source>The picture carries too much text: the limit is 40 MB in all.</source>
+        <translation>Сликата носи премногу текст: границата е вкупно 40 MB.</translation>
     </message>
 </context>
 <context>
@@ -1350,7 +1844,7 @@
         <translation>Најдена е незачувана работа</translation>
     </message>
     <message>
-        <source>Barycage ended last time before this work was saved:</source>
+        <source>The last time you used Barycage, it ended before this work was saved:</source>
         <translation>Минатиот пат Barycage заврши пред да се зачува оваа работа:</translation>
     </message>
     <message>
@@ -1366,16 +1860,23 @@
         <translation>Прашај подоцна</translation>
     </message>
     <message>
-        <source>Unsaved work cannot be kept for recovery: the folder “%1” cannot be written to, or the disk is full. Save often.</source>
+        <source>Unsaved work cannot be kept for recovery: the folder “%1” is not writable, or the disk is full. Save often.</source>
         <translation>Незачуваната работа не може да се чува за обновување: во папката „%1“ не може да се запишува или дискот е полн. Зачувувајте често.</translation>
     </message>
     <message>
-        <source>Unsaved work of last time is damaged and cannot be recovered. What is left of it lies in:</source>
+        <source>The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:</source>
         <translation>Незачуваната работа од минатиот пат е оштетена и не може да се врати. Она што остана од неа се наоѓа во:</translation>
     </message>
     <message>
         <source>Looking for unsaved work…</source>
         <translation>Се бара незачувана работа…</translation>
+    </message>
+</context>
+<context>
+    <name>SaveBeside</name>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Се зачувува „%1“…</translation>
     </message>
 </context>
 <context>
@@ -1397,10 +1898,6 @@
         <translation>хиперболичен, s = %1</translation>
     </message>
     <message>
-        <source>eventually contractive, γ = %1 (words of %2 maps)</source>
-        <translation>некој степен е контракција, γ = %1 (зборови од %2 пресликувања)</translation>
-    </message>
-    <message>
         <source>no attractor: the word %1 does not contract</source>
         <translation>нема атрактор: зборот %1 не е контракција</translation>
     </message>
@@ -1409,19 +1906,19 @@
         <translation>не е утврдено дали постои атрактор</translation>
     </message>
     <message>
-        <source>no map takes part</source>
-        <translation>не учествува ниедно пресликување</translation>
+        <source>no map is active</source>
+        <translation>ниедно пресликување не е активно</translation>
     </message>
     <message>
         <source>Pointer position</source>
         <translation>Положба на покажувачот</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Заклучок</translation>
+        <source>Existence of an attractor</source>
+        <translation>Постоење на атрактор</translation>
     </message>
     <message>
-        <source>Whether the system has an attractor, and the factor by which it contracts</source>
+        <source>Whether the system has an attractor, and its contraction factor</source>
         <translation>Дали системот има атрактор и со кој коефициент е контракција</translation>
     </message>
     <message>
@@ -1437,10 +1934,6 @@
         <translation>  барицентрични (%1)</translation>
     </message>
     <message>
-        <source>3D: not yet shown</source>
-        <translation>3D: засега не се прикажува</translation>
-    </message>
-    <message>
         <source>this entry could not be read</source>
         <translation>овој запис не можеше да се прочита</translation>
     </message>
@@ -1453,7 +1946,7 @@
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>World and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
+        <source>Plane and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
         <translation>Светски и барицентрични координати на покажувачот; адресата на точката од атракторот под него, прво најнадворешното пресликување, и неподвижната точка на нејзината гранка</translation>
     </message>
     <message>
@@ -1472,11 +1965,43 @@
         <source>no attractor: map %1 does not contract</source>
         <translation>нема атрактор: пресликувањето %1 не е контракција</translation>
     </message>
+    <message>
+        <source>latest changes not yet kept for recovery</source>
+        <translation>последните промени сѐ уште не се чуваат за обновување</translation>
+    </message>
+    <message>
+        <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
+        <translation>При пад на програмата би се изгубиле последните промени: нивното чување трае подолго од две секунди, бидејќи дискот е бавен или полн или датотеката е многу голема. Зачувајте го она што не смее да се изгуби.</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ = %1</source>
+        <translation>контрактивен во елипсоидна норма, γ = %1</translation>
+    </message>
+    <message>
+        <source>contractive in a polytope norm, γ = %1</source>
+        <translation>контрактивен во политопна норма, γ = %1</translation>
+    </message>
+    <message>
+        <source>any %1 maps in a row contract, γ = %2</source>
+        <translation>кои било %1 последователни пресликувања контрахираат, γ = %2</translation>
+    </message>
+    <message>
+        <source>  depth %1</source>
+        <translation>  длабочина %1</translation>
+    </message>
+    <message>
+        <source>  along %1</source>
+        <translation>  по %1</translation>
+    </message>
+    <message>
+        <source>  across %1</source>
+        <translation>  напречно на %1</translation>
+    </message>
 </context>
 <context>
     <name>SvgSystem</name>
     <message>
-        <source>The system in the picture has more than 8 MB.</source>
+        <source>The system in the picture is larger than 8 MB.</source>
         <translation>Системот во сликата е поголем од 8 MB.</translation>
     </message>
     <message>
@@ -1484,30 +2009,30 @@
         <translation>Системот во сликата е оштетен.</translation>
     </message>
     <message>
-        <source>The picture declares a document type, which Barycage never writes and does not read.</source>
+        <source>The picture contains a document type declaration, which Barycage neither writes nor reads.</source>
         <translation>Сликата декларира тип на документ; тоа Barycage никогаш не го запишува и не го чита.</translation>
     </message>
     <message>
-        <source>The file is no SVG picture, or it is damaged.</source>
+        <source>The file is not an SVG picture, or it is damaged.</source>
         <translation>Датотеката не е SVG-слика или е оштетена.</translation>
     </message>
     <message>
-        <source>The picture holds no system: it was not written by Barycage, or another program removed it.</source>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>Сликата не содржи систем: не ја запишал Barycage или друга програма го отстранила.</translation>
     </message>
 </context>
 <context>
     <name>Text</name>
     <message>
-        <source>a document type is not accepted in a flame file</source>
+        <source>a flame file cannot contain a document type declaration</source>
         <translation>тип на документ не се прифаќа во flame-датотека</translation>
     </message>
     <message>
-        <source>The XML ends here: %1.</source>
+        <source>The XML cannot be read beyond this point: %1.</source>
         <translation>XML-от завршува тука: %1.</translation>
     </message>
     <message>
-        <source>There is no flame in this file.</source>
+        <source>The file contains no flames.</source>
         <translation>Во оваа датотека нема пламен.</translation>
     </message>
     <message>
@@ -1531,7 +2056,7 @@
         <translation>нема атрактор</translation>
     </message>
     <message>
-        <source>The sheet would be %1 by %2 pixels; at most %3 a side can be drawn. Take smaller tiles, or other columns.</source>
+        <source>The sheet would have %1 by %2 pixels; the limit is %3 per side. Use smaller tiles or another number of columns.</source>
         <translation>Листот би бил %1 на %2 пиксели; најмногу може да се нацртаат %3 по страна. Земете помали плочки или поинаков број колони.</translation>
     </message>
     <message>
@@ -1543,27 +2068,15 @@
         <translation>користи варијација што не е linear</translation>
     </message>
     <message>
-        <source>it acts in space (“%1”)</source>
-        <translation>дејствува во простор („%1“)</translation>
-    </message>
-    <message>
         <source>it uses the variation “%1”</source>
         <translation>користи ја варијацијата „%1“</translation>
     </message>
     <message>
-        <source>its “coefs” are not six numbers</source>
-        <translation>неговиот „coefs“ не е од шест броја</translation>
-    </message>
-    <message>
-        <source>its “post” is not six numbers</source>
-        <translation>неговиот „post“ не е од шест броја</translation>
-    </message>
-    <message>
-        <source>its “chaos” allows some successors only, which a list of maps cannot say</source>
+        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
         <translation>неговиот „chaos“ дозволува само некои следбеници, а тоа не може да се каже со список пресликувања</translation>
     </message>
     <message>
-        <source>it takes part without being drawn (opacity 0)</source>
+        <source>it is active but not drawn (opacity 0)</source>
         <translation>учествува, но не се црта (opacity 0)</translation>
     </message>
     <message>
@@ -1603,7 +2116,7 @@
         <translation>Пламенот „%1“ нема трансформации.</translation>
     </message>
     <message>
-        <source>The entry that opens here is not closed by “}” before the next entry or the end of the file.</source>
+        <source>The entry that starts here has no closing “}” before the next entry or the end of the file.</source>
         <translation>Записот што се отвора тука не е затворен со „}“ пред следниот запис или пред крајот на датотеката.</translation>
     </message>
     <message>
@@ -1611,15 +2124,15 @@
         <translation>Уште %1 проблеми во овој запис не се наведени.</translation>
     </message>
     <message>
-        <source>The name “%1” holds a blank; Fractint takes only its first word.</source>
+        <source>The name “%1” contains a space; Fractint uses only its first word.</source>
         <translation>Името „%1“ содржи празно место; Fractint го зема само првиот збор.</translation>
     </message>
     <message>
-        <source>The name “%1” is longer than 18 bytes; Fractint cuts it there.</source>
+        <source>The name “%1” is longer than 18 bytes; Fractint truncates it.</source>
         <translation>Името „%1“ е подолго од 18 бајти; Fractint тука го сече.</translation>
     </message>
     <message>
-        <source>The opening brace stands on a line of its own; Fractint does not find this entry.</source>
+        <source>The opening brace is on a line of its own; Fractint does not find this entry.</source>
         <translation>Отворената заграда стои сама во ред; Fractint не го наоѓа овој запис.</translation>
     </message>
     <message>
@@ -1627,27 +2140,27 @@
         <translation>Записот има повеќе од %1 пресликувања, а тоа е границата.</translation>
     </message>
     <message>
-        <source>“%1”: the comma can be read as a decimal point or between two numbers, and both give whole rows. Write decimal points and blanks.</source>
+        <source>“%1”: the comma can be a decimal comma or a separator; both readings give complete rows. Use decimal points and spaces.</source>
         <translation>„%1“: запирката може да се чита како децимална или како запирка меѓу два броја, и во двата случаи се добиваат цели редици. Пишувајте децимални точки и празни места.</translation>
     </message>
     <message>
-        <source>“%1”: neither as a decimal point nor between two numbers does the comma give whole rows of 7 numbers (13 with “(3D)”).</source>
+        <source>“%1”: the comma gives complete rows of 7 numbers (13 with “(3D)”) neither as a decimal comma nor as a separator.</source>
         <translation>„%1“: ниту како децимална ниту како запирка меѓу два броја не се добиваат цели редици од 7 броја (13 со „(3D)“).</translation>
     </message>
     <message>
-        <source>The numbers on the line of the opening brace are ignored, as Fractint ignores them.</source>
+        <source>Numbers on the line of the opening brace are ignored, as in Fractint.</source>
         <translation>Броевите во редот на отворената заграда се занемаруваат, како што ги занемарува и Fractint.</translation>
     </message>
     <message>
-        <source>“%1” is not understood by this version of Barycage; the line is kept.</source>
+        <source>This version of Barycage does not understand “%1”; the line is kept.</source>
         <translation>Оваа верзија на Barycage не го разбира „%1“; редот е задржан.</translation>
     </message>
     <message>
-        <source>The entry holds no numbers.</source>
+        <source>The entry contains no numbers.</source>
         <translation>Записот не содржи броеви.</translation>
     </message>
     <message>
-        <source>This line has %1 numbers and the entry %2, which is no multiple of %3: a map is %3 numbers%4.</source>
+        <source>This line has %1 numbers and the entry has %2, which is not a multiple of %3: a map has %3 numbers%4.</source>
         <translation>Овој ред има %1 броја, а записот %2, што не се дели со %3: едно пресликување е %3 броја%4.</translation>
     </message>
     <message>
@@ -1663,11 +2176,11 @@
         <translation>„%1“ не е конечен број.</translation>
     </message>
     <message>
-        <source>“%1” is larger than a coefficient can be (3.4e38 in size).</source>
+        <source>“%1” is too large for a coefficient (the largest absolute value is 3.4e38).</source>
         <translation>„%1“ е поголем отколку што може да биде коефициент (по апсолутна вредност најмногу 3.4e38).</translation>
     </message>
     <message>
-        <source>“%1” begins with a typographic minus sign (U+2212). Write the plain “-”.</source>
+        <source>“%1” begins with a typographic minus sign (U+2212). Use a plain “-”.</source>
         <translation>„%1“ почнува со типографски минус (U+2212). Напишете обичен „-“.</translation>
     </message>
     <message>
@@ -1675,19 +2188,19 @@
         <translation>„%1“ не е број.</translation>
     </message>
     <message>
-        <source>Numbers stand on the line of the opening brace, where Fractint ignores them; they are read.</source>
+        <source>There are numbers on the line of the opening brace, where Fractint ignores them; Barycage reads them.</source>
         <translation>Броевите стојат во редот на отворената заграда, каде што Fractint ги занемарува; тука се читаат.</translation>
     </message>
     <message>
-        <source>Commas are read as decimal points; Fractint reads other numbers here.</source>
+        <source>Commas are read as decimal points; Fractint reads different numbers here.</source>
         <translation>Запирките се читаат како децимални; Fractint тука чита други броеви.</translation>
     </message>
     <message>
-        <source>Commas or apostrophes stand between the numbers; Iterated Dynamics cannot read this entry.</source>
+        <source>Commas or apostrophes separate the numbers; Iterated Dynamics cannot read this entry.</source>
         <translation>Меѓу броевите стојат запирки или апострофи; Iterated Dynamics не може да го прочита овој запис.</translation>
     </message>
     <message>
-        <source>The maps have no weights (%1 numbers each); weights are taken from the determinants. Fractint cannot read this entry.</source>
+        <source>The maps have no weights (%1 numbers each), so the weights are computed from the determinants. Fractint cannot read this entry.</source>
         <translation>Пресликувањата немаат тежини (по %1 броја секое); тежините се земаат од детерминантите. Fractint не може да го прочита овој запис.</translation>
     </message>
     <message>
@@ -1695,7 +2208,7 @@
         <translation>Редиците од %1 броја без „(3D)“ по името се читаат како 3D-систем; Fractint не може да го прочита овој запис.</translation>
     </message>
     <message>
-        <source>The lines do not hold 7 numbers each, but all numbers together fill rows of 7 and are read so, as Fractint does. Probably the weights are missing.</source>
+        <source>The lines do not have 7 numbers each, but together the numbers fill rows of 7 and are read that way, as in Fractint. The weights are probably missing.</source>
         <translation>Во секој ред нема по 7 броја, но сите броеви заедно пополнуваат редици од 7 и така се читаат, како што прави и Fractint. Веројатно недостигаат тежините.</translation>
     </message>
     <message>
@@ -1703,11 +2216,11 @@
         <translation>Затворената заграда е слепена со последниот број; Fractint не може да го прочита овој запис.</translation>
     </message>
     <message>
-        <source>The line is longer than 200 bytes; Fractint cuts it there.</source>
+        <source>The line is longer than 200 bytes; Fractint truncates it.</source>
         <translation>Редот е подолг од 200 бајти; Fractint тука го сече.</translation>
     </message>
     <message>
-        <source>A NUL byte; the rest of the line is ignored, as Fractint ignores it.</source>
+        <source>There is a NUL byte here; the rest of the line is ignored, as in Fractint.</source>
         <translation>Бајт NUL; остатокот од редот се занемарува, како што прави и Fractint.</translation>
     </message>
     <message>
@@ -1715,15 +2228,15 @@
         <translation>Записот има %1 пресликувања; Fractint и Iterated Dynamics читаат најмногу 63.</translation>
     </message>
     <message>
-        <source>The weight of map %1 is negative; the map counts as switched off.</source>
+        <source>The weight of map %1 is negative; the map is treated as switched off.</source>
         <translation>Тежината на пресликувањето %1 е негативна; пресликувањето се смета за исклучено.</translation>
     </message>
     <message>
-        <source>The weight of map %1 is 0; the map takes no part.</source>
+        <source>The weight of map %1 is 0, so the map is inactive.</source>
         <translation>Тежината на пресликувањето %1 е 0; пресликувањето не учествува.</translation>
     </message>
     <message>
-        <source>The weights sum to %1, not 1. They are used in proportion; Fractint gives what is missing to the last map and cuts what is too much.</source>
+        <source>The weights sum to %1, not 1. They are scaled in proportion; Fractint gives any shortfall to the last map and cuts off any excess.</source>
         <translation>Збирот на тежините е %1, а не 1. Тие се земаат пропорционално; Fractint она што недостига му го дава на последното пресликување, а вишокот го сече.</translation>
     </message>
     <message>
@@ -1731,11 +2244,11 @@
         <translation>Датотеката е празна.</translation>
     </message>
     <message>
-        <source>These are Fractint parameter sets or formulas; no iterated function system is among them.</source>
+        <source>The file contains Fractint parameter sets or formulas, but no iterated function system.</source>
         <translation>Ова се параметри или формули на Fractint; меѓу нив нема итериран функциски систем.</translation>
     </message>
     <message>
-        <source>No iterated function system was found: an entry is a name, “{”, rows of 7 numbers and “}”.</source>
+        <source>No iterated function system was found: an entry consists of a name, “{”, rows of 7 numbers and “}”.</source>
         <translation>Не е најден итериран функциски систем: записот е име, „{“, редици од 7 броја и „}“.</translation>
     </message>
     <message>
@@ -1747,7 +2260,7 @@
         <translation>Блок без име се чува како текст; Fractint не го наведува.</translation>
     </message>
     <message>
-        <source>Two opening braces on one line: no reader finds an entry here. The text is kept.</source>
+        <source>There are two opening braces on one line: no program finds an entry here. The text is kept.</source>
         <translation>Две отворени загради во еден ред: ниедна програма тука не наоѓа запис. Текстот е задржан.</translation>
     </message>
     <message>
@@ -1755,31 +2268,31 @@
         <translation>„%1“ е збир параметри или формула, а не итериран функциски систем; се чува како текст.</translation>
     </message>
     <message>
-        <source>The name is taken by the entry in line %1 (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
+        <source>The entry in line %1 has the same name (Fractint compares 18 characters and ignores case); Fractint never reaches this one.</source>
         <translation>Името веќе го има записот во ред %1 (Fractint споредува 18 знаци и не разликува големи и мали букви); Fractint никогаш не стигнува до овој.</translation>
     </message>
     <message>
-        <source>The file begins with a byte order mark, which Fractint takes for a part of the first name.</source>
+        <source>The file begins with a byte order mark, which Fractint treats as part of the first name.</source>
         <translation>Датотеката почнува со ознака за редослед на бајтите, која Fractint ја зема како дел од првото име.</translation>
     </message>
     <message>
-        <source>Fractint stops reading at this byte (^Z); the entries after it are read all the same.</source>
+        <source>Fractint stops reading at this byte (^Z); Barycage reads the entries after it too.</source>
         <translation>Fractint престанува да чита кај овој бајт (^Z); записите по него сепак се читаат.</translation>
     </message>
     <message>
-        <source>The file has %1 entries; Fractint and Iterated Dynamics use the first 2000.</source>
+        <source>The file has %1 entries; Fractint and Iterated Dynamics use only the first 2000.</source>
         <translation>Датотеката има %1 записи; Fractint и Iterated Dynamics ги користат првите 2000.</translation>
     </message>
     <message>
-        <source>The entry has no map that takes part and is left out.</source>
+        <source>The entry has no active map and is omitted.</source>
         <translation>Записот нема пресликување што учествува, па се изоставува.</translation>
     </message>
     <message>
-        <source>%1 maps that take no part are left out.</source>
+        <source>%1 inactive maps are omitted.</source>
         <translation>Изоставени се %1 пресликувања што не учествуваат.</translation>
     </message>
     <message>
-        <source>The entry is written under the name “%1”: other programs take 18 plain characters, and each name once.</source>
+        <source>The entry is saved under the name “%1”: other programs need unique names of at most 18 plain characters.</source>
         <translation>Записот е запишан под името „%1“: другите програми прифаќаат 18 обични знаци, и секое име само еднаш.</translation>
     </message>
     <message>
@@ -1787,27 +2300,15 @@
         <translation>Записот има %1 пресликувања; Fractint до верзија 17.2 чита најмногу 31.</translation>
     </message>
     <message>
-        <source>not known</source>
+        <source>unknown</source>
         <translation>не е познато</translation>
-    </message>
-    <message>
-        <source>hyperbolic, s = %1</source>
-        <translation>хиперболичен, s = %1</translation>
-    </message>
-    <message>
-        <source>eventually contractive, γ = %1 from words of length %2</source>
-        <translation>некој степен е контракција, γ = %1 од зборови со должина %2</translation>
-    </message>
-    <message>
-        <source>none: a word of length %1 does not contract</source>
-        <translation>нема: еден збор со должина %1 не е контракција</translation>
     </message>
     <message>
         <source>undecided</source>
         <translation>не е утврдено</translation>
     </message>
     <message>
-        <source>none: no map takes part</source>
+        <source>none: no map is active</source>
         <translation>нема: не учествува ниедно пресликување</translation>
     </message>
     <message>
@@ -1855,14 +2356,6 @@
         <translation>афина димензија</translation>
     </message>
     <message>
-        <source>%1 — in the plane, %2 maps</source>
-        <translation>%1 — во рамнината, %2 пресликувања</translation>
-    </message>
-    <message>
-        <source>%1 — in space, %2 maps</source>
-        <translation>%1 — во просторот, %2 пресликувања</translation>
-    </message>
-    <message>
         <source>%1 — could not be read</source>
         <translation>%1 — не можеше да се прочита</translation>
     </message>
@@ -1875,7 +2368,7 @@
         <translation>кафезот сега</translation>
     </message>
     <message>
-        <source>The stored cage is not usable (its lists of vertices do not match, or its rest vertices lie on one line, cross each other or are more than 64) and is not applied.</source>
+        <source>The stored cage is not valid and is not applied: its lists of vertices do not match, or its rest polygon is flat, crosses itself or has more than 64 vertices.</source>
         <translation>Зачуваниот кафез не може да се употреби (списоците на темиња не се совпаѓаат, или темињата во мирување лежат на една права, се вкрстуваат или се повеќе од 64), па не се применува.</translation>
     </message>
     <message>
@@ -1887,23 +2380,23 @@
         <translation>Пресликувањето %1 тука беше исклучено, но друга програма му дала тежина.</translation>
     </message>
     <message>
-        <source>A palette has at most %1 colours; the others are left out.</source>
+        <source>A palette can have at most %1 colours; the rest are ignored.</source>
         <translation>Палетата има најмногу %1 бои; останатите се изоставени.</translation>
     </message>
     <message>
-        <source>This line is left out: three whole numbers from 0 to 255 make a colour.</source>
+        <source>This line is ignored: a colour consists of three whole numbers from 0 to 255.</source>
         <translation>Овој ред е изоставен: боја се три цели броја од 0 до 255.</translation>
     </message>
     <message>
-        <source>The file holds no colours.</source>
+        <source>The file contains no colours.</source>
         <translation>Датотеката не содржи бои.</translation>
     </message>
     <message>
-        <source>The file has more than 16 MB, which no palette needs.</source>
+        <source>The file is larger than 16 MB, which is the limit for a palette.</source>
         <translation>Датотеката е поголема од 16 MB, а тоа не ѝ треба на ниедна палета.</translation>
     </message>
     <message>
-        <source>The file is no text, so it is no palette.</source>
+        <source>The file is not a text file, so it is not a palette.</source>
         <translation>Датотеката не е текст, па не е палета.</translation>
     </message>
     <message>
@@ -1911,35 +2404,31 @@
         <translation>Ова е градиент на GIMP; палети се читаат од датотеки .gpl, .ugr и .map.</translation>
     </message>
     <message>
-        <source>The file has more than %1 palettes; the others are left out.</source>
+        <source>The file has more than %1 palettes; the rest are ignored.</source>
         <translation>Датотеката има повеќе од %1 палети; останатите се изоставени.</translation>
     </message>
     <message>
-        <source>The file holds no gradient.</source>
+        <source>The file contains no gradients.</source>
         <translation>Датотеката не содржи градиент.</translation>
     </message>
     <message>
-        <source>The gradient of line %1 is not closed.</source>
+        <source>The gradient that starts in line %1 is not closed.</source>
         <translation>Градиентот од ред %1 не е затворен.</translation>
     </message>
     <message>
-        <source>“%1” is no whole number.</source>
+        <source>“%1” is not a whole number.</source>
         <translation>„%1“ не е цел број.</translation>
     </message>
     <message>
-        <source>“%1” is not a system in the plane, of which alone points are written.</source>
-        <translation>„%1“ не е систем во рамнината, а точки се запишуваат само за такви системи.</translation>
-    </message>
-    <message>
-        <source>“%1” has no map that takes part, so it has no points.</source>
+        <source>“%1” has no active map, so it has no points.</source>
         <translation>„%1“ нема пресликување што учествува, па нема точки.</translation>
     </message>
     <message>
-        <source>A cage of more than three corners bends the picture, and its points are not written.</source>
+        <source>A cage with more than three corners bends the picture; its points cannot be written.</source>
         <translation>Кафез со повеќе од три темиња ја свиткува сликата, па нејзините точки не се запишуваат.</translation>
     </message>
     <message>
-        <source>A point cloud has from 1 to %1 points.</source>
+        <source>A point cloud can have from 1 to %1 points.</source>
         <translation>Облакот има од 1 до %1 точки.</translation>
     </message>
     <message>
@@ -1947,7 +2436,7 @@
         <translation>„%1“ е папка. Изберете име на датотека.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and is not replaced. Choose another name.</source>
+        <source>“%1” is not an ordinary file and will not be replaced. Choose another name.</source>
         <translation>„%1“ не е обична датотека и не се заменува. Изберете друго име.</translation>
     </message>
     <message>
@@ -1959,11 +2448,11 @@
         <translation>„%1“ е само за читање. Зачувајте под друго име или сменете ѝ ги дозволите.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on the disk is as it was.</source>
+        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on disk is unchanged.</source>
         <translation>„%1“ не е зачувана: дискот е полн. Ослободете место и зачувајте повторно; датотеката на дискот е како што беше.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: you may not write to the folder “%2”. Save somewhere else.</source>
+        <source>“%1” was not saved: you do not have permission to write to the folder “%2”. Save somewhere else.</source>
         <translation>„%1“ не е зачувана: немате дозвола за запишување во папката „%2“. Зачувајте на друго место.</translation>
     </message>
     <message>
@@ -1971,7 +2460,7 @@
         <translation>„%1“ не е зачувана: името е предолго.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: %2. The file on the disk is as it was.</source>
+        <source>“%1” was not saved: %2. The file on disk is unchanged.</source>
         <translation>„%1“ не е зачувана: %2. Датотеката на дискот е како што беше.</translation>
     </message>
     <message>
@@ -1995,11 +2484,11 @@
         <translation>„%1“ не може да се прочита: %2.</translation>
     </message>
     <message>
-        <source>Only plane systems can be written as a scalable picture.</source>
-        <translation>Како векторска слика можат да се запишат само системи во рамнината.</translation>
+        <source>Only systems in the plane can be written as vector graphics.</source>
+        <translation>Само системи во рамнината може да се запишат како векторска графика.</translation>
     </message>
     <message>
-        <source>The system has no attractor of which an outline could be certified, so there is nothing to make copies of.</source>
+        <source>No outline of an attractor could be certified for this system, so there is nothing to make copies of.</source>
         <translation>Системот нема атрактор чија контура би можела со сигурност да се определи, па нема од што да се прават копии.</translation>
     </message>
     <message>
@@ -2007,19 +2496,19 @@
         <translation>Во овој поглед сликата е преголема за да се запише како облици.</translation>
     </message>
     <message>
-        <source>There are no rows of numbers: a row is a b c d e f and perhaps a weight.</source>
+        <source>There are no rows of numbers: a row consists of a b c d e f and optionally a weight.</source>
         <translation>Нема редици од броеви: редицата е a b c d e f и евентуално тежина.</translation>
     </message>
     <message>
-        <source>After the count, a map is its weight and a matrix of 3 rows.</source>
+        <source>After the count, a map consists of its weight and a matrix of 3 rows.</source>
         <translation>По бројот на пресликувања, секое пресликување е неговата тежина и матрица со 3 редици.</translation>
     </message>
     <message>
-        <source>The last row of the matrix of an affine map is 0 0 1.</source>
+        <source>The last row of the matrix of an affine map must be 0 0 1.</source>
         <translation>Последната редица од матрицата на афино пресликување е 0 0 1.</translation>
     </message>
     <message>
-        <source>The table says that it has %1 maps, and it has %2.</source>
+        <source>The table declares %1 maps but has %2.</source>
         <translation>Табелата вели дека има %1 пресликувања, а има %2.</translation>
     </message>
     <message>
@@ -2027,7 +2516,7 @@
         <translation>Заглавието не кажува која колона е a, b, c, d, e и f; изберете го редоследот на колоните.</translation>
     </message>
     <message>
-        <source>This row has %1 numbers; a map is 6 numbers, or 7 with its weight.</source>
+        <source>This row has %1 numbers; a map has 6 numbers, or 7 with its weight.</source>
         <translation>Оваа редица има %1 броја; пресликувањето е 6 броја, или 7 со тежината.</translation>
     </message>
     <message>
@@ -2039,11 +2528,11 @@
         <translation>Табелата има повеќе од %1 редици, а тоа е границата.</translation>
     </message>
     <message>
-        <source>This is a %1 file, not a text with iterated function systems.</source>
+        <source>This is a %1 file, not a text file with iterated function systems.</source>
         <translation>Ова е датотека %1, а не текст со итерирани функциски системи.</translation>
     </message>
     <message>
-        <source>This is a text in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
+        <source>This text is encoded in UTF-16. Save it as UTF-8 or ASCII and open it again.</source>
         <translation>Ова е текст во UTF-16. Зачувајте го како UTF-8 или ASCII и отворете го повторно.</translation>
     </message>
     <message>
@@ -2091,23 +2580,23 @@
         <translation>Ова е скрипта на StyrofoamIFS, а не збирка на Fractint.</translation>
     </message>
     <message>
-        <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text with iterated function systems.</source>
+        <source>This is a binary file (perhaps a fractal-compressed image or an icon library), not a text file with iterated function systems.</source>
         <translation>Ова е бинарна датотека (можеби фрактално компресирана слика или библиотека со икони), а не текст со итерирани функциски системи.</translation>
     </message>
     <message>
-        <source>No iterated function system was found, and for a table of numbers the file is too large: the limit is 64 MB.</source>
+        <source>No iterated function system was found, and the file is too large for a table of numbers: the limit is 64 MB.</source>
         <translation>Не е најден итериран функциски систем, а за табела со броеви датотеката е преголема: границата е 64 MB.</translation>
     </message>
     <message>
-        <source>a number is larger than a coefficient can be (3.4e38 in size)</source>
+        <source>a number is too large for a coefficient (the largest absolute value is 3.4e38)</source>
         <translation>еден број е поголем отколку што може да биде коефициент (3.4e38 по големина)</translation>
     </message>
     <message>
-        <source>The file has more than %1 flames; the rest is left out.</source>
+        <source>The file has more than %1 flames; the rest are ignored.</source>
         <translation>Датотеката има повеќе од %1 пламени; останатите се изоставени.</translation>
     </message>
     <message>
-        <source>%1 flames in all are no systems of affine maps.</source>
+        <source>%1 flames in total are not systems of affine maps.</source>
         <translation>Вкупно %1 пламени не се системи од афини пресликувања.</translation>
     </message>
     <message>
@@ -2131,11 +2620,11 @@
         <translation>афино прилагодување</translation>
     </message>
     <message>
-        <source>A number of this row is larger than a coefficient can be (3.4e38 in size).</source>
+        <source>A number in this row is too large for a coefficient (the largest absolute value is 3.4e38).</source>
         <translation>Еден број во овој ред е поголем отколку што може да биде коефициент (3.4e38 по големина).</translation>
     </message>
     <message>
-        <source>The text has more than 64 MB, which is the limit for a table of numbers.</source>
+        <source>The text is larger than 64 MB, which is the limit for a table of numbers.</source>
         <translation>Текстот има повеќе од 64 MB, што е границата за табела со броеви.</translation>
     </message>
     <message>
@@ -2143,11 +2632,11 @@
         <translation>Една ознака има повеќе од %1 атрибути, што е границата.</translation>
     </message>
     <message>
-        <source>The elements are nested more than %1 deep, which is the limit.</source>
+        <source>The elements are nested more than %1 levels deep, which is the limit.</source>
         <translation>Елементите се вгнездени подлабоко од %1, што е границата.</translation>
     </message>
     <message>
-        <source>The file has more than 64 MB, which is the limit for XML.</source>
+        <source>The file is larger than 64 MB, which is the limit for XML.</source>
         <translation>Датотеката има повеќе од 64 MB, што е границата за XML.</translation>
     </message>
     <message>
@@ -2155,11 +2644,11 @@
         <translation>поместена гранка</translation>
     </message>
     <message>
-        <source>A stored place of a branch is not usable (its map is incomplete, or its address names maps that are not there, or occurs twice, or there are too many) and is not applied.</source>
+        <source>The stored position of a branch is not valid and is not applied: its map is incomplete, its address names maps that do not exist or occurs twice, or there are too many.</source>
         <translation>Зачувано место на гранка не е употребливо (нејзиното пресликување е нецелосно, нејзината адреса именува пресликувања што ги нема или се јавува двапати, или ги има премногу) и не се применува.</translation>
     </message>
     <message>
-        <source>%1 lines of blocks that are no iterated function systems are left out.</source>
+        <source>%1 lines of blocks that are not iterated function systems are omitted.</source>
         <translation>Се изоставуваат %1 редови од блокови што не се итерирани функциски системи.</translation>
     </message>
     <message>
@@ -2167,27 +2656,19 @@
         <translation>Една ќелија во оваа редица е празна.</translation>
     </message>
     <message>
-        <source>A comma can be read as a decimal point or between two numbers here, and both give whole rows. Write decimal points.</source>
+        <source>A comma can be a decimal comma or a separator here; both readings give complete rows. Use decimal points.</source>
         <translation>Тука запирката може да се чита како децимална или како запирка меѓу два броја, и во двата случаи се добиваат цели редици. Пишувајте децимални точки.</translation>
     </message>
     <message>
-        <source>The cage and the colours of the entry are left out.</source>
-        <translation>Кафезот и боите на записот се изоставуваат.</translation>
-    </message>
-    <message>
-        <source>The code is written without its cage and moved branches: other programs draw another picture.</source>
-        <translation>Кодот се запишува без кафезот и без поместените гранки: другите програми цртаат друга слика.</translation>
-    </message>
-    <message>
-        <source>The table has maps of the plane and maps of space.</source>
+        <source>The table mixes maps of the plane and maps of space.</source>
         <translation>Табелата има пресликувања на рамнината и пресликувања на просторот.</translation>
     </message>
     <message>
-        <source>This is a list of other files, as the program Fraktale has one, not a Fractint collection.</source>
+        <source>This is a list of other files, as used by the program Fraktale, not a Fractint collection.</source>
         <translation>Ова е список на други датотеки, каков што има програмата Fraktale, а не збирка на Fractint.</translation>
     </message>
     <message>
-        <source>This row has %1 numbers, and the header names %2 columns.</source>
+        <source>This row has %1 numbers, but the header names %2 columns.</source>
         <translation>Оваа редица има %1 броја, а заглавието именува %2 колони.</translation>
     </message>
     <message>
@@ -2203,19 +2684,19 @@
         </translation>
     </message>
     <message>
-        <source>No column is called “%1”: they are a b c d or r s theta phi, e f, and p or cumulative.</source>
+        <source>There is no column “%1”: the columns are a b c d or r s theta phi, e f, and p or cumulative.</source>
         <translation>Ниедна колона не се вика „%1“: тие се a b c d или r s theta phi, e f, и p или cumulative.</translation>
     </message>
     <message>
-        <source>“%1” is there twice.</source>
+        <source>“%1” occurs twice.</source>
         <translation>„%1“ се јавува двапати.</translation>
     </message>
     <message>
-        <source>A row has one weight: p or cumulative.</source>
+        <source>A row has only one weight: p or cumulative.</source>
         <translation>Една редица има една тежина: p или cumulative.</translation>
     </message>
     <message>
-        <source>a b c d and r s theta phi do not go together.</source>
+        <source>a b c d and r s theta phi cannot be combined.</source>
         <translation>a b c d и r s theta phi не одат заедно.</translation>
     </message>
     <message>
@@ -2223,20 +2704,400 @@
         <translation>Недостасува: %1.</translation>
     </message>
     <message>
-        <source>The outline has more corners than programs read in one path. Choose a smaller depth.</source>
+        <source>The outline has more corners than other programs can read in one path. Choose a smaller depth.</source>
         <translation>Контурот има повеќе темиња отколку што програмите читаат во една патека. Изберете помала длабочина.</translation>
     </message>
     <message>
-        <source>The cage bends or flattens the picture. The numbers are those of the picture at rest.</source>
+        <source>The cage bends or flattens the picture. The numbers describe the picture at rest.</source>
         <translation>Кафезот ја витка или сплескува сликата. Броевите се на сликата во мирување.</translation>
     </message>
     <message>
-        <source>The name “%1” is not UTF-8. Please rename the file, or lead to it by a link.</source>
-        <translation>Името „%1“ не е во UTF-8. Преименувајте ја датотеката или водете до неа преку врска.</translation>
+        <source>The name “%1” is not valid UTF-8. Rename the file, or open it through a symbolic link.</source>
+        <translation>Името „%1“ не е важечки UTF-8. Преименувајте ја датотеката или отворете ја преку симболичка врска.</translation>
     </message>
     <message>
-        <source>Map %1 has no weight, so the weights of all maps are taken from the determinants and those that are given are not used.</source>
+        <source>Map %1 has no weight, so all weights are computed from the determinants and the given ones are ignored.</source>
         <translation>Пресликувањето %1 нема тежина, па тежините на сите пресликувања се земаат од детерминантите, а дадените не се користат.</translation>
+    </message>
+    <message>
+        <source>The stored cage is not valid and is not applied: its lists of vertices do not match, or its vertices at rest are in one plane or coincide.</source>
+        <translation>Зачуваниот кафез не може да се употреби (списоците на темиња не се совпаѓаат, или темињата во мирување лежат во една рамнина или се поклопуваат), па не се применува.</translation>
+    </message>
+    <message>
+        <source>This entry is %1-dimensional, but its stored cage or moved branches are not: they are not applied, and their lines are kept.</source>
+        <translation>Овој запис има %1 димензии, но неговиот зачуван кафез или неговите поместени гранки немаат: тие не се применуваат, а нивните редови се задржани.</translation>
+    </message>
+    <message>
+        <source>none: ρ(A) ≥ 1 for the word %1</source>
+        <translation>нема: ρ(A) ≥ 1 за зборот %1</translation>
+    </message>
+    <message>
+        <source>(of the attractor: its pieces are disjoint)</source>
+        <translation>(на атракторот: неговите делови се дисјунктни)</translation>
+    </message>
+    <message>
+        <source>(upper bound: pieces coincide)</source>
+        <translation>(горна граница: има делови што се совпаѓаат)</translation>
+    </message>
+    <message>
+        <source>(if the open set condition holds; else an upper bound)</source>
+        <translation>(ако важи условот на отворено множество; инаку горна граница)</translation>
+    </message>
+    <message>
+        <source>strong: no two pieces meet</source>
+        <translation>силна: никои два дела не се допираат</translation>
+    </message>
+    <message>
+        <source>none: pieces coincide</source>
+        <translation>нема: има делови што се совпаѓаат</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>сврзан</translation>
+    </message>
+    <message>
+        <source>connected, as far as rounding tells</source>
+        <translation>сврзан, колку што се гледа од заокружувањето</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>не е сврзан</translation>
+    </message>
+    <message>
+        <source>separation</source>
+        <translation>раздвоеност</translation>
+    </message>
+    <message>
+        <source>connectedness</source>
+        <translation>сврзаност</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>преклопување</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map</source>
+        <translation>зборовите %1 и %2 се исто пресликување</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map to rounding</source>
+        <translation>зборовите %1 и %2 се исто пресликување до заокружување</translation>
+    </message>
+    <message>
+        <source>joint spectral radius</source>
+        <translation>заеднички спектрален радиус</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>меѓу %1 и %2</translation>
+    </message>
+    <message>
+        <source>entropy</source>
+        <translation>ентропија</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Експонент на Љапунов</translation>
+    </message>
+    <message>
+        <source>dimension of measure</source>
+        <translation>димензија на мерата</translation>
+    </message>
+    <message>
+        <source>The numbers can be read as %1 maps of 6 numbers, line by line, or as %2 maps of 7 numbers, whose weights then sum to 1. They are read line by line; for the other reading, put 7 numbers on each line.</source>
+        <translation>Броевите може да се читаат ред по ред како %1 пресликувања од 6 броја, или како %2 пресликувања од 7 броја, чии тежини тогаш имаат збир 1. Се читаат ред по ред; за другото читање ставете по 7 броја во секој ред.</translation>
+    </message>
+    <message>
+        <source>The block names no maps: a line such as “A=(f1|f2)*A” is missing.</source>
+        <translation>Блокот не именува пресликувања: недостига ред како „A=(f1|f2)*A“.</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood: Barycage reads blocks of affine maps, such as “f1=[e,f]*[a,b,c,d]” and “A=(f1|f2)*A”.</source>
+        <translation>„%1“ не се разбира: Barycage чита блокови афини пресликувања, како „f1=[e,f]*[a,b,c,d]“ и „A=(f1|f2)*A“.</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 blocks, which is the limit; the rest was not read.</source>
+        <translation>Датотеката има повеќе од %1 блокови, што е границата; останатото не е прочитано.</translation>
+    </message>
+    <message>
+        <source>This IFStile file contains no affine system.</source>
+        <translation>Оваа датотека на IFStile не содржи афин систем.</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written to.</source>
+        <translation>Не може да се запише на стандардниот излез.</translation>
+    </message>
+    <message>
+        <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
+        <translation>Броевите може да се читаат ред по ред како %1 пресликувања од %2 броја, или како %3 пресликувања од 7 броја, чии тежини тогаш имаат збир 1. За разлика од Fractint, се читаат ред по ред; за другото читање ставете по 7 броја во секој ред.</translation>
+    </message>
+    <message>
+        <source>The numbers are read line by line, as %1 maps of %2 numbers. Fractint ignores line ends and reads %3 maps of 7 numbers.</source>
+        <translation>Броевите се читаат ред по ред, како %1 пресликувања од %2 броја. Fractint ги занемарува краевите на редовите и чита %3 пресликувања од 7 броја.</translation>
+    </message>
+    <message>
+        <source>Entries whose names begin with “ifs:” belong in parameter files (.par); in a collection, Fractint takes the prefix as part of the name.</source>
+        <translation>Записите чии имиња почнуваат со „ifs:“ припаѓаат во датотеки со параметри (.par); во збирка, Fractint го зема префиксот како дел од името.</translation>
+    </message>
+    <message>
+        <source>The lines end with CR alone, as on old Macintosh computers; Fractint reads such a file as a single line.</source>
+        <translation>Редовите завршуваат само со CR, како на старите компјутери Macintosh; Fractint ваква датотека ја чита како еден ред.</translation>
+    </message>
+    <message>
+        <source>The convex hull has an error of up to %1: the tolerance %2 was not reached.</source>
+        <translation>Конвексната обвивка има грешка до %1: толеранцијата %2 не е достигната.</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ %1</source>
+        <translation>контрактивен во елипсоидна норма, γ %1</translation>
+    </message>
+    <message>
+        <source>contractive in a polytope norm, γ %1</source>
+        <translation>контрактивен во политопна норма, γ %1</translation>
+    </message>
+    <message>
+        <source>eventually contractive, γ %1 from words of length %2</source>
+        <translation>на крајот контрактивен, γ %1 од зборови со должина %2</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s %1</source>
+        <translation>хиперболичен, s %1</translation>
+    </message>
+    <message>
+        <source>1 map</source>
+        <translation>1 пресликување</translation>
+    </message>
+    <message>
+        <source>%1 maps</source>
+        <translation>%1 пресликувања</translation>
+    </message>
+    <message>
+        <source>%1 — in space, %2</source>
+        <translation>%1 – во просторот, %2</translation>
+    </message>
+    <message>
+        <source>%1 — in the plane, %2</source>
+        <translation>%1 – во рамнината, %2</translation>
+    </message>
+    <message>
+        <source>could not be read</source>
+        <translation>не можеше да се прочита</translation>
+    </message>
+    <message>
+        <source>in space, %1</source>
+        <translation>во просторот, %1</translation>
+    </message>
+    <message>
+        <source>in the plane, %1</source>
+        <translation>во рамнината, %1</translation>
+    </message>
+    <message>
+        <source>its cage</source>
+        <translation>неговиот кафез</translation>
+    </message>
+    <message>
+        <source>its moved branches</source>
+        <translation>неговите поместени гранки</translation>
+    </message>
+    <message>
+        <source>its palette</source>
+        <translation>неговата палета</translation>
+    </message>
+    <message>
+        <source>its background</source>
+        <translation>неговата позадина</translation>
+    </message>
+    <message>
+        <source>its other colour settings</source>
+        <translation>неговите други поставки за боја</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 и %2</translation>
+    </message>
+    <message>
+        <source>“%1” is written without %2: other programs will draw a different picture.</source>
+        <translation>„%1“ се запишува без %2: други програми ќе нацртаат поинаква слика.</translation>
+    </message>
+    <message>
+        <source>“%1” is written without %2.</source>
+        <translation>„%1“ се запишува без %2.</translation>
+    </message>
+    <message>
+        <source>The stored animation is not applied, because “%1” is not understood; its lines are kept.</source>
+        <translation>Зачуваната анимација не се применува, бидејќи „%1“ не е разбирливо; нејзините редови се задржуваат.</translation>
+    </message>
+    <message>
+        <source>The entry has more than one stored animation: the last valid one is used, and the lines of the others are kept.</source>
+        <translation>Записот има повеќе од една зачувана анимација: се користи последната важечка, а редовите на другите се задржуваат.</translation>
+    </message>
+    <message>
+        <source>The stored animation is not valid and is not applied: it moves maps or vertices that do not exist, a frame, number or curve is out of its range, or keys are not in order. Its lines are kept.</source>
+        <translation>Зачуваната анимација не е важечка и не се применува: движи пресликувања или темиња што не постојат, кадар, број или крива е надвор од својот опсег, или клучните кадри не се по ред. Нејзините редови се задржуваат.</translation>
+    </message>
+    <message>
+        <source>in a cycle</source>
+        <translation>во циклус</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>напред и назад</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>еднаш</translation>
+    </message>
+    <message>
+        <source>animation</source>
+        <translation>анимација</translation>
+    </message>
+    <message>
+        <source>%1 frames at %2 per second, %3; %4 tracks, %5 motions</source>
+        <translation>%1 кадри, %2 во секунда, %3; %4 траки, %5 движења</translation>
+    </message>
+    <message>
+        <source>This is not a format of fractal programs. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.</source>
+        <translation>Ова не е формат на програми за фрактали. Неговите списоци од броеви се читаат како табели со пресликувања (системи: %1, пресликувања: %2), по редот a b c d e f онаму каде што имињата не кажуваат друг.</translation>
+    </message>
+    <message>
+        <source>it acts in space after its variations (“%1”)</source>
+        <translation>дејствува во просторот по своите варијации („%1“)</translation>
+    </message>
+    <message>
+        <source>its “%1” is not six numbers</source>
+        <translation>неговото „%1“ не се шест броја</translation>
+    </message>
+    <message>
+        <source>The flame names a palette of another program by its number; its colours are not in the file.</source>
+        <translation>Пламенот наведува палета на друга програма само по нејзиниот број; боите не се во датотеката.</translation>
+    </message>
+    <message>
+        <source>“%1” could not be read, so it has no points.</source>
+        <translation>„%1“ не можеше да се прочита, па нема точки.</translation>
+    </message>
+    <message>
+        <source>This is JSON text (data of another program), not a Fractint collection, and none of its lists are affine maps.</source>
+        <translation>Ова е JSON-текст (податоци на друга програма), а не збирка на Fractint, и ниеден од неговите списоци не е од афини пресликувања.</translation>
+    </message>
+    <message>
+        <source>This is the text of a program, not a Fractint collection, and none of its lists are affine maps.</source>
+        <translation>Ова е текст на програма, а не збирка на Fractint, и ниеден од неговите списоци не е од афини пресликувања.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it has no solid.</source>
+        <translation>„%1“ не е систем во просторот, па нема тело.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” bends the picture, so its solid cannot be written.</source>
+        <translation>Кафезот на „%1“ ја криви сликата, па неговото тело не може да се запише.</translation>
+    </message>
+    <message>
+        <source>“%1” has no certified attractor, so it has no solid.</source>
+        <translation>„%1“ нема потврден атрактор, па нема тело.</translation>
+    </message>
+    <message>
+        <source>“%1” would need more than %2 parts in OpenSCAD. Choose larger voxels.</source>
+        <translation>За „%1“ во OpenSCAD би биле потребни повеќе од %2 делови. Изберете поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
+        <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger voxels.</source>
+        <translation>Деловите на „%1“ премногу се преклопуваат за неговите воксели да се најдат во разумно време. Изберете поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large for a solid.</source>
+        <translation>„%1“ е преголем за тело.</translation>
+    </message>
+    <message>
+        <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
+        <translation>„%1“ е една точка: може да се избере само големината на вокселот.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for voxels of this size. Choose larger voxels.</source>
+        <translation>Ѕидот е предебел за воксели со оваа големина. Изберете поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” would have more than %2 million triangles. Choose larger voxels.</source>
+        <translation>Површината на „%1“ би имала повеќе од %2 милиони триаголници. Изберете поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” is not closed, so it was not written.</source>
+        <translation>Површината на „%1“ не е затворена, па не беше запишана.</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for its distance from the origin: the numbers of the file cannot tell its points apart. Move it to the origin.</source>
+        <translation>„%1“ е премал за своето растојание од почетокот: броевите во датотеката не ги разликуваат неговите точки. Преместете го кон почетокот.</translation>
+    </message>
+    <message>
+        <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
+        <translation>Големина: %1 × %2 × %3 mm; волумен: %4 mm³; триаголници: %5.</translation>
+    </message>
+    <message>
+        <source>Distance from the attractor: at most %1 mm = √3 · %2 mm + %3 mm for the wall.</source>
+        <translation>Растојание од атракторот: најмногу %1 mm = √3 · %2 mm + %3 mm за ѕидот.</translation>
+    </message>
+    <message>
+        <source>Cavities filled: %1, with %2 mm³.</source>
+        <translation>Пополнети шуплини: %1, со %2 mm³.</translation>
+    </message>
+    <message>
+        <source>Closed cavities: %1, with %2 mm³.</source>
+        <translation>Затворени шуплини: %1, со %2 mm³.</translation>
+    </message>
+    <message>
+        <source>Separate bodies: %1.</source>
+        <translation>Одвоени тела: %1.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>„%1“: %2</translation>
+    </message>
+    <message>
+        <source>“%1” is of another picture: the entry, the view, the size, the seed or the format differs.</source>
+        <translation>„%1“ е од друга слика: записот, погледот, големината, семето или форматот се разликуваат.</translation>
+    </message>
+    <message>
+        <source>“%1” is of a picture with another number of points, so the sums do not add up.</source>
+        <translation>„%1“ е од слика со друг број точки, па збировите не можат да се соберат.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” hold the same part of the picture, which would be counted twice.</source>
+        <translation>„%1“ и „%2“ го содржат истиот дел од сликата, кој би се броел двапати.</translation>
+    </message>
+    <message>
+        <source>“%1” was written by another version of the program, which may draw other pixels.</source>
+        <translation>„%1“ е запишана со друга верзија на програмата, која може да црта други пиксели.</translation>
+    </message>
+    <message>
+        <source>The picture is not complete: %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <translation>Сликата не е целосна: има %1 % од неа. Додајте ги датотеките на другите делови или запишете .sum датотека.</translation>
+    </message>
+    <message>
+        <source>This is not a file of sums.</source>
+        <translation>Ова не е датотека со збирови.</translation>
+    </message>
+    <message>
+        <source>The file of sums is damaged or incomplete.</source>
+        <translation>Датотеката со збирови е оштетена или нецелосна.</translation>
+    </message>
+    <message>
+        <source>“%1” is a symbolic link that leads back to itself, or through too many others.</source>
+        <translation>„%1“ е симболичка врска што води назад кон самата себе или преку премногу други.</translation>
+    </message>
+    <message>
+        <source>You do not have permission to enter the folder “%1”.</source>
+        <translation>Немате дозвола за влез во папката „%1“.</translation>
+    </message>
+    <message>
+        <source>not computed within the budget</source>
+        <translation>не е пресметано во дозволеното време</translation>
+    </message>
+    <message>
+        <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
+        <translation>%1 темиња, плоштина %2; грешка најмногу %3; периодичните адреси не се пресметани во дозволеното време</translation>
     </message>
 </context>
 <context>
@@ -2246,7 +3107,7 @@
         <translation>Контракција</translation>
     </message>
     <message>
-        <source>Every row of this table is a map that makes a smaller copy of the whole, and the picture is all copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the most by which a map stretches. While it is less than 1, the map contracts. Ctrl+Z takes everything back.</source>
+        <source>Each row of this table is a map that makes a smaller copy of the whole; the picture is all the copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the largest factor by which a map stretches distances. As long as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes.</source>
         <translation>Секоја редица од оваа табела е пресликување што прави помала копија од целината, а сликата ја сочинуваат сите копии заедно. Кликнете двапати на некој број и внесете друг: копијата се поместува додека пишувате. ‖A‖ кажува колку пати најмногу растегнува пресликувањето. Сѐ додека е помало од 1, пресликувањето е контракција. Ctrl+Z враќа сѐ како што беше.</translation>
     </message>
     <message>
@@ -2254,7 +3115,7 @@
         <translation>Неподвижна точка</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point where it is: its fixed point. Switch off all maps but two by the boxes on the left of the table, and see how little is left of the picture. With one map alone nothing is left but its fixed point. Ctrl+Z brings the maps back.</source>
+        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the check boxes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
         <translation>Контракцијата остава точно една точка на нејзиното место: тоа е нејзината неподвижна точка. Со полињата лево во табелата исклучете ги сите пресликувања освен две и погледнете колку малку останува од сликата. Со само едно пресликување не останува ништо освен неговата неподвижна точка. Ctrl+Z ги враќа пресликувањата.</translation>
     </message>
     <message>
@@ -2262,15 +3123,15 @@
         <translation>Игра на хаос</translation>
     </message>
     <message>
-        <source>Press Chaos Game and then the triangle that starts it. One point jumps about, each time by a map drawn at random, and leaves a dot where it lands. Let it go faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
-        <translation>Притиснете „Игра на хаос“, а потоа триаголничето што ја започнува. Една точка скока, секојпат според случајно извлечено пресликување, и остава трага таму каде што ќе падне. Пуштете ја побрзо: што и да покаже коцката, трагите ја пополнуваат истата слика, атракторот.</translation>
+        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
+        <translation>Притиснете „Игра на хаос“, па „Пушти“. Една точка скока, секојпат според случајно избрано пресликување, и остава трага таму каде што ќе падне. Забрзајте ја: што и да покаже коцката, трагите ја пополнуваат истата слика, атракторот.</translation>
     </message>
     <message>
         <source>Address</source>
         <translation>Адреса</translation>
     </message>
     <message>
-        <source>The map that made the last jump to a point, the one before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike lie close together, and now they look alike.</source>
+        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike are close together, and now they look alike.</source>
         <translation>Пресликувањето што го направило последниот скок до некоја точка, па она пред него, и така натаму: тие броеви се адресата на точката. Изберете „Боја според: Адреса“. Точките чии адреси почнуваат исто лежат блиску една до друга, а сега и личат една на друга.</translation>
     </message>
     <message>
@@ -2278,16 +3139,16 @@
         <translation>Барицентрични координати</translation>
     </message>
     <message>
-        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Take a corner and pull: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights at the pointer stand at the bottom of the window.</source>
-        <translation>Секоја точка на сликата е тежинска средина на трите темиња на триаголникот. Фатете едно теме и повлечете: точките ги задржуваат своите тежини, а целиот фрактал се движи со нив. Сплескајте го триаголникот и повторно раширете го: ништо не се губи. Тежините кај покажувачот стојат на дното од прозорецот.</translation>
+        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights under the pointer are shown in the status bar.</source>
+        <translation>Секоја точка на сликата е тежинска средина на трите темиња на триаголникот. Влечете едно теме: точките ги задржуваат своите тежини, а целиот фрактал се движи со нив. Сплескајте го триаголникот и повторно раширете го: ништо не се губи. Тежините под покажувачот се прикажани во статусната лента.</translation>
     </message>
     <message>
         <source>Dimension</source>
         <translation>Димензија</translation>
     </message>
     <message>
-        <source>How much of the plane does the attractor fill? The dimension of a curve is 1, that of an area is 2, and most attractors lie between the two. Change a map and look here again. That was the tour; the user guide under Help tells the rest.</source>
-        <translation>Колкав дел од рамнината исполнува атракторот? Димензијата на крива е 1, на плоштина 2, а повеќето атрактори се меѓу нив. Променете некое пресликување и погледнете повторно тука. Тоа беше обиколката; сѐ друго кажува упатството за корисници во менито „Помош“.</translation>
+        <source>How much of the plane does the attractor fill? A curve has dimension 1, an area has dimension 2, and most attractors are in between. Change a map and look here again. This is the end of the tour; the user guide in the Help menu tells you more.</source>
+        <translation>Колкав дел од рамнината исполнува атракторот? Кривата има димензија 1, плоштината 2, а повеќето атрактори се меѓу нив. Променете некое пресликување и погледнете повторно тука. Ова е крајот на обиколката; повеќе има во упатството за корисници во менито „Помош“.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -2302,7 +3163,7 @@
         <translation>Првпат сте тука?</translation>
     </message>
     <message>
-        <source>Six short steps show what an attractor is, by pulling on one. You can take the tour later, too: it is in the Help menu.</source>
+        <source>Six short steps show you what an attractor is while you drag one. You can also take the tour later: it is in the Help menu.</source>
         <translation>Шест кратки чекори покажуваат што е атрактор, така што ќе повлечете еден. Обиколката можете да ја направите и подоцна: таа е во менито „Помош“.</translation>
     </message>
     <message>
@@ -2333,7 +3194,7 @@
 <context>
     <name>Welcome</name>
     <message>
-        <source>The last files, and the collection.</source>
+        <source>Recent files and the collection.</source>
         <translation>Последните датотеки и збирката.</translation>
     </message>
     <message>
@@ -2341,7 +3202,7 @@
         <translation>Добре дојдовте</translation>
     </message>
     <message>
-        <source>Go on with</source>
+        <source>Continue with</source>
         <translation>Продолжи со</translation>
     </message>
     <message>
@@ -2353,11 +3214,11 @@
         <translation>О&amp;твори…</translation>
     </message>
     <message>
-        <source>A file, or the collection.</source>
+        <source>A file or the collection.</source>
         <translation>Датотека или збирката.</translation>
     </message>
     <message>
-        <source>Begin with</source>
+        <source>Start with</source>
         <translation>Почни со</translation>
     </message>
     <message>
@@ -2368,11 +3229,11 @@
 <context>
     <name>WhatsThis</name>
     <message>
-        <source>Takes what the dialog shows, and closes it.</source>
+        <source>Accepts the settings and closes the dialog.</source>
         <translation>Го презема она што го покажува дијалогот и го затвора.</translation>
     </message>
     <message>
-        <source>Closes the dialog and changes nothing.</source>
+        <source>Closes the dialog without changing anything.</source>
         <translation>Го затвора дијалогот и не менува ништо.</translation>
     </message>
     <message>
@@ -2383,11 +3244,203 @@
         <source>Clear</source>
         <translation>Избриши</translation>
     </message>
+    <message>
+        <source>%1 Panel “%2”: %3</source>
+        <comment>what it does, panel, what the panel is for</comment>
+        <translation>%1 Панел „%2“: %3</translation>
+    </message>
+</context>
+<context>
+    <name>document::CageActions</name>
+    <message>
+        <source>This entry is not a system in the plane, so it has no control cage.</source>
+        <translation>Овој запис не е систем во рамнината, па нема контролен кафез.</translation>
+    </message>
+    <message>
+        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <translation>Кафезот е премногу сплескан за да може да се врати. Раширете го со влечење на некое теме или вратете го во мирување, па обидете се повторно.</translation>
+    </message>
+    <message>
+        <source>The three points are on one line, so they define no coordinates. Click a third point off the line.</source>
+        <translation>Трите точки лежат на една права и не определуваат координати. Ставете ја третата надвор од правата.</translation>
+    </message>
+    <message>
+        <source>Fit the minimal canonical simplex</source>
+        <translation>Опфаќање со минимален каноничен симплекс</translation>
+    </message>
+    <message>
+        <source>Reset the cage</source>
+        <translation>Враќање на кафезот во мирување</translation>
+    </message>
+    <message>
+        <source>Bake the placement into the code</source>
+        <translation>Впишување на поставеноста во кодот</translation>
+    </message>
+    <message>
+        <source>Define the control triangle</source>
+        <translation>Дефинирање на контролниот триаголник</translation>
+    </message>
+    <message>
+        <source>Vertex %1 is already there.</source>
+        <translation>Темето %1 е веќе таму.</translation>
+    </message>
+    <message>
+        <source>A cage can have at most %1 vertices.</source>
+        <translation>Кафезот има најмногу %1 темиња.</translation>
+    </message>
+    <message>
+        <source>There is no room for a vertex here.</source>
+        <translation>Тука нема место за теме.</translation>
+    </message>
+    <message>
+        <source>Insert a vertex</source>
+        <translation>Додавање на теме</translation>
+    </message>
+    <message>
+        <source>A cage needs at least three vertices.</source>
+        <translation>Кафезот има најмалку три темиња.</translation>
+    </message>
+    <message>
+        <source>Without this vertex the cage at rest would cross itself or be flat.</source>
+        <translation>Без ова теме кафезот во мирување би се вкрстувал сам со себе или би бил сплескан.</translation>
+    </message>
+    <message>
+        <source>Delete vertex %1</source>
+        <translation>Бришење на темето %1</translation>
+    </message>
+    <message>
+        <source>Make the cage regular</source>
+        <translation>Правење правилен кафез</translation>
+    </message>
+    <message>
+        <source>Unbake: extract the placement from the code</source>
+        <translation>Вадење на поставеноста од кодот</translation>
+    </message>
+    <message>
+        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
+        <translation>Без овие темиња кафезот во мирување би се вкрстувал сам со себе или би бил сплескан.</translation>
+    </message>
+    <message>
+        <source>Delete %1 vertices</source>
+        <translation>Бришење на %1 темиња</translation>
+    </message>
+    <message>
+        <source>The cage is already the minimal canonical simplex.</source>
+        <translation>Кафезот веќе е минималниот каноничен симплекс.</translation>
+    </message>
+    <message>
+        <source>The cage is already regular.</source>
+        <translation>Кафезот веќе е правилен.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Премести го темето %1 во (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>document::EntriesEdits</name>
+    <message>
+        <source>An entry needs a name.</source>
+        <translation>Записот мора да има име.</translation>
+    </message>
+    <message>
+        <source>A name cannot contain spaces: Fractint would read only its first word.</source>
+        <translation>Името не смее да содржи празни места: Fractint би го прочитал само првиот збор.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
+        <translation>„%1“ не може да биде дел од името, бидејќи има посебно значење во .ifs-датотеките.</translation>
+    </message>
+    <message>
+        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
+        <translation>Името има најмногу %1 знаци; остатокот Fractint го занемарува.</translation>
+    </message>
+    <message>
+        <source>Fractint does not list an entry called “%1”; choose another name.</source>
+        <translation>Fractint не наведува запис со име „%1“; изберете друго име.</translation>
+    </message>
+    <message>
+        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
+        <translation>Друг запис се вика „%1“ (големите и малите букви не се разликуваат).</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapsArrange</name>
+    <message>
+        <source>Flip maps</source>
+        <translation>Преврти пресликувања</translation>
+    </message>
+    <message>
+        <source>Rotate maps by 90°</source>
+        <translation>Заврти пресликувања за 90°</translation>
+    </message>
+    <message>
+        <source>Rotate maps by −90°</source>
+        <translation>Заврти пресликувања за −90°</translation>
+    </message>
+    <message>
+        <source>Align maps</source>
+        <translation>Порамни пресликувања</translation>
+    </message>
+    <message>
+        <source>Distribute maps</source>
+        <translation>Распореди пресликувања</translation>
+    </message>
+    <message>
+        <source>Fit maps to the corners</source>
+        <translation>Постави пресликувања во темињата</translation>
+    </message>
+    <message>
+        <source>Only maps in the plane can be arranged.</source>
+        <translation>Може да се распоредуваат само пресликувања во рамнината.</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Прво избери пресликување.</translation>
+    </message>
+    <message>
+        <source>Select at least two maps first.</source>
+        <translation>Прво избери барем две пресликувања.</translation>
+    </message>
+    <message>
+        <source>Select at least three maps first.</source>
+        <translation>Прво избери барем три пресликувања.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
+        <translation>Кафезот е рамен, па пресликувањата не можат да се поместуваат во него. Прво врати го кафезот.</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapsEdits</name>
+    <message>
+        <source>Duplicate %1 maps</source>
+        <translation>Удвојување на %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Delete %1 maps</source>
+        <translation>Бришење на %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Duplicate a map</source>
+        <translation>Удвојување на пресликување</translation>
+    </message>
+    <message>
+        <source>Delete a map</source>
+        <translation>Бришење на пресликување</translation>
+    </message>
+</context>
+<context>
+    <name>document::SpaceGeometry</name>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Овој запис не е систем во просторот.</translation>
+    </message>
 </context>
 <context>
     <name>view::AifsDialog</name>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Овој запис нема пресликувања на рамнината.</translation>
     </message>
     <message>
@@ -2395,7 +3448,7 @@
         <translation>Афино инваријантен облик</translation>
     </message>
     <message>
-        <source>Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. The matrices do not change when the triangle is dragged. Where no entry is negative, the map takes the triangle into itself.</source>
+        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle into itself.</source>
         <translation>Редицата j на матрицата ги содржи барицентричните координати на сликата на темето j во однос на триаголникот, па збирот на секоја редица е 1. Матриците не се менуваат кога се влече триаголникот. Ако ниеден елемент не е негативен, пресликувањето го пресликува триаголникот во самиот себе.</translation>
     </message>
     <message>
@@ -2403,16 +3456,16 @@
         <translation>&amp;Копирај</translation>
     </message>
     <message>
-        <source>Every map as a matrix that takes barycentric coordinates over the control triangle to barycentric coordinates: each row has the sum 1.</source>
+        <source>Each map as a matrix that acts on barycentric coordinates in the control triangle; every row sums to 1.</source>
         <translation>Секое пресликување како матрица што барицентрични координати во однос на контролниот триаголник ги пресликува во барицентрични координати: збирот на секоја редица е 1.</translation>
     </message>
     <message>
-        <source>Copies the triangle and the matrices with all digits.</source>
+        <source>Copies the triangle and the matrices at full precision.</source>
         <translation>Ги копира триаголникот и матриците со сите цифри.</translation>
     </message>
     <message>
         <source>
-… and %1 more. Copy takes all of them.
+… and %1 more. Copy includes all of them.
 </source>
         <translation>
 … и уште %1. „Копирај“ ги зема сите.
@@ -2430,27 +3483,23 @@
         <translation>Копирај сѐ</translation>
     </message>
     <message>
-        <source>Copy all facts with all digits</source>
+        <source>Copy all properties at full precision</source>
         <translation>Копирај ги сите својства со сите цифри</translation>
     </message>
     <message>
-        <source>3D: not yet shown.</source>
-        <translation>3D: засега не се прикажува.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read, so nothing is known of it.</source>
+        <source>This entry could not be read, so it cannot be analysed.</source>
         <translation>Овој запис не можеше да се прочита, па за него не е познато ништо.</translation>
     </message>
     <message>
-        <source>Copy with All Digits</source>
+        <source>Copy at Full Precision</source>
         <translation>Копирај со сите цифри</translation>
     </message>
     <message>
-        <source>Copy All Facts</source>
+        <source>Copy All Properties</source>
         <translation>Копирај ги сите својства</translation>
     </message>
     <message>
-        <source>Copies every line as its name and its value with all digits.</source>
+        <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Го копира секој ред како име и вредност со сите цифри.</translation>
     </message>
     <message>
@@ -2486,7 +3535,7 @@
         <translation>Елипса</translation>
     </message>
     <message>
-        <source>Show the mean and the ellipse of the covariance</source>
+        <source>Show the mean and the covariance ellipse</source>
         <translation>Прикажи ги средината и елипсата на коваријансата</translation>
     </message>
     <message>
@@ -2502,7 +3551,7 @@
         <translation>Цилиндри</translation>
     </message>
     <message>
-        <source>Outline the hulls of all pieces with an address of the same length, in the colour of its first map</source>
+        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map</source>
         <translation>Исцртај ги обвивките на сите делови со адреса со иста должина, во бојата на нејзиното прво пресликување</translation>
     </message>
     <message>
@@ -2510,7 +3559,7 @@
         <translation>Должина на адресите</translation>
     </message>
     <message>
-        <source>How many symbols the addresses of the cylinders have; fewer where there would be thousands</source>
+        <source>The number of symbols in the addresses of the cylinders; fewer if there would be thousands of cylinders</source>
         <translation>Колку симболи имаат адресите на цилиндрите; помалку каде што би имало илјадници</translation>
     </message>
     <message>
@@ -2518,8 +3567,8 @@
         <translation>Должина на адреса</translation>
     </message>
     <message>
-        <source>The cage bends the picture, and no system has it. These are facts of the code; on the canvas they are bent with the picture.</source>
-        <translation>Кафезот ја свиткува сликата и ниеден систем ја нема. Ова се својства на кодот; на платното тие се свиткани со сликата.</translation>
+        <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
+        <translation>Кафезот ја свиткува сликата, а ниеден систем не дава свиткана слика. Ова се својства на кодот; на платното контурите се свиткуваат со сликата.</translation>
     </message>
 </context>
 <context>
@@ -2533,7 +3582,7 @@
         <translation>Врати почетни вредности</translation>
     </message>
     <message>
-        <source>Every setting of this panel as in a new fractal</source>
+        <source>Reset every setting of this panel to its default</source>
         <translation>Сите поставки на овој панел како кај нов фрактал</translation>
     </message>
     <message>
@@ -2545,7 +3594,7 @@
         <translation>Густина</translation>
     </message>
     <message>
-        <source>The palette follows the density of points</source>
+        <source>Colour by the density of points</source>
         <translation>Палетата ја следи густината на точките</translation>
     </message>
     <message>
@@ -2553,7 +3602,7 @@
         <translation>Пресликување</translation>
     </message>
     <message>
-        <source>The colour of the last map applied</source>
+        <source>Colour by the last map applied</source>
         <translation>Бојата на последното применето пресликување</translation>
     </message>
     <message>
@@ -2561,7 +3610,7 @@
         <translation>Адреса</translation>
     </message>
     <message>
-        <source>The palette follows the address of each point</source>
+        <source>Colour by the address of each point</source>
         <translation>Палетата ја следи адресата на секоја точка</translation>
     </message>
     <message>
@@ -2569,20 +3618,12 @@
         <translation>Едноставно</translation>
     </message>
     <message>
-        <source>One colour; the density is its opacity</source>
+        <source>One colour, with the density as its opacity</source>
         <translation>Една боја; густината е нејзината непроѕирност</translation>
-    </message>
-    <message>
-        <source>Change what the colour shows</source>
-        <translation>Промена на она што го покажува бојата</translation>
     </message>
     <message>
         <source>Plain colour</source>
         <translation>Единствена боја</translation>
-    </message>
-    <message>
-        <source>Change the plain colour</source>
-        <translation>Промена на единствената боја</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -2591,10 +3632,6 @@
     <message>
         <source>Palette</source>
         <translation>Палета</translation>
-    </message>
-    <message>
-        <source>Change the palette</source>
-        <translation>Промена на палетата</translation>
     </message>
     <message>
         <source>Edit Palette</source>
@@ -2607,10 +3644,6 @@
     <message>
         <source>Background colour</source>
         <translation>Боја на позадината</translation>
-    </message>
-    <message>
-        <source>Change the background colour</source>
-        <translation>Промена на бојата на позадината</translation>
     </message>
     <message>
         <source>Transparent</source>
@@ -2633,20 +3666,12 @@
         <translation>Осветленост</translation>
     </message>
     <message>
-        <source>Change the brightness</source>
-        <translation>Промена на осветленоста</translation>
-    </message>
-    <message>
-        <source>How early thin parts become visible: κ of the logarithmic tone curve</source>
+        <source>How strongly thin parts show: κ of the logarithmic tone curve</source>
         <translation>Колку рано стануваат видливи ретките делови: κ од логаритамската тонска крива</translation>
     </message>
     <message>
         <source>Gamma</source>
         <translation>Гама</translation>
-    </message>
-    <message>
-        <source>Change the gamma</source>
-        <translation>Промена на гама</translation>
     </message>
     <message>
         <source>Exponent of the tone curve: higher values lift the dark parts</source>
@@ -2665,10 +3690,6 @@
         <translation>%1 × %1 потпиксели</translation>
     </message>
     <message>
-        <source>Change the supersampling</source>
-        <translation>Промена на суперсемплирањето</translation>
-    </message>
-    <message>
         <source>Map colours</source>
         <translation>Бои на пресликувањата</translation>
     </message>
@@ -2681,11 +3702,7 @@
         <translation>Боја на пресликувањето %1</translation>
     </message>
     <message>
-        <source>Change the colour of map %1</source>
-        <translation>Промена на бојата на пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>What the colour of a point tells: how many points fall there, which map came last, or the whole address.</source>
+        <source>What the colour of a point shows: how many points fall there, which map came last, or the whole address.</source>
         <translation>Што кажува бојата на една точка: колку точки паѓаат таму, кое пресликување било последно или целата адреса.</translation>
     </message>
     <message>
@@ -2693,126 +3710,35 @@
         <translation>Боите од најретките делови до најгустите, или по адресите.</translation>
     </message>
     <message>
-        <source>Leaves the background out of exported pictures.</source>
+        <source>Makes the background of exported pictures transparent.</source>
         <translation>Ја изоставува позадината од извезените слики.</translation>
     </message>
     <message>
-        <source>Draws every pixel from several finer ones: smoother edges, for more memory and time.</source>
+        <source>Computes every pixel from several smaller ones: smoother edges, at the cost of memory and time.</source>
         <translation>Го црта секој пиксел од неколку поситни: помазни рабови, но повеќе меморија и време.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Colour by: %1</source>
+        <translation>Боење според: %1</translation>
+    </message>
+    <message>
+        <source>Palette: %1</source>
+        <translation>Палета: %1</translation>
+    </message>
+    <message>
+        <source>Supersampling: %1</source>
+        <translation>Надземање примероци: %1</translation>
     </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
     <message>
-        <source>Drag, or use the arrow keys. The number beside it is the same value.</source>
+        <source>Drag, or use the arrow keys. The field next to it shows the same value.</source>
         <translation>Влечете или користете ги стрелките. Бројот до лизгачот ја покажува истата вредност.</translation>
-    </message>
-</context>
-<context>
-    <name>view::ArisingBar</name>
-    <message>
-        <source>How the attractor arises</source>
-        <translation>Како настанува атракторот</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Густина</translation>
-    </message>
-    <message>
-        <source>The invariant measure, refined while nothing moves</source>
-        <translation>Инваријантната мера, сѐ попрецизна додека ништо не се движи</translation>
-    </message>
-    <message>
-        <source>Steps Wⁿ</source>
-        <translation>Чекори Wⁿ</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>Детерминистичкиот алгоритам: сите пресликувања применети n пати врз кафезот во мирување</translation>
-    </message>
-    <message>
-        <source>Chaos Game</source>
-        <translation>Игра на хаос</translation>
-    </message>
-    <message>
-        <source>One point that jumps by maps drawn at random; the first 14 points are not plotted</source>
-        <translation>Една точка што скока според случајно извлечени пресликувања; првите 14 точки не се цртаат</translation>
-    </message>
-    <message>
-        <source>n: how often all maps are applied</source>
-        <translation>n: колку пати се применуваат сите пресликувања</translation>
-    </message>
-    <message>
-        <source>Begin Again</source>
-        <translation>Почни одново</translation>
-    </message>
-    <message>
-        <source>No points yet, and other dice</source>
-        <translation>Одново без ниедна точка, со други случајни броеви</translation>
-    </message>
-    <message>
-        <source>One Point</source>
-        <translation>Една точка</translation>
-    </message>
-    <message>
-        <source>Plot one more point</source>
-        <translation>Нацртај уште една точка</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Започни</translation>
-    </message>
-    <message>
-        <source>Let points appear</source>
-        <translation>Нека се појавуваат точки</translation>
-    </message>
-    <message>
-        <source>Points a second</source>
-        <translation>Точки во секунда</translation>
-    </message>
-    <message>
-        <source>%1 a second</source>
-        <translation>%1 во секунда</translation>
-    </message>
-    <message>
-        <source>W%1: the cage itself</source>
-        <translation>W%1: самиот кафез</translation>
-    </message>
-    <message>
-        <source>W%1: %2 copies of the cage</source>
-        <translation>W%1: %2 копии од кафезот</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Пауза</translation>
-    </message>
-    <message>
-        <source>Stay at these points</source>
-        <translation>Застани кај овие точки</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 точки</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 точка</translation>
-    </message>
-    <message>
-        <source>, the last by map %1</source>
-        <translation>, последната според пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>How often all maps are applied to the cage: 0 is the cage itself, and with every step the picture comes closer to the attractor.</source>
-        <translation>Колку пати сите пресликувања се применуваат врз кафезот: 0 е самиот кафез, а со секој чекор сликата се приближува кон атракторот.</translation>
-    </message>
-    <message>
-        <source>How many points the chaos game plots in a second.</source>
-        <translation>Колку точки црта играта на хаос во една секунда.</translation>
-    </message>
-    <message>
-        <source>no points yet: press ▶</source>
-        <translation>сè уште нема точки: притиснете ▶</translation>
     </message>
 </context>
 <context>
@@ -2822,7 +3748,7 @@
         <translation>Дијаграм на броење кутии</translation>
     </message>
     <message>
-        <source>How many boxes meet the attractor, against how fine they are: log₂ N over k for boxes of side L·2⁻ᵏ, L the side of the square around the attractor. Points in outline are left out of the line: there the size of the whole or of a cell shows.</source>
+        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: there the size of the whole or of a cell has an effect.</source>
         <translation>Колку кутии го допираат атракторот спрема нивната финост: log₂ N над k за кутии со страна L·2⁻ᵏ, L е страната на квадратот околу атракторот. Празните точки не се земени за правата: таму се гледа големината на целината или на една ќелија.</translation>
     </message>
     <message>
@@ -2861,31 +3787,31 @@
         <translation>Длабочина на гранката</translation>
     </message>
     <message>
-        <source>How many maps of the address name the branch (Shift + wheel over the canvas)</source>
+        <source>The number of maps in the address of the branch (Shift + wheel over the canvas)</source>
         <translation>Колку пресликувања од адресата ја именуваат гранката (Shift + тркалце над платното)</translation>
     </message>
     <message>
-        <source>The address of the point clicked, outermost map first; the branch is what is bold</source>
-        <translation>Адресата на кликнатата точка, прво најнадворешното пресликување; гранката е она што е задебелено</translation>
+        <source>The address of the clicked point, outermost map first; the bold part is the address of the branch</source>
+        <translation>Адресата на кликнатата точка, прво најнадворешното пресликување; задебелениот дел е адресата на гранката</translation>
     </message>
     <message>
-        <source>this branch, as a map of its own</source>
-        <translation>оваа гранка, како посебно пресликување</translation>
+        <source>New map for this branch</source>
+        <translation>Ново пресликување за оваа гранка</translation>
     </message>
     <message>
-        <source>The system gets a map for this branch and one for every branch beside it. Its change is seen again at all smaller scales.</source>
-        <translation>Системот добива пресликување за оваа гранка и по едно за секоја гранка покрај неа. Промената се гледа пак во сите помали размери.</translation>
+        <source>Gives this branch and each of its sibling branches a map of its own. The change appears again at all smaller scales.</source>
+        <translation>Оваа гранка и секоја нејзина соседна гранка добиваат свое пресликување. Промената се појавува повторно во сите помали размери.</translation>
     </message>
     <message>
-        <source>the last map of its address</source>
-        <translation>последното пресликување од нејзината адреса</translation>
+        <source>Last map of the address</source>
+        <translation>Последното пресликување од адресата</translation>
     </message>
     <message>
-        <source>The code keeps its maps. All branches that this map makes change alike.</source>
-        <translation>Кодот ги задржува своите пресликувања. Сите гранки што ги прави ова пресликување се менуваат еднакво.</translation>
+        <source>The system keeps its number of maps. All branches that this map makes change in the same way.</source>
+        <translation>Бројот на пресликувања останува ист. Сите гранки што ги создава ова пресликување се менуваат на ист начин.</translation>
     </message>
     <message>
-        <source>What changing the branch changes</source>
+        <source>What editing the branch changes</source>
         <translation>Што менува промената на гранката</translation>
     </message>
     <message>
@@ -2897,7 +3823,7 @@
         <translation>Агол за кој избраните пресликувања се нишаат околу своите корени</translation>
     </message>
     <message>
-        <source>Lets the selected maps swing, each about the image of the lowest point of the fractal; the slider goes back to the middle when it is let go</source>
+        <source>Swings the selected maps, each about the image of the lowest point of the fractal; the slider returns to the middle when you release it</source>
         <translation>Ги ниша избраните пресликувања, секое околу сликата на најниската точка на фракталот; кога ќе се пушти, лизгачот се враќа на средина</translation>
     </message>
     <message>
@@ -2913,16 +3839,16 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Let maps swing</source>
+        <source>Swing maps</source>
         <translation>Нишање на пресликувања</translation>
     </message>
     <message>
-        <source>where it is shown, and it alone</source>
-        <translation>каде се прикажува, и само таа</translation>
+        <source>Only here</source>
+        <translation>Само тука</translation>
     </message>
     <message>
-        <source>The code stays as it is. This branch is shown elsewhere, and nothing like it at other scales.</source>
-        <translation>Кодот останува каков што е. Оваа гранка се прикажува на друго место, и ништо слично на неа во други размери.</translation>
+        <source>The code does not change. Only this branch is shown elsewhere; the same change does not appear at other scales.</source>
+        <translation>Кодот не се менува. Само оваа гранка се прикажува на друго место; промената не се повторува во други размери.</translation>
     </message>
     <message>
         <source>Put &amp;Back</source>
@@ -2933,11 +3859,11 @@
         <translation>&amp;Врати ги сите</translation>
     </message>
     <message>
-        <source>Shows the branch where its maps put it</source>
+        <source>Shows the branch in its original position, given by its maps</source>
         <translation>Ја прикажува гранката таму каде што ја ставаат нејзините пресликувања</translation>
     </message>
     <message>
-        <source>Shows every branch where its maps put it</source>
+        <source>Shows all branches in their original positions, given by their maps</source>
         <translation>Ја прикажува секоја гранка таму каде што ја ставаат нејзините пресликувања</translation>
     </message>
     <message>
@@ -2980,95 +3906,8 @@
         <translation>Скалирај ја гранката %1</translation>
     </message>
     <message>
-        <source>This branch is map 1 now. Numbers in the table change it further.</source>
+        <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Оваа гранка сега е пресликување 1. Броевите во табелата ја менуваат понатаму.</translation>
-    </message>
-</context>
-<context>
-    <name>view::CageActions</name>
-    <message>
-        <source>This entry is not a system of the plane, so it has no control cage.</source>
-        <translation>Овој запис не е систем во рамнината, па нема контролен кафез.</translation>
-    </message>
-    <message>
-        <source>The cage is too flat to be undone. Open it by dragging a vertex, or reset it, and try again.</source>
-        <translation>Кафезот е премногу сплескан за да може да се врати. Раширете го со влечење на некое теме или вратете го во мирување, па обидете се повторно.</translation>
-    </message>
-    <message>
-        <source>The three points lie on one line and hold no coordinates. Put the third one beside the line.</source>
-        <translation>Трите точки лежат на една права и не определуваат координати. Ставете ја третата надвор од правата.</translation>
-    </message>
-    <message>
-        <source>Fit the minimal canonical simplex</source>
-        <translation>Опфаќање со минимален каноничен симплекс</translation>
-    </message>
-    <message>
-        <source>Reset the cage</source>
-        <translation>Враќање на кафезот во мирување</translation>
-    </message>
-    <message>
-        <source>Bake the placement into the code</source>
-        <translation>Впишување на поставеноста во кодот</translation>
-    </message>
-    <message>
-        <source>Define the control triangle</source>
-        <translation>Дефинирање на контролниот триаголник</translation>
-    </message>
-    <message>
-        <source>Vertex %1 is there already.</source>
-        <translation>Темето %1 е веќе таму.</translation>
-    </message>
-    <message>
-        <source>Move vertex %1</source>
-        <translation>Поместување на темето %1</translation>
-    </message>
-    <message>
-        <source>A cage has at most %1 vertices.</source>
-        <translation>Кафезот има најмногу %1 темиња.</translation>
-    </message>
-    <message>
-        <source>There is no room for a vertex here.</source>
-        <translation>Тука нема место за теме.</translation>
-    </message>
-    <message>
-        <source>Insert a vertex</source>
-        <translation>Додавање на теме</translation>
-    </message>
-    <message>
-        <source>A cage has at least three vertices.</source>
-        <translation>Кафезот има најмалку три темиња.</translation>
-    </message>
-    <message>
-        <source>Without this vertex the cage at rest would cross itself or be flat.</source>
-        <translation>Без ова теме кафезот во мирување би се вкрстувал сам со себе или би бил сплескан.</translation>
-    </message>
-    <message>
-        <source>Delete vertex %1</source>
-        <translation>Бришење на темето %1</translation>
-    </message>
-    <message>
-        <source>Make the cage regular</source>
-        <translation>Правење правилен кафез</translation>
-    </message>
-    <message>
-        <source>Unbake: take the placement out of the code</source>
-        <translation>Вадење на поставеноста од кодот</translation>
-    </message>
-    <message>
-        <source>Without these vertices the cage at rest would cross itself or be flat.</source>
-        <translation>Без овие темиња кафезот во мирување би се вкрстувал сам со себе или би бил сплескан.</translation>
-    </message>
-    <message>
-        <source>Delete %1 vertices</source>
-        <translation>Бришење на %1 темиња</translation>
-    </message>
-    <message>
-        <source>The cage is the minimal canonical simplex already.</source>
-        <translation>Кафезот веќе е минималниот каноничен симплекс.</translation>
-    </message>
-    <message>
-        <source>The cage is regular already.</source>
-        <translation>Кафезот веќе е правилен.</translation>
     </message>
 </context>
 <context>
@@ -3094,7 +3933,7 @@
         <translation>Измени код</translation>
     </message>
     <message>
-        <source>Moving the cage moves the picture; the code stays</source>
+        <source>Moving the cage moves the picture; the code does not change</source>
         <translation>Поместувањето на кафезот ја поместува сликата; кодот останува ист</translation>
     </message>
     <message>
@@ -3110,11 +3949,11 @@
         <translation>Афино приближување</translation>
     </message>
     <message>
-        <source>Every vertex is followed; the picture bends, which cannot be baked into a code</source>
+        <source>The picture follows every vertex and bends; a bent picture cannot be baked into the code</source>
         <translation>Се следи секое теме; сликата се свиткува, а тоа не може да се впише во кодот</translation>
     </message>
     <message>
-        <source>The picture moves by the affine map that comes nearest to the vertices; it can be baked</source>
+        <source>The picture follows the vertices by the closest affine map; it can be baked</source>
         <translation>Сликата се поместува со афиното пресликување што е најблиску до темињата; тоа може да се впише во кодот</translation>
     </message>
     <message>
@@ -3186,7 +4025,7 @@
         <translation>Кафез во мирување</translation>
     </message>
     <message>
-        <source>Show the vertices that hold the attractor while the cage is at rest</source>
+        <source>Show the positions of the vertices when the cage is at rest</source>
         <translation>Прикажи ги темињата што го држат атракторот додека кафезот е во мирување</translation>
     </message>
     <message>
@@ -3214,7 +4053,7 @@
         <translation>Минимален каноничен симплекс</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs say to which side its legs point from the right angle.</source>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the picture. The signs give the directions in which its legs point from the right angle.</source>
         <translation>Најмалиот рамнокрак правоаголен триаголник со катети паралелни на оските што ја содржи сликата. Знаците кажуваат на која страна од правиот агол се насочени катетите.</translation>
     </message>
     <message>
@@ -3222,7 +4061,7 @@
         <translation>Барицентрични координати на точка</translation>
     </message>
     <message>
-        <source>The weights a, b, c with a + b + c = 1 that the vertices take to balance in the point.</source>
+        <source>The weights a, b, c with a + b + c = 1 for which the point is the weighted mean of the vertices.</source>
         <translation>Тежините a, b, c со a + b + c = 1 што треба да се стават во темињата за тежиштето да биде во таа точка.</translation>
     </message>
     <message>
@@ -3246,20 +4085,12 @@
         <translation>%1 на темето %2 во мирување</translation>
     </message>
     <message>
-        <source>Move vertex %1</source>
-        <translation>Поместување на темето %1</translation>
-    </message>
-    <message>
         <source>The three points are on one line: the rest cage must enclose an area.</source>
         <translation>Трите точки лежат на една права: кафезот во мирување мора да опфаќа плоштина.</translation>
     </message>
     <message>
         <source>The rest cage must be a polygon that does not cross itself.</source>
         <translation>Кафезот во мирување мора да биде многуаголник што не се вкрстува сам со себе.</translation>
-    </message>
-    <message>
-        <source>Define vertex %1</source>
-        <translation>Дефинирање на темето %1</translation>
     </message>
     <message>
         <source>The picture is too thin for such a cage.</source>
@@ -3274,35 +4105,31 @@
         <translation>Впишување на кафезот во кодот</translation>
     </message>
     <message>
-        <source>3D: not yet shown.</source>
-        <translation>3D: засега не се прикажува.</translation>
-    </message>
-    <message>
         <source>This entry could not be read, so it has no cage.</source>
         <translation>Овој запис не можеше да се прочита, па нема кафез.</translation>
     </message>
     <message>
-        <source>At rest: the picture is that of the code.</source>
+        <source>At rest: the picture shows the code.</source>
         <translation>Во мирување: сликата е онаа на кодот.</translation>
     </message>
     <message>
-        <source>%1 vertices, at rest: the picture is that of the code.</source>
+        <source>%1 vertices, at rest: the picture shows the code.</source>
         <translation>%1 темиња, во мирување: сликата е онаа на кодот.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by Wachspress coordinates, not bakeable.</source>
+        <source>%1 vertices: bent by Wachspress coordinates, cannot be baked.</source>
         <translation>%1 темиња: свиткана со Вакспресови координати, не може да се впише во кодот.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by mean value coordinates, not bakeable.</source>
+        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
         <translation>%1 темиња: свиткана со координати на средна вредност, не може да се впише во кодот.</translation>
     </message>
     <message>
-        <source>Flat: the picture lies on one line. Open the cage and it comes back.</source>
+        <source>Flat: the picture is squeezed onto a line. Open the cage to get it back.</source>
         <translation>Сплескано: сликата лежи на една права. Раширете го кафезот и таа се враќа.</translation>
     </message>
     <message>
-        <source>Placed and mirrored: areas change by the factor %1, and the sense of rotation is reversed.</source>
+        <source>Placed and mirrored: areas change by the factor %1, and the orientation is reversed.</source>
         <translation>Поставена и огледално превртена: плоштините се менуваат со коефициент %1, а ориентацијата е спротивна.</translation>
     </message>
     <message>
@@ -3310,7 +4137,7 @@
         <translation>Поставена: плоштините се менуваат со коефициент %1.</translation>
     </message>
     <message>
-        <source>The triangle is flat: it holds no coordinates.</source>
+        <source>The triangle is flat: it defines no coordinates.</source>
         <translation>Триаголникот е сплескан: не определува координати.</translation>
     </message>
     <message>
@@ -3318,24 +4145,100 @@
         <translation>%1, катета %2, теме (%3, %4)</translation>
     </message>
     <message>
-        <source>Hold the picture by a fitted cage; the picture stays</source>
+        <source>Replace the cage by one fitted to the picture; the picture stays</source>
         <translation>Опфати ја сликата со нов кафез; сликата останува иста</translation>
     </message>
     <message>
-        <source>Put the cage and the picture back to rest</source>
+        <source>Return the cage and the picture to rest</source>
         <translation>Врати ги кафезот и сликата во мирување</translation>
     </message>
     <message>
-        <source>Make the displayed picture the code; the cage then rests</source>
+        <source>Write the displayed picture into the code; the cage is then at rest</source>
         <translation>Впиши ја прикажаната слика во кодот; потоа кафезот е во мирување</translation>
     </message>
     <message>
-        <source>The cage is there already.</source>
+        <source>The cage is already there.</source>
         <translation>Кафезот веќе е таму.</translation>
     </message>
     <message>
-        <source>The coordinates are read over a triangle.</source>
-        <translation>Координатите се читаат над триаголник.</translation>
+        <source>Only a cage with three vertices has barycentric coordinates.</source>
+        <translation>Само кафез со три темиња има барицентрични координати.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Премести го темето %1 во (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Define vertex %1 at (%2, %3)</source>
+        <translation>Дефинирај го темето %1 во (%2, %3)</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>z at rest</source>
+        <translation>z во мирување</translation>
+    </message>
+    <message>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the picture. The signs give the directions in which its legs point from their common corner.</source>
+        <translation>Најмалиот тетраедар со три еднакви рабови паралелни на оските што ја содржи сликата. Знаците кажуваат каде се насочени тие рабови од заедничкото теме.</translation>
+    </message>
+    <message>
+        <source>The weights a, b, c, d with a + b + c + d = 1 for which the point is the weighted mean of the vertices.</source>
+        <translation>Тежините a, b, c, d со a + b + c + d = 1 што треба да се стават во темињата за тежиштето да биде во таа точка.</translation>
+    </message>
+    <message>
+        <source>z of the point</source>
+        <translation>z на точката</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3, %4)</source>
+        <translation>Помести го темето %1 на (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>The vertices are in one plane: the rest cage must enclose a volume.</source>
+        <translation>Темињата лежат во една рамнина: кафезот во мирување мора да опфаќа волумен.</translation>
+    </message>
+    <message>
+        <source>Define vertex %1 at (%2, %3, %4)</source>
+        <translation>Дефинирај го темето %1 кај (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>Three clicks define a triangle in the plane. In space, show the rest cage and type the coordinates of its vertices.</source>
+        <translation>Три кликања дефинираат триаголник во рамнината. Во просторот, прикажете го кафезот во мирување и напишете ги координатите на неговите темиња.</translation>
+    </message>
+    <message>
+        <source>These cages are polygons in the plane. In space, the cage is the minimal canonical simplex until you change it.</source>
+        <translation>Овие кафези се многуаголници во рамнината. Во просторот, кафезот е минималниот каноничен симплекс сè додека не го промените.</translation>
+    </message>
+    <message>
+        <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
+        <translation>Сплескано: телото лежи во една рамнина или права. Раширете го кафезот и тоа се враќа.</translation>
+    </message>
+    <message>
+        <source>Placed and mirrored: volumes change by the factor %1, and the orientation is reversed.</source>
+        <translation>Поставена и огледално превртена: волумените се менуваат со коефициент %1, а ориентацијата е спротивна.</translation>
+    </message>
+    <message>
+        <source>Placed: volumes change by the factor %1.</source>
+        <translation>Поставена: волумените се менуваат со коефициент %1.</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices has barycentric coordinates.</source>
+        <translation>Само кафез со четири темиња има барицентрични координати.</translation>
+    </message>
+    <message>
+        <source>The tetrahedron is flat: it defines no coordinates.</source>
+        <translation>Тетраедарот е сплескан: не определува координати.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Овој систем нема атрактор што може да се опфати.</translation>
+    </message>
+    <message>
+        <source>%1, leg %2, corner (%3, %4, %5)</source>
+        <translation>%1, раб %2, теме (%3, %4, %5)</translation>
     </message>
 </context>
 <context>
@@ -3369,7 +4272,7 @@
         <translation>Прво избери теме.</translation>
     </message>
     <message>
-        <source>Point at an edge, or select a vertex, to insert one.</source>
+        <source>To insert a vertex, point to an edge or select a vertex.</source>
         <translation>За да вметнеш теме, покажи на страна или избери теме.</translation>
     </message>
 </context>
@@ -3380,35 +4283,31 @@
         <translation>Нема атрактор: пресликувањето %1 не е контракција (најголема сингуларна вредност %2, спектрален радиус %3). Смалете го или исклучете го.</translation>
     </message>
     <message>
-        <source>No attractor: the maps %1, one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
+        <source>No attractor: the maps %1, applied one after the other, do not contract (largest singular value %2, spectral radius %3). Make one of them smaller, or switch it off.</source>
         <translation>Нема атрактор: пресликувањата %1, едно по друго, не се контракција (најголема сингуларна вредност %2, спектрален радиус %3). Смалете некое од нив или исклучете го.</translation>
     </message>
     <message>
-        <source>It is not settled whether this system has an attractor: map %1 stretches by %2. Points that run away are left out.</source>
+        <source>It is undecided whether this system has an attractor: map %1 stretches by up to %2. Points that escape are left out.</source>
         <translation>Не е утврдено дали овој систем има атрактор: пресликувањето %1 растегнува %2 пати. Точките што бегаат се изоставени.</translation>
     </message>
     <message>
-        <source>It is not settled whether this system has an attractor. Points that run away are left out.</source>
+        <source>It is undecided whether this system has an attractor. Points that escape are left out.</source>
         <translation>Не е утврдено дали овој систем има атрактор. Точките што бегаат се изоставени.</translation>
     </message>
     <message>
-        <source>This entry is a system in space: not yet shown. It is kept as it is.</source>
-        <translation>Овој запис е систем во просторот: засега не се прикажува. Тој е задржан како што е.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read. Its text is kept as it is in the file.</source>
+        <source>This entry could not be read. Its text is kept unchanged in the file.</source>
         <translation>Овој запис не можеше да се прочита. Неговиот текст е задржан како што е во датотеката.</translation>
     </message>
     <message>
-        <source>No map takes part, so there is nothing to draw. Add a map or switch one on.</source>
-        <translation>Не учествува ниедно пресликување, па нема што да се црта. Додајте пресликување или вклучете некое.</translation>
+        <source>No map is active, so there is nothing to draw. Add a map or switch one on.</source>
+        <translation>Ниедно пресликување не е активно, па нема што да се црта. Додајте пресликување или вклучете некое.</translation>
     </message>
     <message>
-        <source>This is as deep as the arithmetic reaches: zoom out a little for a true picture.</source>
+        <source>This is the limit of numerical precision: zoom out a little for an accurate picture.</source>
         <translation>Подлабоко од ова аритметиката не стигнува: намалете го малку приказот за верна слика.</translation>
     </message>
     <message>
-        <source>Drawn with fewer iterations than asked for: more would need more memory than allowed.</source>
+        <source>Drawn with fewer iterations than requested: more would exceed the memory limit.</source>
         <translation>Нацртано со помалку итерации од бараните: за повеќе би требало повеќе меморија од дозволената.</translation>
     </message>
     <message>
@@ -3416,28 +4315,36 @@
         <translation>Кафезот е сплескан, па и сликата. Повлечете некое теме за да го раширите: ништо не се губи.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <source>Stopped: beyond this, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
         <translation>Запрено: понатаму пресликувањето %1 не би контрахирало (најголема сингуларна вредност %2, спектрален радиус %3) и не би имало атрактор.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, the maps %1, one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
+        <source>Stopped: beyond this, the maps %1, applied one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
         <translation>Запрено: понатаму пресликувањата %1, едно по друго, не би контрахирале (најголема сингуларна вредност %2, спектрален радиус %3) и не би имало атрактор.</translation>
     </message>
     <message>
-        <source>Stopped: any farther, it is not settled whether there would be an attractor (map %1 has the largest singular value, %2).</source>
-        <translation>Запрено: понатаму не е решено дали би имало атрактор (пресликувањето %1 има најголема сингуларна вредност, %2).</translation>
+        <source>Stopped: beyond this, an attractor is not guaranteed (map %1 has the largest singular value, %2).</source>
+        <translation>Запрено: натаму не е загарантиран атрактор (пресликувањето %1 има најголема сингуларна вредност, %2).</translation>
     </message>
     <message>
-        <source>One map alone: nothing is left but its fixed point.</source>
+        <source>With a single map, only its fixed point is left.</source>
         <translation>Само едно пресликување: останува единствено неговата неподвижна точка.</translation>
     </message>
     <message>
-        <source>One map alone: nothing is left but its fixed point (%1, %2).</source>
+        <source>With a single map, only its fixed point (%1, %2) is left.</source>
         <translation>Само едно пресликување: останува единствено неговата неподвижна точка (%1, %2).</translation>
     </message>
     <message>
-        <source>No map that is on has a weight above 0, so there is nothing to draw. Give one a weight.</source>
+        <source>No map that is switched on has a positive weight, so there is nothing to draw. Give one of them a weight.</source>
         <translation>Ниедно вклучено пресликување нема тежина поголема од 0, па нема што да се црта. Дајте му тежина на некое.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor. The picture shows where its points spend their time.</source>
+        <translation>Овој систем нема атрактор. Сликата покажува каде се задржуваат неговите точки.</translation>
+    </message>
+    <message>
+        <source>Whether this system has an attractor is undecided.</source>
+        <translation>Не е решено дали овој систем има атрактор.</translation>
     </message>
 </context>
 <context>
@@ -3451,7 +4358,7 @@
         <translation>&amp;Координати…</translation>
     </message>
     <message>
-        <source>Types the place of this vertex</source>
+        <source>Lets you type the coordinates of this vertex</source>
         <translation>Го внесува местото на ова теме со броеви</translation>
     </message>
     <message>
@@ -3459,7 +4366,7 @@
         <translation>&amp;Врати го темето во мирување</translation>
     </message>
     <message>
-        <source>Puts this vertex back to rest</source>
+        <source>Returns this vertex to its position at rest</source>
         <translation>Го враќа ова теме во мирување</translation>
     </message>
     <message>
@@ -3491,7 +4398,7 @@
         <translation>&amp;Избриши го темето</translation>
     </message>
     <message>
-        <source>Takes this vertex out of the cage</source>
+        <source>Removes this vertex from the cage</source>
         <translation>Го вади ова теме од кафезот</translation>
     </message>
     <message>
@@ -3499,7 +4406,7 @@
         <translation>Премести го с&amp;тожерот тука</translation>
     </message>
     <message>
-        <source>Turns and scales the cage about this vertex</source>
+        <source>Rotates and scales the cage about this vertex</source>
         <translation>Кафезот се врти и скалира околу ова теме</translation>
     </message>
     <message>
@@ -3511,15 +4418,15 @@
         <translation>Додај &amp;теме тука</translation>
     </message>
     <message>
-        <source>Puts one more vertex on this edge; a double click does the same</source>
+        <source>Inserts a vertex on this edge; double-clicking does the same</source>
         <translation>Става уште едно теме на оваа страна; истото го прави и двојното кликање</translation>
     </message>
     <message>
-        <source>Rotate: Shift turns in steps of 15°</source>
+        <source>Rotate: hold Shift for steps of 15°</source>
         <translation>Ротирање: Shift врти во чекори од 15°</translation>
     </message>
     <message>
-        <source>Scale: Shift keeps to x or y</source>
+        <source>Scale: hold Shift for x or y only</source>
         <translation>Скалирање: Shift останува на x или y</translation>
     </message>
     <message>
@@ -3527,11 +4434,11 @@
         <translation>Стожер</translation>
     </message>
     <message>
-        <source>Put the &amp;Pivot in the Middle</source>
+        <source>Put the &amp;Pivot in the Centre</source>
         <translation>Премести го стожерот во с&amp;редината</translation>
     </message>
     <message>
-        <source>Turns and scales the cage about its middle</source>
+        <source>Rotates and scales the cage about its centre</source>
         <translation>Кафезот се врти и скалира околу својата средина</translation>
     </message>
     <message>
@@ -3543,15 +4450,15 @@
         <translation>Опфати со минимален каноничен &amp;симплекс</translation>
     </message>
     <message>
-        <source>Holds the picture by the smallest right-angled triangle around it</source>
-        <translation>Ја опфаќа сликата со најмалиот рамнокрак правоаголен триаголник околу неа</translation>
+        <source>Fits the smallest isosceles right triangle with legs parallel to the axes around the picture</source>
+        <translation>Го поставува околу сликата најмалиот рамнокрак правоаголен триаголник со катети паралелни на оските</translation>
     </message>
     <message>
         <source>&amp;Define Triangle</source>
         <translation>&amp;Дефинирај триаголник</translation>
     </message>
     <message>
-        <source>Holds the picture by three points that are clicked</source>
+        <source>Defines the triangle by three clicks; the picture stays</source>
         <translation>Ја држи сликата со три точки избрани со кликање</translation>
     </message>
     <message>
@@ -3559,7 +4466,7 @@
         <translation>Врати го ка&amp;фезот во мирување</translation>
     </message>
     <message>
-        <source>Puts every vertex back to rest</source>
+        <source>Returns every vertex to its position at rest</source>
         <translation>Ги враќа сите темиња во мирување</translation>
     </message>
     <message>
@@ -3567,7 +4474,7 @@
         <translation>&amp;Направи го правилен</translation>
     </message>
     <message>
-        <source>Puts the vertices on the regular polygon nearest to them</source>
+        <source>Moves the vertices to the nearest regular polygon</source>
         <translation>Ги става темињата на правилниот многуаголник што им е најблизок</translation>
     </message>
     <message>
@@ -3575,7 +4482,7 @@
         <translation>Впи&amp;ши ја поставеноста во кодот</translation>
     </message>
     <message>
-        <source>Rewrites the maps so that they draw what is shown, with the cage at rest</source>
+        <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
         <translation>Ги менува пресликувањата така што го цртаат прикажаното, со кафезот во мирување</translation>
     </message>
     <message>
@@ -3595,7 +4502,7 @@
         <translation>&amp;100 %	1</translation>
     </message>
     <message>
-        <source>Shows one unit of the plane as a hundred pixels</source>
+        <source>Shows one unit of the plane as one hundred pixels</source>
         <translation>Ја прикажува единицата во рамнината како сто пиксели</translation>
     </message>
     <message>
@@ -3619,8 +4526,8 @@
         <translation>y-оската надол&amp;у</translation>
     </message>
     <message>
-        <source>Turns the plane over, as on the screen of a computer</source>
-        <translation>Ја превртува рамнината, како на компјутерски екран</translation>
+        <source>Points the y axis down, as in window coordinates</source>
+        <translation>Ја насочува y-оската надолу, како во координатите на прозорец</translation>
     </message>
     <message>
         <source>&amp;Only the Picture	H</source>
@@ -3635,7 +4542,7 @@
         <translation>Ко&amp;пирај ја сликата</translation>
     </message>
     <message>
-        <source>Copies the picture as it is seen, without the cage</source>
+        <source>Copies the picture as shown, without the cage</source>
         <translation>Ја копира сликата како што се гледа, без кафезот</translation>
     </message>
     <message>
@@ -3655,7 +4562,7 @@
         <translation>&amp;Исклучи</translation>
     </message>
     <message>
-        <source>Lets this map take part, or not</source>
+        <source>Switches this map on or off</source>
         <translation>Ова пресликување да учествува или не</translation>
     </message>
     <message>
@@ -3671,7 +4578,7 @@
         <translation>&amp;Удвои</translation>
     </message>
     <message>
-        <source>Puts a copy of this map beside it</source>
+        <source>Adds a copy of this map</source>
         <translation>Става копија на ова пресликување до него</translation>
     </message>
     <message>
@@ -3679,7 +4586,7 @@
         <translation>&amp;Избриши</translation>
     </message>
     <message>
-        <source>Takes this map out of the system</source>
+        <source>Removes this map from the system</source>
         <translation>Го вади ова пресликување од системот</translation>
     </message>
 </context>
@@ -3700,14 +4607,6 @@
     <message>
         <source>Pivot</source>
         <translation>Стожер</translation>
-    </message>
-    <message>
-        <source>Rotate handle</source>
-        <translation>Рачка за ротирање</translation>
-    </message>
-    <message>
-        <source>Scale handle</source>
-        <translation>Рачка за скалирање</translation>
     </message>
     <message>
         <source>the arrow keys move both its ends</source>
@@ -3738,16 +4637,24 @@
         <translation>стрелките скалираат за еден процент</translation>
     </message>
     <message>
-        <source>Drag the pivot: turning and scaling are about it.</source>
+        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
         <translation>Влечете ја стожерната точка: ротирањето и скалирањето се околу неа.</translation>
     </message>
     <message>
-        <source>Drag to turn about the pivot; Shift: in steps of 15°.</source>
+        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
         <translation>Влечете за ротирање околу стожерот; Shift: во чекори од 15°.</translation>
     </message>
     <message>
-        <source>Drag to scale about the pivot; Shift: along x or y only.</source>
+        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
         <translation>Влечете за скалирање околу стожерот; Shift: само по x или y.</translation>
+    </message>
+    <message>
+        <source>Round handle</source>
+        <translation>Тркалезна рачка</translation>
+    </message>
+    <message>
+        <source>Square handle</source>
+        <translation>Квадратна рачка</translation>
     </message>
 </context>
 <context>
@@ -3757,7 +4664,7 @@
         <translation>Платно</translation>
     </message>
     <message>
-        <source>The attractor and its control cage. Tab goes from handle to handle, the arrow keys move the one in focus, F6 leaves the canvas.</source>
+        <source>The attractor and its control cage. Tab moves from handle to handle, the arrow keys move the handle in focus, F6 leaves the canvas.</source>
         <translation>Атракторот и неговиот контролен кафез. Tab оди од рачка на рачка, стрелките ја поместуваат онаа што е во фокус, F6 го напушта платното.</translation>
     </message>
     <message>
@@ -3769,7 +4676,7 @@
         <translation>Кафезот е сплескан, па новите темиња не можат да се поврзат со сликата.</translation>
     </message>
     <message>
-        <source>Put the cage back to rest first?</source>
+        <source>Reset the cage first?</source>
         <translation>Прво да се врати кафезот во мирување?</translation>
     </message>
     <message>
@@ -3785,7 +4692,7 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the plane. Tab goes from handle to handle, arrow keys move them, F6 leaves.</source>
+        <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas.</source>
         <translation>Сликата и нејзиниот кафез. Влечете теме, страна или внатрешноста на кафезот; Ctrl ротира, Alt скалира, Shift ги задржува правците. Тркалцето зумира кај покажувачот, средното копче ја поместува рамнината. Tab оди од рачка на рачка, стрелките ја поместуваат избраната, F6 го напушта платното.</translation>
     </message>
 </context>
@@ -3831,19 +4738,15 @@
         <translation>Фрактали од збирката</translation>
     </message>
     <message>
-        <source>No favourites yet. Choose a fractal and press Ctrl+D.</source>
+        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
         <translation>Сѐ уште нема омилени. Изберете фрактал и притиснете Ctrl+D.</translation>
     </message>
     <message>
-        <source>Nothing here has these words.</source>
+        <source>No fractal here contains these words.</source>
         <translation>Ништо тука не ги содржи овие зборови.</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>&amp;Отвори</translation>
-    </message>
-    <message>
-        <source>Open the chosen fractal as a document of its own.</source>
+        <source>Open the selected fractal as a separate document.</source>
         <translation>Отвори го избраниот фрактал како посебен документ.</translation>
     </message>
     <message>
@@ -3851,7 +4754,7 @@
         <translation>&amp;Додај во оваа датотека</translation>
     </message>
     <message>
-        <source>Add the chosen fractal to the open file.</source>
+        <source>Add the selected fractal to the open file.</source>
         <translation>Додај го избраниот фрактал во отворената датотека.</translation>
     </message>
     <message>
@@ -3859,7 +4762,7 @@
         <translation>О&amp;милен</translation>
     </message>
     <message>
-        <source>Mark the chosen fractal as one of your favourites.</source>
+        <source>Add the selected fractal to your favourites.</source>
         <translation>Означи го избраниот фрактал како омилен.</translation>
     </message>
     <message>
@@ -3867,7 +4770,7 @@
         <translation>Само омил&amp;ени</translation>
     </message>
     <message>
-        <source>Show nothing but your favourites.</source>
+        <source>Show only your favourites.</source>
         <translation>Прикажи ги само омилените.</translation>
     </message>
     <message>
@@ -3875,7 +4778,7 @@
         <translation>Додај &amp;папка…</translation>
     </message>
     <message>
-        <source>Show the .ifs files of a folder of yours here, too.</source>
+        <source>Add the .ifs files of one of your own folders to this list.</source>
         <translation>Прикажи ги тука и .ifs-датотеките од Ваша папка.</translation>
     </message>
     <message>
@@ -3883,23 +4786,23 @@
         <translation>О&amp;тстрани ја папката „%1“</translation>
     </message>
     <message>
-        <source>Show this folder here no more. Its files stay as they are.</source>
-        <translation>Не ја прикажувај повеќе оваа папка тука. Датотеките во неа остануваат какви што се.</translation>
+        <source>Remove this folder from the list. Its files are not changed.</source>
+        <translation>Тргни ја оваа папка од листата. Нејзините датотеки не се менуваат.</translation>
     </message>
     <message>
         <source>Folder of .ifs Files</source>
         <translation>Папка со .ifs-датотеки</translation>
     </message>
     <message>
-        <source>Shows only the fractals whose name, theme or comment has these words. Enter opens the first of them.</source>
+        <source>Shows only the fractals whose name, theme or comment contains these words. Enter opens the first of them.</source>
         <translation>Ги прикажува само фракталите чие име, тема или коментар ги содржи овие зборови. Enter го отвора првиот од нив.</translation>
     </message>
     <message>
-        <source>Fractals to begin with. Double-click or Enter opens one in this window; the menu of the right button adds it to the file instead.</source>
+        <source>Ready-made fractals. Double-click one or press Enter to open it in this window; right-click it to add it to the file instead.</source>
         <translation>Фрактали за почеток. Двојно кликање или Enter го отвора фракталот во овој прозорец; менито на десното копче го додава во датотеката.</translation>
     </message>
     <message>
-        <source>Files of the collection that were read</source>
+        <source>Progress of reading the collection</source>
         <translation>Прочитани датотеки од збирката</translation>
     </message>
     <message>
@@ -3907,7 +4810,7 @@
         <translation>Запри со читање</translation>
     </message>
     <message>
-        <source>Stop reading this folder. What was read so far stays here.</source>
+        <source>Stop reading this folder. Files that were already read stay in the list.</source>
         <translation>Запри со читање на оваа папка. Прочитаното останува тука.</translation>
     </message>
     <message>
@@ -3917,6 +4820,18 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Користи</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file, or open it if you have not edited anything.</source>
+        <translation>Додај го избраниот фрактал во отворената датотека или отвори го ако сè уште ништо не е изменето.</translation>
+    </message>
+    <message>
+        <source>&amp;Open as New Document</source>
+        <translation>&amp;Отвори како нов документ</translation>
     </message>
 </context>
 <context>
@@ -3941,7 +4856,7 @@
         <translation>a b c d e f p: Fractint, Барнсли</translation>
     </message>
     <message>
-        <source>a b e c d f p: each equation in a row</source>
+        <source>a b e c d f p: one equation after the other</source>
         <translation>a b e c d f p: секоја равенка во една редица</translation>
     </message>
     <message>
@@ -3957,7 +4872,7 @@
         <translation>r s theta phi e f p: размери, и агли во степени</translation>
     </message>
     <message>
-        <source>a b c d e f, and weights that add up row by row</source>
+        <source>a b c d e f, and cumulative weights</source>
         <translation>a b c d e f, и тежини што се собираат редица по редица</translation>
     </message>
     <message>
@@ -3969,11 +4884,11 @@
         <translation>Редослед на колоните</translation>
     </message>
     <message>
-        <source>Names of the columns in their order</source>
+        <source>Column names in order</source>
         <translation>Имињата на колоните по ред</translation>
     </message>
     <message>
-        <source>The names of the columns in their order: a b c d or r s theta phi, then e and f, each once, and p for a weight or cumulative for a sum of weights where there is one. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
+        <source>The names of the columns in order: a b c d or r s theta phi, then e and f, each once; if there are weights, also p, or cumulative for running sums of weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
         <translation>Имињата на колоните по ред: a b c d или r s theta phi, потоа e и f, секое еднаш, и p за тежина или cumulative за збир на тежини каде што го има. x′ = a·x + b·y + e и y′ = c·x + d·y + f.</translation>
     </message>
 </context>
@@ -3996,31 +4911,138 @@
         <translation>Најдени наредби</translation>
     </message>
     <message>
-        <source>Type some letters of what you want to do. Arrow keys choose, Enter does it.</source>
+        <source>Type some letters of what you want to do. The arrow keys select a command, Enter runs it.</source>
         <translation>Напишете неколку букви од она што сакате да го направите. Стрелките избираат, Enter извршува.</translation>
     </message>
     <message>
-        <source>The commands whose names have these letters.</source>
+        <source>The commands whose names contain these letters.</source>
         <translation>Наредбите чии имиња ги содржат овие букви.</translation>
     </message>
     <message>
-        <source>No command is called that.</source>
-        <translation>Нема команда со такво име.</translation>
+        <source>No matching command.</source>
+        <translation>Нема соодветна команда.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ConstructionBar</name>
+    <message>
+        <source>How the attractor is built</source>
+        <translation>Како се гради атракторот</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Густина</translation>
+    </message>
+    <message>
+        <source>The invariant measure, refined while nothing moves</source>
+        <translation>Инваријантната мера, сѐ попрецизна додека ништо не се движи</translation>
+    </message>
+    <message>
+        <source>Steps Wⁿ</source>
+        <translation>Чекори Wⁿ</translation>
+    </message>
+    <message>
+        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
+        <translation>Детерминистичкиот алгоритам: сите пресликувања применети n пати врз кафезот во мирување</translation>
+    </message>
+    <message>
+        <source>Chaos Game</source>
+        <translation>Игра на хаос</translation>
+    </message>
+    <message>
+        <source>One point that jumps by maps chosen at random; the first 14 points are not plotted</source>
+        <translation>Една точка што скока според случајно извлечени пресликувања; првите 14 точки не се цртаат</translation>
+    </message>
+    <message>
+        <source>n: how many times all maps are applied</source>
+        <translation>n: колку пати се применуваат сите пресликувања</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Почни одново</translation>
+    </message>
+    <message>
+        <source>Clear the points and start with new random numbers</source>
+        <translation>Одново без ниедна точка, со други случајни броеви</translation>
+    </message>
+    <message>
+        <source>One Point</source>
+        <translation>Една точка</translation>
+    </message>
+    <message>
+        <source>Plot one more point</source>
+        <translation>Нацртај уште една точка</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Пушти</translation>
+    </message>
+    <message>
+        <source>Plot points continuously</source>
+        <translation>Нека се појавуваат точки</translation>
+    </message>
+    <message>
+        <source>Points per second</source>
+        <translation>Точки во секунда</translation>
+    </message>
+    <message>
+        <source>%1 per second</source>
+        <translation>%1 во секунда</translation>
+    </message>
+    <message>
+        <source>W%1: the cage itself</source>
+        <translation>W%1: самиот кафез</translation>
+    </message>
+    <message>
+        <source>W%1: %2 copies of the cage</source>
+        <translation>W%1: %2 копии од кафезот</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Пауза</translation>
+    </message>
+    <message>
+        <source>Stop at these points</source>
+        <translation>Застани кај овие точки</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 точки</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 точка</translation>
+    </message>
+    <message>
+        <source>, the last by map %1</source>
+        <translation>, последната според пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>How many times all maps are applied to the cage: 0 is the cage itself, and with every step the picture gets closer to the attractor.</source>
+        <translation>Колку пати сите пресликувања се применуваат врз кафезот: 0 е самиот кафез, а со секој чекор сликата се приближува кон атракторот.</translation>
+    </message>
+    <message>
+        <source>How many points the chaos game plots per second.</source>
+        <translation>Колку точки црта играта на хаос во една секунда.</translation>
+    </message>
+    <message>
+        <source>no points yet: press Play (▶)</source>
+        <translation>сѐ уште нема точки: притиснете „Пушти“ (▶)</translation>
     </message>
 </context>
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc leaves.</source>
-        <translation>Кликнете на првото од трите темиња. Сликата останува каде што е; Esc прекинува.</translation>
+        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
+        <translation>Кликнете на првото од трите темиња. Сликата останува каде што е; Esc откажува.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace takes the first one back.</source>
-        <translation>Кликнете на второто теме. Backspace го враќа првото.</translation>
+        <source>Click the second vertex. Backspace removes the last point.</source>
+        <translation>Кликнете на второто теме. Backspace ја брише последната точка.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace takes the second one back.</source>
-        <translation>Кликнете на третото теме. Backspace го враќа второто.</translation>
+        <source>Click the third vertex. Backspace removes the last point.</source>
+        <translation>Кликнете на третото теме. Backspace ја брише последната точка.</translation>
     </message>
 </context>
 <context>
@@ -4030,7 +5052,7 @@
         <translation>Коментар на „%1“</translation>
     </message>
     <message>
-        <source>Comment behind the name</source>
+        <source>Comment after the name</source>
         <translation>Коментар по името</translation>
     </message>
     <message>
@@ -4042,7 +5064,7 @@
         <translation>Редови на коментарот</translation>
     </message>
     <message>
-        <source>Written as lines of their own below the name, each behind a semicolon.</source>
+        <source>Written on separate lines below the name, each after a semicolon.</source>
         <translation>Се запишуваат како посебни редови под името, секој по точка-запирка.</translation>
     </message>
     <message>
@@ -4054,7 +5076,7 @@
         <translation>Зачувај го или отфрли го коментарот</translation>
     </message>
     <message>
-        <source>&amp;Behind the name:</source>
+        <source>&amp;After the name:</source>
         <translation>&amp;По името:</translation>
     </message>
     <message>
@@ -4062,11 +5084,11 @@
         <translation>&amp;Редови на коментарот:</translation>
     </message>
     <message>
-        <source>A comment cannot begin with “barycage:”; such lines keep the cage and the colours.</source>
+        <source>A comment cannot begin with “barycage:”; such lines store the cage and the colours.</source>
         <translation>Коментарот не може да почнува со „barycage:“; таквите редови ги чуваат кафезот и боите.</translation>
     </message>
     <message>
-        <source>A line holds at most %1 bytes; Fractint cuts longer ones. Break it in two.</source>
+        <source>A line can have at most %1 bytes; Fractint truncates longer ones. Split it in two.</source>
         <translation>Редот содржи најмногу %1 бајти; подолгите Fractint ги сече. Поделете го на два.</translation>
     </message>
 </context>
@@ -4078,41 +5100,10 @@
     </message>
 </context>
 <context>
-    <name>view::EntriesEdits</name>
-    <message>
-        <source>An entry needs a name.</source>
-        <translation>Записот мора да има име.</translation>
-    </message>
-    <message>
-        <source>A name holds no blanks: Fractint would read its first word only.</source>
-        <translation>Името не смее да содржи празни места: Fractint би го прочитал само првиот збор.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>„%1“ не може да биде дел од името, бидејќи има посебно значење во .ifs-датотеките.</translation>
-    </message>
-    <message>
-        <source>A name has at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Името има најмногу %1 знаци; остатокот Fractint го занемарува.</translation>
-    </message>
-    <message>
-        <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint не наведува запис со име „%1“; изберете друго име.</translation>
-    </message>
-    <message>
-        <source>Another entry is called “%1” (upper and lower case count as equal).</source>
-        <translation>Друг запис се вика „%1“ (големите и малите букви не се разликуваат).</translation>
-    </message>
-</context>
-<context>
     <name>view::EntriesModel</name>
     <message>
         <source>Rename “%1” to “%2”</source>
         <translation>Преименување на „%1“ во „%2“</translation>
-    </message>
-    <message>
-        <source>3D: not yet shown</source>
-        <translation>3D: засега не се прикажува</translation>
     </message>
     <message>
         <source>could not be read</source>
@@ -4150,6 +5141,10 @@
         <source>has warnings</source>
         <translation>има предупредувања</translation>
     </message>
+    <message>
+        <source>%1 in space</source>
+        <translation>%1 во просторот</translation>
+    </message>
 </context>
 <context>
     <name>view::EntriesPanel</name>
@@ -4174,7 +5169,7 @@
         <translation>Записи</translation>
     </message>
     <message>
-        <source>This file holds no entries. Add one, or paste the text of an .ifs file.</source>
+        <source>This file contains no entries. Add one, or paste the text of an .ifs file.</source>
         <translation>Оваа датотека не содржи записи. Додајте запис или вметнете текст од .ifs-датотека.</translation>
     </message>
     <message>
@@ -4246,7 +5241,7 @@
         <translation>&amp;Вметни</translation>
     </message>
     <message>
-        <source>Paste the entries of .ifs text behind the current entry.</source>
+        <source>Paste entries from .ifs text after the current entry.</source>
         <translation>Вметни ги записите од .ifs-текст по тековниот запис.</translation>
     </message>
     <message>
@@ -4266,7 +5261,7 @@
         </translation>
     </message>
     <message>
-        <source>An entry that could not be read cannot be duplicated: it would keep its name.</source>
+        <source>An entry that could not be read cannot be duplicated: the copy would have the same name.</source>
         <translation>Запис што не можеше да се прочита не може да се удвои: копијата би го задржала неговото име.</translation>
     </message>
     <message>
@@ -4286,7 +5281,7 @@
         <translation>Уредување на коментарот на %1</translation>
     </message>
     <message>
-        <source>There is no entry of an .ifs file in what was pasted.</source>
+        <source>The pasted text contains no entry of an .ifs file.</source>
         <translation>Во вметнатото нема запис од .ifs-датотека.</translation>
     </message>
     <message>
@@ -4302,7 +5297,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pasted entries could not be read; their text is kept as it is.</source>
+        <source>%n pasted entries could not be read; their text is kept unchanged.</source>
         <translation>
             <numerusform>%n вметнат запис не можеше да се прочита; неговиот текст е задржан како што е.</numerusform>
             <numerusform>%n вметнати записи не можеа да се прочитаат; нивниот текст е задржан како што е.</numerusform>
@@ -4322,15 +5317,15 @@
         </translation>
     </message>
     <message>
-        <source>No entry has “%1” in its name.</source>
+        <source>No entry name contains “%1”.</source>
         <translation>Ниеден запис нема „%1“ во името.</translation>
     </message>
     <message>
-        <source>Shows only the entries whose name has these letters.</source>
+        <source>Shows only the entries whose names contain these letters.</source>
         <translation>Ги прикажува само записите чие име ги содржи овие букви.</translation>
     </message>
     <message>
-        <source>The fractals of the file. Click one to edit it, drag it to another place, press F2 to give it another name.</source>
+        <source>The fractals in the file. Click one to edit it, drag it to move it, press F2 to rename it.</source>
         <translation>Фракталите во датотеката. Кликнете на некој за да го уредувате, повлечете го на друго место, притиснете F2 за да му дадете друго име.</translation>
     </message>
     <message>
@@ -4338,7 +5333,7 @@
         <translation>Ништо не е вметнато: нема текст на таблата со исечоци.</translation>
     </message>
     <message>
-        <source>Reading what was pasted…</source>
+        <source>Reading the pasted text…</source>
         <translation>Се чита вметнатото…</translation>
     </message>
     <message>
@@ -4353,7 +5348,7 @@
         <translation>Извоз на податоци од „%1“</translation>
     </message>
     <message>
-        <source>What the file will hold</source>
+        <source>Preview of the file</source>
         <translation>Што ќе содржи датотеката</translation>
     </message>
     <message>
@@ -4397,11 +5392,11 @@
         <translation>Точки, обоени (.ply)</translation>
     </message>
     <message>
-        <source>&amp;Turn y around, so that the flame is the same way up</source>
+        <source>Turn &amp;y around so that the flame is the right way up</source>
         <translation>П&amp;реврти ја y-оската, за пламенот да стои исправено</translation>
     </message>
     <message>
-        <source>&amp;Bake the placement, so that the maps draw what is shown</source>
+        <source>&amp;Bake the placement so that the maps draw the picture as shown</source>
         <translation>&amp;Впиши ја поставеноста, за пресликувањата да го цртаат прикажаното</translation>
     </message>
     <message>
@@ -4409,19 +5404,19 @@
         <translation>&amp;Формат:</translation>
     </message>
     <message>
-        <source>&amp;Columns:</source>
-        <translation>&amp;Колони:</translation>
+        <source>C&amp;olumns:</source>
+        <translation>Ко&amp;лони:</translation>
     </message>
     <message>
         <source>&amp;Points:</source>
         <translation>Т&amp;очки:</translation>
     </message>
     <message>
-        <source>Only the numbers of plane systems can be exported.</source>
+        <source>Only the numbers of systems in the plane can be exported.</source>
         <translation>Можат да се извезат само броевите на системи во рамнината.</translation>
     </message>
     <message>
-        <source>The points of the chaos game where they are shown, without the first 14.</source>
+        <source>The points of the chaos game as shown, without the first 14.</source>
         <translation>Точките од играта на хаос таму каде што се прикажани, без првите 14.</translation>
     </message>
     <message>
@@ -4437,7 +5432,7 @@
         <translation>&amp;Запри</translation>
     </message>
     <message>
-        <source>The text is on the clipboard.</source>
+        <source>The text was copied to the clipboard.</source>
         <translation>Текстот е на таблата со исечоци.</translation>
     </message>
     <message>
@@ -4445,7 +5440,7 @@
         <translation>&amp;Затвори</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing was written.</source>
+        <source>Export stopped; nothing was written.</source>
         <translation>Извозот е запрен; ништо не е запишано.</translation>
     </message>
     <message>
@@ -4457,11 +5452,11 @@
         <translation>Почетокот на датотеката како што ќе биде запишана.</translation>
     </message>
     <message>
-        <source>For which program the data are: each format has what that program reads.</source>
+        <source>The program that will read the data; each format contains what that program understands.</source>
         <translation>За која програма се податоците: секој формат го содржи она што го чита таа програма.</translation>
     </message>
     <message>
-        <source>The order in which each row has its coefficients; other programs expect other orders.</source>
+        <source>The order of the coefficients in each row; programs differ.</source>
         <translation>Редоследот на коефициентите во секоја редица; другите програми очекуваат поинаков редослед.</translation>
     </message>
     <message>
@@ -4469,15 +5464,15 @@
         <translation>Колку точки од играта на хаос се запишуваат.</translation>
     </message>
     <message>
-        <source>Flame programs let y grow downwards. With this the flame looks as the fractal does here; without it the numbers are the same.</source>
+        <source>In flame programs, y points down. With this option, the flame looks as it does here; without it, the numbers stay the same.</source>
         <translation>Flame-програмите пуштаат y да расте надолу. Со ова пламенот изгледа како фракталот тука; без ова броевите остануваат исти.</translation>
     </message>
     <message>
-        <source>With this, the cage is made part of the maps. Without it, the maps are written as they stand in the table.</source>
+        <source>With this option, the cage becomes part of the maps. Without it, the maps are written as they are in the table.</source>
         <translation>Со ова кафезот станува дел од пресликувањата. Без ова пресликувањата се запишуваат како што стојат во табелата.</translation>
     </message>
     <message>
-        <source>Asks for the name of the file and writes it.</source>
+        <source>Asks for a file name and writes the file.</source>
         <translation>Прашува за името на датотеката и ја запишува.</translation>
     </message>
     <message>
@@ -4516,7 +5511,7 @@
         <translation>&amp;Проѕирна позадина</translation>
     </message>
     <message>
-        <source>Include the &amp;control triangle</source>
+        <source>Include the control t&amp;riangle</source>
         <translation>Вклучи го &amp;контролниот триаголник</translation>
     </message>
     <message>
@@ -4528,19 +5523,19 @@
         <translation>Големина:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples a pixel</source>
+        <source>Draft: 25 samples per pixel</source>
         <translation>Скица: 25 примероци по пиксел</translation>
     </message>
     <message>
-        <source>Good: 100 samples a pixel</source>
+        <source>Good: 100 samples per pixel</source>
         <translation>Добро: 100 примероци по пиксел</translation>
     </message>
     <message>
-        <source>Fine: 400 samples a pixel</source>
+        <source>Fine: 400 samples per pixel</source>
         <translation>Фино: 400 примероци по пиксел</translation>
     </message>
     <message>
-        <source>Finest: 2000 samples a pixel</source>
+        <source>Finest: 2000 samples per pixel</source>
         <translation>Најфино: 2000 примероци по пиксел</translation>
     </message>
     <message>
@@ -4548,15 +5543,15 @@
         <translation>Квалитет</translation>
     </message>
     <message>
-        <source>Cells along the side of a pixel</source>
+        <source>Cells along each side of a pixel</source>
         <translation>Ќелии долж страната на пикселот</translation>
     </message>
     <message>
-        <source>8 bits a channel</source>
+        <source>8 bits per channel</source>
         <translation>8 бита по канал</translation>
     </message>
     <message>
-        <source>16 bits a channel, for further work on the picture</source>
+        <source>16 bits per channel, for further editing</source>
         <translation>16 бита по канал, за понатамошна работа на сликата</translation>
     </message>
     <message>
@@ -4572,7 +5567,7 @@
         <translation>Кв&amp;алитет:</translation>
     </message>
     <message>
-        <source>&amp;Supersampling:</source>
+        <source>S&amp;upersampling:</source>
         <translation>&amp;Суперсемплирање:</translation>
     </message>
     <message>
@@ -4604,7 +5599,7 @@
         <translation>Број на точки</translation>
     </message>
     <message>
-        <source>As deep as a pixel &amp;needs</source>
+        <source>As deep as &amp;needed for the pixels</source>
         <translation>Колку што &amp;треба за еден пиксел</translation>
     </message>
     <message>
@@ -4612,7 +5607,7 @@
         <translation>Нивоа на копии</translation>
     </message>
     <message>
-        <source>What the picture will be like</source>
+        <source>Description of the picture</source>
         <translation>Како ќе изгледа сликата</translation>
     </message>
     <message>
@@ -4636,7 +5631,7 @@
         <translation>Напредок на извозот</translation>
     </message>
     <message>
-        <source>Only plane systems can be exported as a picture.</source>
+        <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Како слика можат да се извезат само системи во рамнината.</translation>
     </message>
     <message>
@@ -4644,11 +5639,11 @@
         <translation>околу %1</translation>
     </message>
     <message>
-        <source>One dot for every point of the chaos game that is in view.</source>
+        <source>One dot for every visible point of the chaos game.</source>
         <translation>По една точка за секоја видлива точка од играта на хаос.</translation>
     </message>
     <message>
-        <source> The cage bends the picture, which copies cannot follow: the affine fit of the cage is written. A PNG shows the bend.</source>
+        <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
         <translation> Кафезот ја свиткува сликата, а копиите не можат да го следат тоа: се запишува афиното приближување на кафезот. PNG го покажува свиткувањето.</translation>
     </message>
     <message>
@@ -4668,7 +5663,7 @@
         <translation>Извоз на слика</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing was written.</source>
+        <source>Export stopped; nothing was written.</source>
         <translation>Извозот е запрен; ништо не е запишано.</translation>
     </message>
     <message>
@@ -4688,7 +5683,7 @@
         <translation>PNG е слика од пиксели; SVG и PDF се составени од облици, кои остануваат остри во секоја големина.</translation>
     </message>
     <message>
-        <source>The picture has no background and can be laid over another.</source>
+        <source>The picture has no background and can be placed over another.</source>
         <translation>Сликата нема позадина и може да се стави врз друга.</translation>
     </message>
     <message>
@@ -4696,15 +5691,15 @@
         <translation>Го црта кафезот врз сликата.</translation>
     </message>
     <message>
-        <source>How many points are drawn for each pixel: more make a smoother picture and take longer.</source>
+        <source>The number of points drawn for each pixel: more points make a smoother picture and take longer.</source>
         <translation>Колку точки се цртаат за секој пиксел: со повеќе точки сликата е помазна, но трае подолго.</translation>
     </message>
     <message>
-        <source>Every pixel is drawn from so many finer ones along its side: smoother edges, for more memory and time.</source>
+        <source>The number of smaller cells along each side of a pixel: more cells make smoother edges, at the cost of memory and time.</source>
         <translation>Секој пиксел се црта од толку поситни пиксели долж неговата страна: помазни рабови, но повеќе меморија и време.</translation>
     </message>
     <message>
-        <source>16 bits keep fine steps of brightness for later work in a picture editor; 8 bits are enough to look at.</source>
+        <source>16 bits keep fine gradations for later editing; 8 bits are enough for viewing.</source>
         <translation>16 бита ги задржуваат фините преливи на осветленоста за подоцнежна работа во уредувач на слики; за гледање се доволни 8 бита.</translation>
     </message>
     <message>
@@ -4716,11 +5711,11 @@
         <translation>Колку точки од играта на хаос се цртаат.</translation>
     </message>
     <message>
-        <source>How many levels of copies the picture has. The file hardly grows with it, the time to draw it does.</source>
+        <source>The number of levels of copies. More levels hardly enlarge the file, but the picture takes longer to draw.</source>
         <translation>Колку нивоа на копии има сликата. Датотеката речиси не расте со нив, но времето за цртање расте.</translation>
     </message>
     <message>
-        <source>Asks for the name of the file and writes it. The window can be used meanwhile.</source>
+        <source>Asks for a file name and writes the file. You can keep working in the meantime.</source>
         <translation>Прашува за името на датотеката и ја запишува. Во меѓувреме прозорецот може да се користи.</translation>
     </message>
     <message>
@@ -4728,20 +5723,40 @@
         <translation>Сликата се копира…</translation>
     </message>
     <message>
-        <source>Copies are made smaller until no pixel of this size could tell the difference, or programs would take long to draw them.</source>
+        <source>Makes the copies smaller until they cannot be distinguished from the attractor at this pixel size, or until programs would take long to draw them.</source>
         <translation>Копиите се смалуваат сѐ додека ниеден пиксел со оваа големина не може да ја забележи разликата или додека на програмите не им треба долго да ги нацртаат.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than %3 are allowed). Nothing that is drawn is farther than %2 pixels from the attractor, and nothing of it is farther from what is drawn.</source>
+        <source>%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels from the attractor, and no point of the attractor is farther than that from the drawing.</source>
         <translation>%1 упатувања (дозволени се помалку од %3). Ништо од нацртаното не е на растојание поголемо од %2 пиксели од атракторот и ниеден негов дел не е подалеку од нацртаното.</translation>
     </message>
     <message>
-        <source> A pixel needs more: this is as deep as programs draw without a long wait.</source>
+        <source> Accuracy to the pixel needs more levels; with these, programs still draw the picture without a long wait.</source>
         <translation> За еден пиксел треба повеќе: ова е најголемата длабочина што програмите ја цртаат без долго чекање.</translation>
     </message>
     <message>
-        <source>Working out the shapes…</source>
+        <source>Computing the shapes…</source>
         <translation>Се пресметуваат облиците…</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>Погледот на платното</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>Целиот атрактор</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Исечок</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <translation>Што покажува сликата: она што го покажува платното или атракторот со мала маргина, каде и да гледа платното.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Исечок:</translation>
     </message>
 </context>
 <context>
@@ -4771,7 +5786,7 @@
         <translation>Единица за должина</translation>
     </message>
     <message>
-        <source>As on the screen</source>
+        <source>Same as on the screen</source>
         <translation>Како на екранот</translation>
     </message>
     <message>
@@ -4779,7 +5794,7 @@
         <translation>%1 × екранот</translation>
     </message>
     <message>
-        <source>Own size</source>
+        <source>Custom size</source>
         <translation>Сопствена големина</translation>
     </message>
     <message>
@@ -4787,11 +5802,11 @@
         <translation>Големина во однос на екранот</translation>
     </message>
     <message>
-        <source>Keep shape</source>
+        <source>Keep proportions</source>
         <translation>Задржи облик</translation>
     </message>
     <message>
-        <source>Keep the shape of the picture on the screen</source>
+        <source>Keep the proportions of the picture on the screen</source>
         <translation>Задржи го обликот на сликата од екранот</translation>
     </message>
     <message>
@@ -4803,19 +5818,19 @@
         <translation>Резолуција во точки на инч</translation>
     </message>
     <message>
-        <source>A length in the unit chosen beside it. The other side follows while the shape is kept.</source>
+        <source>A length in the selected unit. The other side follows as long as the proportions are kept.</source>
         <translation>Должина во единицата избрана до неа. Другата страна се менува сразмерно додека се задржува обликот.</translation>
     </message>
     <message>
-        <source>In pixels, or on paper at the resolution given.</source>
+        <source>Pixels, or a length on paper at the given resolution.</source>
         <translation>Во пиксели, или на хартија со зададената резолуција.</translation>
     </message>
     <message>
-        <source>The picture as on the screen or some times as large.</source>
+        <source>The size of the picture on the screen, or a multiple of it.</source>
         <translation>Сликата како на екранот или неколку пати поголема.</translation>
     </message>
     <message>
-        <source>How many pixels go on an inch of paper: 300 is usual in print.</source>
+        <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Колку пиксели доаѓаат на еден инч хартија: за печат вообичаени се 300.</translation>
     </message>
 </context>
@@ -4853,7 +5868,7 @@
         <translation>Додај маркер</translation>
     </message>
     <message>
-        <source>Add a stop after the chosen one</source>
+        <source>Add a stop after the selected one</source>
         <translation>Додај маркер по избраниот</translation>
     </message>
     <message>
@@ -4861,7 +5876,7 @@
         <translation>Избриши маркер</translation>
     </message>
     <message>
-        <source>Delete the chosen stop</source>
+        <source>Delete the selected stop</source>
         <translation>Избриши го избраниот маркер</translation>
     </message>
     <message>
@@ -4869,7 +5884,7 @@
         <translation>Преврти</translation>
     </message>
     <message>
-        <source>Turn the palette round</source>
+        <source>Reverse the order of the colours</source>
         <translation>Преврти го редоследот на палетата</translation>
     </message>
     <message>
@@ -4877,7 +5892,7 @@
         <translation>Распореди</translation>
     </message>
     <message>
-        <source>Put the stops at equal distances</source>
+        <source>Space the stops evenly</source>
         <translation>Стави ги маркерите на еднакви растојанија</translation>
     </message>
     <message>
@@ -4957,8 +5972,12 @@
         <translation>Зачувано: %1.</translation>
     </message>
     <message>
-        <source>The palettes that the file holds. Choose one.</source>
+        <source>The palettes in the file. Select one.</source>
         <translation>Палетите што ги содржи датотеката. Изберете една.</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
     </message>
 </context>
 <context>
@@ -4968,8 +5987,8 @@
         <translation>Маркери на градиентот</translation>
     </message>
     <message>
-        <source>Double-click: new stop, or the colour of one. Drag: move. Del: delete it.
-Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Enter opens its colour.</source>
+        <source>Double-click: add a stop, or change the colour of one. Drag: move. Del: delete.
+Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one, Enter opens its colour.</source>
         <translation>Двојно кликање: нов маркер или боја на постоен. Влечење: поместување. Del: бришење.
 Копчиња: Page Up и Page Down избираат маркер, стрелките го поместуваат, Ins додава нов, Enter ја отвора неговата боја.</translation>
     </message>
@@ -4997,7 +6016,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Упатство за корисници</translation>
     </message>
     <message>
-        <source>The user guide: what can be done here, in the order in which one needs it.</source>
+        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
         <translation>Упатството за корисници: што може да се направи тука, по редоследот по кој е потребно.</translation>
     </message>
     <message>
@@ -5005,7 +6024,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Барај во упатството</translation>
     </message>
     <message>
-        <source>Marks these words in the guide. Enter shows the next place, Shift+Enter the one before. Ctrl+F leads here.</source>
+        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
         <translation>Ги означува овие зборови во упатството. Enter го покажува следното место, Shift+Enter претходното. Ctrl+F води овде.</translation>
     </message>
     <message>
@@ -5028,11 +6047,11 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Чекори во историјата</translation>
     </message>
     <message>
-        <source>Choose a step to go back to it, or forward.</source>
+        <source>Select a step to go back or forward to it.</source>
         <translation>Изберете чекор за да се вратите на него или да одите напред.</translation>
     </message>
     <message>
-        <source>Choose a step to go back to it, or forward. The disk marks what is saved.</source>
+        <source>Select a step to go back or forward to it. The disk marks the saved state.</source>
         <translation>Изберете чекор за да се вратите на него или да одите напред. Дискетата означува што е зачувано.</translation>
     </message>
     <message>
@@ -5063,7 +6082,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Размер y</translation>
     </message>
     <message>
-        <source>Scale across; negative when the map reflects</source>
+        <source>Scale at right angles to that; negative if the map reflects</source>
         <translation>Размер напречно; негативен ако пресликувањето ја менува ориентацијата</translation>
     </message>
     <message>
@@ -5071,7 +6090,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Искосување</translation>
     </message>
     <message>
-        <source>Shear along x, applied before everything else</source>
+        <source>Shear along x, applied first</source>
         <translation>Искосување по x, се применува пред сѐ друго</translation>
     </message>
     <message>
@@ -5099,8 +6118,80 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Пресликување %1</translation>
     </message>
     <message>
-        <source>Change the shape of map %1</source>
-        <translation>Промена на обликот на пресликувањето %1</translation>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation; only its direction matters</source>
+        <translation>Оска на ротацијата; важна е само нејзината насока</translation>
+    </message>
+    <message>
+        <source>Axis x</source>
+        <translation>Оска x</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>Оска y</translation>
+    </message>
+    <message>
+        <source>Axis z</source>
+        <translation>Оска z</translation>
+    </message>
+    <message>
+        <source>Angle in degrees, counter-clockwise as seen from the tip of the axis looking back</source>
+        <translation>Агол во степени, спротивно од стрелките на часовникот гледано наназад од врвот на оската</translation>
+    </message>
+    <message>
+        <source>Scale along y, before the rotation</source>
+        <translation>Размер по y, пред ротацијата</translation>
+    </message>
+    <message>
+        <source>Scale z</source>
+        <translation>Размер z</translation>
+    </message>
+    <message>
+        <source>Scale along z, before the rotation; negative if the map reflects</source>
+        <translation>Размер по z, пред ротацијата; негативен ако пресликувањето ја менува ориентацијата</translation>
+    </message>
+    <message>
+        <source>Shear xy</source>
+        <translation>Искосување xy</translation>
+    </message>
+    <message>
+        <source>What y adds to x, applied first</source>
+        <translation>Колку y додава на x; се применува прво</translation>
+    </message>
+    <message>
+        <source>Shear xz</source>
+        <translation>Искосување xz</translation>
+    </message>
+    <message>
+        <source>What z adds to x, applied first</source>
+        <translation>Колку z додава на x; се применува прво</translation>
+    </message>
+    <message>
+        <source>Shear yz</source>
+        <translation>Искосување yz</translation>
+    </message>
+    <message>
+        <source>What z adds to y, applied first</source>
+        <translation>Колку z додава на y; се применува прво</translation>
+    </message>
+    <message>
+        <source>Translation j, applied last</source>
+        <translation>Транслација j, се применува последна</translation>
+    </message>
+    <message>
+        <source>Translation k, applied last</source>
+        <translation>Транслација k, се применува последна</translation>
+    </message>
+    <message>
+        <source>Shift z</source>
+        <translation>Поместување z</translation>
+    </message>
+    <message>
+        <source>Translation l, applied last</source>
+        <translation>Транслација l, се применува последна</translation>
     </message>
 </context>
 <context>
@@ -5141,19 +6232,19 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Сличноста го запазува обликот: врти, скалира и поместува.</translation>
     </message>
     <message>
-        <source>A reflected similarity keeps shapes, as a mirror does, and scales and shifts them.</source>
+        <source>A reflected similarity keeps shapes but mirrors them; it also turns, scales and shifts them.</source>
         <translation>Огледалната сличност го запазува обликот, како огледало, а притоа скалира и поместува.</translation>
     </message>
     <message>
-        <source>An affine map keeps lines and parallels, not angles.</source>
+        <source>An affine map keeps lines and parallels but not angles.</source>
         <translation>Афиното пресликување ги запазува правите и паралелноста, но не и аглите.</translation>
     </message>
     <message>
-        <source>A singular map takes the plane to a line.</source>
+        <source>A singular map takes the whole plane to a line.</source>
         <translation>Сингуларното пресликување ја пресликува рамнината во права.</translation>
     </message>
     <message>
-        <source>A constant map takes the plane to one point.</source>
+        <source>A constant map takes the whole plane to one point.</source>
         <translation>Константното пресликување ја пресликува рамнината во една точка.</translation>
     </message>
     <message>
@@ -5181,11 +6272,11 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Пресликувањето ја пресликува (x, y) во (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
-        <source>Effective code: the map as it acts on the picture under the current cage. Bake makes it the code.</source>
+        <source>Effective code: the map as it acts on the picture under the current cage. Bake turns it into the code.</source>
         <translation>Ефективен код: пресликувањето онака како што дејствува на сликата под сегашниот кафез. Со „Впиши“ тој станува код.</translation>
     </message>
     <message>
-        <source>Whether the map takes part.</source>
+        <source>Whether the map is switched on.</source>
         <translation>Дали пресликувањето учествува.</translation>
     </message>
     <message>
@@ -5193,23 +6284,23 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Бојата на пресликувањето, кога сликата се бои според пресликување.</translation>
     </message>
     <message>
-        <source>Weight as given: how often the chaos game takes the map. The weights need not sum to 1.</source>
+        <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
         <translation>Тежината како што е зададена: колку често играта на хаос го зема пресликувањето. Збирот на тежините не мора да биде 1.</translation>
     </message>
     <message>
-        <source>Determinant ad − bc: the factor of areas; negative when the map reflects.</source>
+        <source>Determinant ad − bc: the factor by which areas change; negative if the map reflects.</source>
         <translation>Детерминантата ad − bc: коефициентот со кој се менуваат плоштините; негативна е ако пресликувањето ја менува ориентацијата.</translation>
     </message>
     <message>
-        <source>Contraction factor ‖A‖, the largest singular value: the most by which distances grow.</source>
+        <source>Contraction factor ‖A‖, the largest singular value: the largest factor by which distances are stretched.</source>
         <translation>Коефициентот на контракција ‖A‖, најголемата сингуларна вредност: колку пати најмногу растат растојанијата.</translation>
     </message>
     <message>
-        <source>What the map is geometrically.</source>
+        <source>The geometric kind of the map.</source>
         <translation>Што е пресликувањето геометриски.</translation>
     </message>
     <message>
-        <source>Map %1 takes part.</source>
+        <source>Map %1 is switched on.</source>
         <translation>Пресликувањето %1 учествува.</translation>
     </message>
     <message>
@@ -5225,7 +6316,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Кафезот е сплескан или свиткува: нема ефективен код.</translation>
     </message>
     <message>
-        <source>No weight is given; the determinant rule makes the probability %1.</source>
+        <source>No weight is given; the determinant rule gives the probability %1.</source>
         <translation>Не е зададена тежина; според детерминантите веројатноста е %1.</translation>
     </message>
     <message>
@@ -5253,14 +6344,6 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Пресликување %1. Повлечете за да го смените редоследот.</translation>
     </message>
     <message>
-        <source>Change weight of map %1</source>
-        <translation>Промена на тежината на пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>Change %1 of map %2</source>
-        <translation>Промена на %1 на пресликувањето %2</translation>
-    </message>
-    <message>
         <source>Switch map %1 on</source>
         <translation>Вклучување на пресликувањето %1</translation>
     </message>
@@ -5269,16 +6352,40 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Исклучување на пресликувањето %1</translation>
     </message>
     <message>
-        <source>Change colour of map %1</source>
-        <translation>Промена на бојата на пресликувањето %1</translation>
-    </message>
-    <message>
         <source>on</source>
         <translation>вклучено</translation>
     </message>
     <message>
         <source>off</source>
         <translation>исклучено</translation>
+    </message>
+    <message>
+        <source>Set %1 of map %2 to %3</source>
+        <translation>Постави %1 на пресликувањето %2 на %3</translation>
+    </message>
+    <message>
+        <source>Colour of map %1: %2</source>
+        <translation>Боја на пресликувањето %1: %2</translation>
+    </message>
+    <message>
+        <source>A singular map takes the whole of space to a plane or a line.</source>
+        <translation>Сингуларното пресликување го пресликува просторот во рамнина или права.</translation>
+    </message>
+    <message>
+        <source>A constant map takes the whole of space to one point.</source>
+        <translation>Константното пресликување го пресликува просторот во една точка.</translation>
+    </message>
+    <message>
+        <source>The map takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l).</source>
+        <translation>Пресликувањето ја пресликува (x, y, z) во (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l).</translation>
+    </message>
+    <message>
+        <source>Effective code: the map as it acts on the picture under the current cage.</source>
+        <translation>Ефективен код: пресликувањето онака како што дејствува на сликата под сегашниот кафез.</translation>
+    </message>
+    <message>
+        <source>Determinant: the factor by which volumes change; negative if the map reflects.</source>
+        <translation>Детерминанта: коефициентот со кој се менуваат волумените; негативна е ако пресликувањето ја менува ориентацијата.</translation>
     </message>
 </context>
 <context>
@@ -5360,7 +6467,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Впиши</translation>
     </message>
     <message>
-        <source>Make the effective code the code; the cage then rests</source>
+        <source>Turn the effective code into the code; the cage is then at rest</source>
         <translation>Ефективниот код нека стане код; потоа кафезот е во мирување</translation>
     </message>
     <message>
@@ -5368,7 +6475,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Според |детерминанта|</translation>
     </message>
     <message>
-        <source>Weights in proportion to the areas of the images, so that the picture is even</source>
+        <source>Weights in proportion to the areas of the images, for an even picture</source>
         <translation>Тежини пропорционални на плоштините на сликите, за сликата да биде рамномерна</translation>
     </message>
     <message>
@@ -5384,7 +6491,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Според димензија</translation>
     </message>
     <message>
-        <source>Weights for an even cover of the attractor at its own dimension</source>
+        <source>Weights that cover the attractor evenly at its own dimension</source>
         <translation>Тежини за рамномерна покриеност на атракторот во неговата сопствена димензија</translation>
     </message>
     <message>
@@ -5392,7 +6499,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Нормализирај</translation>
     </message>
     <message>
-        <source>The same proportions, with the sum 1</source>
+        <source>Scale all weights so that they sum to 1</source>
         <translation>Истите односи, со збир 1</translation>
     </message>
     <message>
@@ -5400,7 +6507,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Тежини</translation>
     </message>
     <message>
-        <source>Weights of all maps that are on, by a rule</source>
+        <source>Set the weights of all maps that are switched on by a rule</source>
         <translation>Тежини на сите вклучени пресликувања, според некое правило</translation>
     </message>
     <message>
@@ -5416,7 +6523,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Прикажи ги коефициентите a … f</translation>
     </message>
     <message>
-        <source>Facts</source>
+        <source>Properties</source>
         <translation>Својства</translation>
     </message>
     <message>
@@ -5440,13 +6547,7 @@ Keys: Page Up and Page Down choose a stop, the arrows move it, Ins adds one, Ent
         <translation>Нема пресликувања: додајте едно или вметнете редици од 6 или 7 броја.</translation>
     </message>
     <message>
-        <source>3D: not yet shown.
-The entry is kept as it is.</source>
-        <translation>3D: засега не се прикажува.
-Записот е задржан како што е.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read. It is kept as it is.</source>
+        <source>This entry could not be read. It is kept unchanged.</source>
         <translation>Овој запис не можеше да се прочита. Тој е задржан како што е.</translation>
     </message>
     <message>
@@ -5456,22 +6557,6 @@ The entry is kept as it is.</source>
     <message>
         <source>Add a map</source>
         <translation>Додавање на пресликување</translation>
-    </message>
-    <message>
-        <source>Duplicate a map</source>
-        <translation>Удвојување на пресликување</translation>
-    </message>
-    <message>
-        <source>Duplicate %1 maps</source>
-        <translation>Удвојување на %1 пресликувања</translation>
-    </message>
-    <message>
-        <source>Delete a map</source>
-        <translation>Бришење на пресликување</translation>
-    </message>
-    <message>
-        <source>Delete %1 maps</source>
-        <translation>Бришење на %1 пресликувања</translation>
     </message>
     <message>
         <source>Reorder maps</source>
@@ -5486,7 +6571,7 @@ The entry is kept as it is.</source>
         <translation>Ништо не е вметнато. %1</translation>
     </message>
     <message>
-        <source>Nothing was pasted: the clipboard holds no rows of 6 or 7 numbers.</source>
+        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
         <translation>Ништо не е вметнато: таблата со исечоци не содржи редици од 6 или 7 броја.</translation>
     </message>
     <message>
@@ -5506,10 +6591,6 @@ The entry is kept as it is.</source>
         <translation>Избраните пресликувања се заменети; вметнати пресликувања: %1.</translation>
     </message>
     <message>
-        <source>Set the weights</source>
-        <translation>Задавање на тежините</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Впишување на кафезот во кодот</translation>
     </message>
@@ -5518,12 +6599,40 @@ The entry is kept as it is.</source>
         <translation>Боја на пресликувањето %1</translation>
     </message>
     <message>
-        <source>Every row is a map: (x, y) goes to (a x + b y + e, c x + d y + f), as often as its weight p says. Double-click a number, or begin to type, to change it; the picture follows every key. Drag the number of a row to move it.</source>
+        <source>Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Секоја редица е пресликување: (x, y) се пресликува во (a x + b y + e, c x + d y + f), толку често колку што кажува неговата тежина p. За да промените некој број, кликнете двапати на него или почнете да пишувате; сликата го следи секое копче. Повлечете го бројот на редицата за да ја преместите.</translation>
     </message>
     <message>
-        <source>Reading what was pasted…</source>
+        <source>Reading the pasted text…</source>
         <translation>Се чита вметнатото…</translation>
+    </message>
+    <message>
+        <source>Properties of the map</source>
+        <translation>Својства на пресликувањето</translation>
+    </message>
+    <message>
+        <source>det %1    ‖A‖ %2    %3</source>
+        <translation>det %1    ‖A‖ %2    %3</translation>
+    </message>
+    <message>
+        <source>Weights: %1</source>
+        <translation>Тежини: %1</translation>
+    </message>
+    <message>
+        <source>No maps: add one.</source>
+        <translation>Нема пресликувања: додајте едно.</translation>
+    </message>
+    <message>
+        <source>Weights in proportion to the volumes of the images, for an even picture</source>
+        <translation>Тежини пропорционални на волумените на сликите, за сликата да биде рамномерна</translation>
+    </message>
+    <message>
+        <source>Show the coefficients a … l</source>
+        <translation>Прикажи ги коефициентите a … l</translation>
+    </message>
+    <message>
+        <source>Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
+        <translation>Секоја редица е пресликување: (x, y, z) се пресликува во (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l), толку често колку што кажува неговата тежина p. За да промените некој број, кликнете двапати на него или почнете да пишувате; сликата го следи секое копче. Повлечете го бројот на редицата за да ја преместите.</translation>
     </message>
 </context>
 <context>
@@ -5533,7 +6642,7 @@ The entry is kept as it is.</source>
         <translation>Броеви на пресликувањата</translation>
     </message>
     <message>
-        <source>Drag a number to put the map elsewhere. A mark warns of a map that does not contract.</source>
+        <source>Drag a number to move the map. A warning sign marks a map that does not contract.</source>
         <translation>Повлечете го бројот за да го ставите пресликувањето на друго место. Ознаката предупредува на пресликување што не е контракција.</translation>
     </message>
 </context>
@@ -5568,15 +6677,15 @@ The entry is kept as it is.</source>
         <translation>Скалирај %1 пресликувања</translation>
     </message>
     <message>
-        <source>What is flat on the screen cannot be taken. Open the cage, or the maps, first.</source>
-        <translation>Она што е рамно на екранот не може да се фати. Прво отворете го кафезот или пресликувањата.</translation>
+        <source>Maps that are flat on the screen cannot be dragged. First open the cage or the maps.</source>
+        <translation>Пресликувањата што се рамни на екранот не може да се влечат. Прво отворете го кафезот или пресликувањата.</translation>
     </message>
     <message>
         <source>Select a map first.</source>
         <translation>Прво избери пресликување.</translation>
     </message>
     <message>
-        <source>Of so many maps only some are shown. Zoom in to see the others.</source>
+        <source>There are too many maps to show them all. Zoom in to see the others.</source>
         <translation>Од толку многу пресликувања прикажани се само некои. Зголемете го приказот за останатите.</translation>
     </message>
 </context>
@@ -5587,7 +6696,7 @@ The entry is kept as it is.</source>
         <translation>Варијанти на „%1“</translation>
     </message>
     <message>
-        <source>Fractals by Chance</source>
+        <source>Random Fractals</source>
         <translation>Случајни фрактали</translation>
     </message>
     <message>
@@ -5607,7 +6716,7 @@ The entry is kept as it is.</source>
         <translation>&amp;Варирај го ова</translation>
     </message>
     <message>
-        <source>Make the chosen one what the variations start from</source>
+        <source>Use the selected one as the new starting point</source>
         <translation>Варијантите нека тргнуваат од избраното</translation>
     </message>
     <message>
@@ -5627,7 +6736,7 @@ The entry is kept as it is.</source>
         <translation>Дру&amp;ги</translation>
     </message>
     <message>
-        <source>Another sheet: the next seed</source>
+        <source>Show another sheet, from the next seed</source>
         <translation>Друга страница: следното семе</translation>
     </message>
     <message>
@@ -5651,23 +6760,23 @@ The entry is kept as it is.</source>
         <translation>Додавање на случаен фрактал</translation>
     </message>
     <message>
-        <source>Choose one and press OK, or double-click it: it takes the place of the fractal, as one step that can be undone.</source>
+        <source>Select one and confirm, or double-click it: it replaces the fractal, in one step that you can undo.</source>
         <translation>Изберете еден и притиснете „Во ред“, или кликнете двапати на него: тој го зазема местото на фракталот, како еден чекор што може да се врати.</translation>
     </message>
     <message>
-        <source>To the left the variations are much like what they start from, to the right they are wild.</source>
+        <source>On the left, the variations stay close to their starting point; on the right, they differ wildly.</source>
         <translation>Лево варијантите многу личат на она од што тргнуваат, а десно се сосема диви.</translation>
     </message>
     <message>
-        <source>Takes the chosen one, as one step that can be undone.</source>
+        <source>Uses the selected one, in one step that you can undo.</source>
         <translation>Го зема избраниот, како еден чекор што може да се врати.</translation>
     </message>
 </context>
 <context>
     <name>view::NumberField</name>
     <message>
-        <source>A number, with a decimal point or comma. Arrow keys and the wheel change it: with Shift ten times as fast, with Alt a tenth. Esc takes back what was typed.</source>
-        <translation>Број, со децимална точка или запирка. Стрелките и тркалцето го менуваат: со Shift десетпати побрзо, со Alt десетпати побавно. Esc го поништува внесеното.</translation>
+        <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
+        <translation>Број, со децимална точка или запирка, или израз како 1/2, sqrt(3)/6, cos(36°) или pi. Стрелките и тркалцето го менуваат: десет пати побрзо со Shift, десет пати побавно со Alt. Esc го враќа претходниот број.</translation>
     </message>
 </context>
 <context>
@@ -5681,7 +6790,7 @@ The entry is kept as it is.</source>
         <translation>Вметнување табела</translation>
     </message>
     <message>
-        <source>The rows do not say which column is which, and programs differ. Choose the order in which the picture behind this dialog is the one you expect.</source>
+        <source>The rows do not say which column is which, and programs differ. Choose the order that gives the picture you expect in the background.</source>
         <translation>Редиците не кажуваат која колона е која, а програмите се разликуваат. Изберете го редоследот при кој сликата зад овој дијалог е онаа што ја очекувате.</translation>
     </message>
     <message>
@@ -5689,7 +6798,7 @@ The entry is kept as it is.</source>
         <translation>Пресликувањата како што ќе бидат вметнати</translation>
     </message>
     <message>
-        <source>The maps in the order chosen: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
+        <source>The maps in the chosen order: (x, y) goes to (a x + b y + e, c x + d y + f).</source>
         <translation>Пресликувањата според избраниот редослед: (x, y) се пресликува во (a x + b y + e, c x + d y + f).</translation>
     </message>
     <message>
@@ -5701,8 +6810,8 @@ The entry is kept as it is.</source>
         <translation>&amp;Вметни</translation>
     </message>
     <message>
-        <source>&amp;Columns:</source>
-        <translation>&amp;Колони:</translation>
+        <source>C&amp;olumns:</source>
+        <translation>Ко&amp;лони:</translation>
     </message>
     <message>
         <source>There are no rows of 6 or 7 numbers.</source>
@@ -5717,7 +6826,7 @@ The entry is kept as it is.</source>
         <translation>При овој редослед секое пресликување е контракција.</translation>
     </message>
     <message>
-        <source>In this order these maps do not contract: %1. Perhaps the columns mean something else.</source>
+        <source>In this order these maps do not contract: %1. The columns may have a different meaning.</source>
         <translation>При овој редослед не се контракции пресликувањата: %1. Можеби колоните значат нешто друго.</translation>
     </message>
     <message>
@@ -5730,13 +6839,54 @@ The entry is kept as it is.</source>
     </message>
 </context>
 <context>
+    <name>view::PolygonTool</name>
+    <message>
+        <source>%1 by %2°</source>
+        <translation>%1 за %2°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 со фактор %2</translation>
+    </message>
+    <message>
+        <source>%1 to (%2, %3)</source>
+        <translation>%1 во (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1 by (%2, %3)</source>
+        <translation>%1 за (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <comment>a factor</comment>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Δ (%1, %2)  length %3</source>
+        <translation>Δ (%1, %2)  должина %3</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>раб %1</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2</source>
+        <translation>рабови %1 и %2</translation>
+    </message>
+</context>
+<context>
     <name>view::PreferencesDialog</name>
     <message>
-        <source>The language changes when Barycage is started again.</source>
+        <source>The new language takes effect when you restart Barycage.</source>
         <translation>Јазикот ќе се смени кога Barycage ќе се стартува повторно.</translation>
     </message>
     <message>
-        <source>&amp;Open the files of last time at the start</source>
+        <source>&amp;Open the files of the last session at startup</source>
         <translation>На почетокот &amp;отвори ги датотеките од минатиот пат</translation>
     </message>
     <message>
@@ -5744,8 +6894,8 @@ The entry is kept as it is.</source>
         <translation>Поставки</translation>
     </message>
     <message>
-        <source>That of the desktop</source>
-        <translation>Јазикот на работната околина</translation>
+        <source>Same as the desktop</source>
+        <translation>Како работната околина</translation>
     </message>
     <message>
         <source>Language</source>
@@ -5754,10 +6904,6 @@ The entry is kept as it is.</source>
     <message>
         <source>The language of menus and messages. Files and numbers are the same in every language.</source>
         <translation>Јазикот на менијата и пораките. Датотеките и броевите се исти на секој јазик.</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>Како работната околина</translation>
     </message>
     <message>
         <source>Light</source>
@@ -5788,15 +6934,15 @@ The entry is kept as it is.</source>
         <translation>Фино: 1000 милиони точки</translation>
     </message>
     <message>
-        <source>Picture at rest</source>
-        <translation>Слика во мирување</translation>
+        <source>Picture quality</source>
+        <translation>Квалитет на сликата</translation>
     </message>
     <message>
-        <source>How many points are drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
+        <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
         <translation>Колку точки се цртаат додека ништо не се движи. Со повеќе точки сликата е помазна, а процесорот е подолго зафатен.</translation>
     </message>
     <message>
-        <source>When on, Barycage opens the files that were open when it was closed, a window each.</source>
+        <source>When this is on, Barycage reopens the files that were open when you closed it, each in its own window.</source>
         <translation>Ако е вклучено, Barycage ги отвора датотеките што биле отворени при затворањето, секоја во свој прозорец.</translation>
     </message>
     <message>
@@ -5808,12 +6954,16 @@ The entry is kept as it is.</source>
         <translation>&amp;Тема:</translation>
     </message>
     <message>
-        <source>&amp;Picture at rest:</source>
-        <translation>&amp;Слика во мирување:</translation>
+        <source>&amp;Picture quality:</source>
+        <translation>&amp;Квалитет на сликата:</translation>
     </message>
     <message>
-        <source>Puts every choice of this dialog back to what it is at first.</source>
+        <source>Resets every setting in this dialog to its default.</source>
         <translation>Ги враќа сите избори во овој дијалог на почетните.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Сè уште не е зачувано: %1.</translation>
     </message>
 </context>
 <context>
@@ -5835,7 +6985,7 @@ The entry is kept as it is.</source>
         <translation>Запис</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Problem</source>
         <translation>Што е најдено</translation>
     </message>
 </context>
@@ -5854,7 +7004,7 @@ The entry is kept as it is.</source>
         <translation>Проблеми</translation>
     </message>
     <message>
-        <source>Choose a line to show the entry it concerns.</source>
+        <source>Select a line to show its entry.</source>
         <translation>Изберете ред за да се прикаже записот на кој се однесува.</translation>
     </message>
     <message>
@@ -5890,16 +7040,16 @@ The entry is kept as it is.</source>
         </translation>
     </message>
     <message>
-        <source>What could not be read is kept as it is.</source>
+        <source>Text that could not be read is kept unchanged.</source>
         <translation>Она што не можеше да се прочита е задржано како што е.</translation>
     </message>
     <message>
-        <source>Nothing to report: every entry was read.</source>
-        <translation>Нема што да се пријави: сите записи се прочитани.</translation>
+        <source>No problems: every entry was read.</source>
+        <translation>Нема проблеми: сите записи се прочитани.</translation>
     </message>
     <message>
-        <source>What the reader of the file remarked, with line and column. Double-click a line to go to its entry.</source>
-        <translation>Што забележал читачот на датотеката, со ред и колона. Кликнете двапати на некој ред за да отидете на неговиот запис.</translation>
+        <source>The problems found while reading the file, with line and column. Double-click a line to go to its entry.</source>
+        <translation>Проблемите најдени при читањето на датотеката, со ред и колона. Кликнете двапати на некој ред за да отидете на неговиот запис.</translation>
     </message>
 </context>
 <context>
@@ -5933,7 +7083,7 @@ The entry is kept as it is.</source>
         <translation>Alt + влечење, или квадратната рачка</translation>
     </message>
     <message>
-        <source>Move or scale along one axis, turn in steps of 15°</source>
+        <source>Move or scale along one axis, rotate in steps of 15°</source>
         <translation>Поместување или скалирање по една оска, вртење во чекори од 15°</translation>
     </message>
     <message>
@@ -5941,7 +7091,7 @@ The entry is kept as it is.</source>
         <translation>Shift при влечењето</translation>
     </message>
     <message>
-        <source>Take the drag back</source>
+        <source>Cancel the drag</source>
         <translation>Откажување на влечењето</translation>
     </message>
     <message>
@@ -5963,14 +7113,6 @@ The entry is kept as it is.</source>
     <message>
         <source>arrow keys; Shift ×10, Alt ×0.1</source>
         <translation>стрелките; Shift ×10, Alt ×0.1</translation>
-    </message>
-    <message>
-        <source>Leave the canvas</source>
-        <translation>Напуштање на платното</translation>
-    </message>
-    <message>
-        <source>F6</source>
-        <translation>F6</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -6013,11 +7155,11 @@ The entry is kept as it is.</source>
         <translation>Како</translation>
     </message>
     <message>
-        <source>Shows only the lines that have these words.</source>
+        <source>Shows only the lines that contain these words.</source>
         <translation>Ги прикажува само редовите што ги содржат овие зборови.</translation>
     </message>
     <message>
-        <source>What every key and every movement of the mouse does.</source>
+        <source>All keys and mouse gestures, and what they do.</source>
         <translation>Што прави секое копче и секое движење на глувчето.</translation>
     </message>
     <message>
@@ -6033,7 +7175,7 @@ The entry is kept as it is.</source>
         <translation>Alt + цифра, Ctrl+A</translation>
     </message>
     <message>
-        <source>A deeper or a larger branch</source>
+        <source>Select a deeper or a larger branch</source>
         <translation>Подлабока или поголема гранка</translation>
     </message>
     <message>
@@ -6049,7 +7191,7 @@ The entry is kept as it is.</source>
         <translation>влечење од празното платно; Shift додава</translation>
     </message>
     <message>
-        <source>Select one more map or vertex, or one less</source>
+        <source>Add a map or vertex to the selection, or remove it</source>
         <translation>Избери едно пресликување или теме повеќе или помалку</translation>
     </message>
     <message>
@@ -6061,7 +7203,7 @@ The entry is kept as it is.</source>
         <translation>Вметни теме на страна, удвој ги избраните пресликувања</translation>
     </message>
     <message>
-        <source>Take the last vertex back while a triangle is defined</source>
+        <source>Remove the last vertex while defining a triangle</source>
         <translation>Врати го последното теме додека се задава триаголник</translation>
     </message>
     <message>
@@ -6069,7 +7211,7 @@ The entry is kept as it is.</source>
         <translation>Backspace</translation>
     </message>
     <message>
-        <source>Choose another stop</source>
+        <source>Select another stop</source>
         <translation>Избери друг маркер</translation>
     </message>
     <message>
@@ -6109,7 +7251,7 @@ The entry is kept as it is.</source>
         <translation>Enter или Space, или двоен клик на него</translation>
     </message>
     <message>
-        <source>Take the change back</source>
+        <source>Cancel the change</source>
         <translation>Врати ја промената</translation>
     </message>
     <message>
@@ -6119,6 +7261,87 @@ The entry is kept as it is.</source>
     <message>
         <source>On the strip of the gradient</source>
         <translation>На лентата на преливот</translation>
+    </message>
+    <message>
+        <source>Next or previous part of the window</source>
+        <translation>Следен или претходен дел од прозорецот</translation>
+    </message>
+    <message>
+        <source>F6, Shift+F6</source>
+        <translation>F6, Shift+F6</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceInput</name>
+    <message>
+        <source>Rotate Cage</source>
+        <translation>Ротирај го кафезот</translation>
+    </message>
+    <message>
+        <source>Scale Cage</source>
+        <translation>Скалирај го кафезот</translation>
+    </message>
+    <message>
+        <source>Move Vertex %1</source>
+        <translation>Помести го темето %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceView</name>
+    <message>
+        <source>Canvas in space</source>
+        <translation>Платно во просторот</translation>
+    </message>
+    <message>
+        <source>The solid and its tetrahedron. Drag a corner: X, Y or Z keeps it on an axis, with Shift in a plane, and the wheel pushes it away. Drag anywhere else to turn the view; the wheel zooms at the pointer, the middle button pans. Double-click the solid to turn about that point.</source>
+        <translation>Телото и неговиот тетраедар. Влечете агол: X, Y или Z го држи на оска, со Shift во рамнина, а тркалцето го оддалечува. Влечете на друго место за да го завртите погледот; тркалцето зумира кај покажувачот, а средното копче поместува. Кликнете двапати на телото за вртење околу таа точка.</translation>
+    </message>
+    <message>
+        <source>The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
+        <translation>Атракторот и неговиот контролен тетраедар. Tab оди од агол на агол, стрелките го поместуваат аголот во фокус или го вртат погледот, F6 го напушта платното.</translation>
+    </message>
+    <message>
+        <source>Vertex %1 at %2, %3, %4</source>
+        <translation>Теме %1 кај %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Вклопи</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>Перспе&amp;ктива</translation>
+    </message>
+    <message>
+        <source>Look from the F&amp;ront</source>
+        <translation>Поглед од на&amp;пред</translation>
+    </message>
+    <message>
+        <source>Look from the &amp;Right</source>
+        <translation>Поглед од &amp;десно</translation>
+    </message>
+    <message>
+        <source>Look from &amp;Above</source>
+        <translation>Поглед од&amp;горе</translation>
+    </message>
+</context>
+<context>
+    <name>view::ToolOptionsBar</name>
+    <message>
+        <source>Tool options</source>
+        <translation>Опции на алатката</translation>
+    </message>
+    <message>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
+        <translation>Влечи теме, раб или внатрешност на кафезот.  Ctrl врти  ·  Alt менува големина  ·  Shift ги задржува правците  ·  двоен клик на раб: ново теме</translation>
+    </message>
+    <message>
+        <source>Click the three corners of the new triangle.  Backspace takes a corner back  ·  Esc cancels</source>
+        <translation>Кликни ги трите темиња на новиот триаголник.  Backspace враќа теме  ·  Esc откажува</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Влечи теме на тетраедарот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
     </message>
 </context>
 <context>
@@ -6132,8 +7355,8 @@ The entry is kept as it is.</source>
         <translation>y</translation>
     </message>
     <message>
-        <source>Transform by Numbers</source>
-        <translation>Трансформирање со броеви</translation>
+        <source>Transform</source>
+        <translation>Трансформирај</translation>
     </message>
     <message>
         <source>x of the fixed point</source>
@@ -6176,7 +7399,7 @@ The entry is kept as it is.</source>
         <translation>Транслација по y</translation>
     </message>
     <message>
-        <source>Done in this order, from top to bottom.</source>
+        <source>Applied in this order, from top to bottom.</source>
         <translation>Се изведува по овој редослед, одозгора надолу.</translation>
     </message>
     <message>
@@ -6184,11 +7407,11 @@ The entry is kept as it is.</source>
         <translation>Проблем</translation>
     </message>
     <message>
-        <source>Start Again</source>
+        <source>Reset</source>
         <translation>Почни одново</translation>
     </message>
     <message>
-        <source>All values as they were when the dialog opened</source>
+        <source>Reset all values to what they were when the dialog opened</source>
         <translation>Сите вредности како што беа при отворањето на дијалогот</translation>
     </message>
     <message>
@@ -6196,7 +7419,7 @@ The entry is kept as it is.</source>
         <translation>Постави ја сликата</translation>
     </message>
     <message>
-        <source>The code stays; the cage moves</source>
+        <source>The cage moves; the code does not change</source>
         <translation>Кодот останува ист; се поместува кафезот</translation>
     </message>
     <message>
@@ -6208,7 +7431,7 @@ The entry is kept as it is.</source>
         <translation>Секое пресликување w станува T∘w∘T⁻¹; кафезот го следи тоа</translation>
     </message>
     <message>
-        <source>The point that stays</source>
+        <source>Fixed point</source>
         <translation>Точката што останува на место</translation>
     </message>
     <message>
@@ -6220,11 +7443,11 @@ The entry is kept as it is.</source>
         <translation>средната вредност на инваријантната мера</translation>
     </message>
     <message>
-        <source>a typed point</source>
+        <source>a point of your choice</source>
         <translation>внесена точка</translation>
     </message>
     <message>
-        <source>in the line at the angle °</source>
+        <source>in the line at the angle (°)</source>
         <translation>во однос на правата под агол °</translation>
     </message>
     <message>
@@ -6232,11 +7455,11 @@ The entry is kept as it is.</source>
         <translation>Агол на оската на симетрија во степени: 0 е хоризонтална, 90 вертикална</translation>
     </message>
     <message>
-        <source>This entry has no maps of the plane.</source>
+        <source>This entry is not a system in the plane.</source>
         <translation>Овој запис нема пресликувања на рамнината.</translation>
     </message>
     <message>
-        <source>This transformation is too flat to be undone, so it cannot be written into the code. Choose other scales, or place the picture.</source>
+        <source>This transformation is too flat to be inverted, so it cannot be written into the code. Choose other scales, or place the picture.</source>
         <translation>Оваа трансформација е премногу сплескана за да може да се врати, па не може да се запише во кодот. Изберете други размери или поставете ја сликата.</translation>
     </message>
     <message>
@@ -6252,11 +7475,11 @@ The entry is kept as it is.</source>
         <translation>Го одржува размерот по y еднаков на оној по x.</translation>
     </message>
     <message>
-        <source>About which point the fractal is turned, scaled and reflected: it stays where it is.</source>
+        <source>The point about which the fractal is rotated, scaled and reflected; it stays where it is.</source>
         <translation>Околу која точка фракталот се врти, скалира и отсликува: таа останува на место.</translation>
     </message>
     <message>
-        <source>Mirrors in a line through the point that stays; the angle is counted from the x axis.</source>
+        <source>Reflects in a line through the fixed point; the angle is measured from the x axis.</source>
         <translation>Осна симетрија во однос на права низ точката што останува на место; аголот се мери од x-оската.</translation>
     </message>
     <message>
@@ -6288,7 +7511,7 @@ The entry is kept as it is.</source>
         <translation>Транслирај:</translation>
     </message>
     <message>
-        <source>the middle of the picture’s box</source>
+        <source>the centre of the picture’s box</source>
         <translation>средината на правоаголникот на сликата</translation>
     </message>
 </context>
@@ -6311,7 +7534,7 @@ The entry is kept as it is.</source>
         <translation>y на темето</translation>
     </message>
     <message>
-        <source>What is wrong with the numbers</source>
+        <source>Problem with the numbers</source>
         <translation>Што не е во ред со броевите</translation>
     </message>
     <message>
@@ -6329,6 +7552,29 @@ The entry is kept as it is.</source>
     <message>
         <source>A coordinate of the vertex, with a decimal point or comma. The picture follows as you type.</source>
         <translation>Координата на темето, со децимална точка или запирка. Сликата се менува додека пишувате.</translation>
+    </message>
+    <message>
+        <source>Move vertex %1 to (%2, %3)</source>
+        <translation>Премести го темето %1 во (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>view::ZoomBox</name>
+    <message>
+        <source>Zoom</source>
+        <translation>Зум</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose.</source>
+        <translation>Зум во проценти: на 100 % една единица од рамнината е 100 пиксели. Внесете друга вредност или изберете.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Вклопи</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

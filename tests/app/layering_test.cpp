@@ -8,27 +8,42 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <map>
+#include <set>
 
-// The include directions of the architecture: each layer may know those below it and nothing else.
+// The include directions of the architecture: each layer may know those below it and nothing else, and no two
+// folders or rooms (a header with its source) know each other, directly or by way of others.
 class LayeringTest : public QObject {
     Q_OBJECT
 
 private slots:
     void includesPointDownwards_data();
     void includesPointDownwards();
+    void foldersAndRoomsFormNoCircle();
+    void circlesAreFound_data();
+    void circlesAreFound();
+    void foldersReadLikeTablesOfContents();
+    void sourcesStandBesideTheirHeaders();
     void coreCompilesWithoutQt();
     void viewStartsNoThread();
 };
 
 namespace {
 
+using Graph = std::map<QString, std::set<QString>>;
+
+const QStringList topFolders{QStringLiteral("app"), QStringLiteral("model"), QStringLiteral("view")};
+// What an #include "…" may be relative to, as in the CMakeLists.txt of the libraries.
+const QStringList includeFolders{QStringLiteral("model/"), QStringLiteral("view/"),
+                                 QStringLiteral("app/gui/"), QStringLiteral("app/cli/")};
+
 QStringList sourceFiles(const QString& folder) {
     QStringList files;
-    QDirIterator it(support::sourcePath(folder), {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
-                    QDir::Files, QDirIterator::Subdirectories);
+    QDirIterator it(folder, {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                    QDirIterator::Subdirectories);
     while (it.hasNext())
         files << it.next();
     return files;
@@ -37,6 +52,93 @@ QStringList sourceFiles(const QString& folder) {
 QString contents(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+struct Include {
+    QString header;
+    bool isOurs = false; // "…" rather than <…>
+};
+
+QList<Include> includesOf(const QString& path) {
+    static const QRegularExpression include(QStringLiteral("^\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"]"),
+                                            QRegularExpression::MultilineOption);
+    QList<Include> found;
+    auto matches = include.globalMatch(contents(path));
+    while (matches.hasNext()) {
+        const auto match = matches.next();
+        found.append({match.captured(2), match.captured(1) == QLatin1String("\"")});
+    }
+    return found;
+}
+
+// "model/ifs/system/branch" for its header and its source.
+QString roomOf(const QString& file) {
+    return file.left(file.lastIndexOf(u'.'));
+}
+
+QString folderOf(const QString& room) {
+    return room.left(room.lastIndexOf(u'/'));
+}
+
+// Which rooms of the tree at `root` include which others.
+Graph roomsOf(const QString& root) {
+    std::set<QString> files;
+    for (const QString& top : topFolders)
+        for (const QString& path : sourceFiles(root + u'/' + top))
+            files.insert(QDir(root).relativeFilePath(path));
+    Graph rooms;
+    for (const QString& file : files) {
+        std::set<QString>& known = rooms[roomOf(file)];
+        for (const Include& include : includesOf(root + u'/' + file))
+            for (const QString& folder : includeFolders)
+                if (include.isOurs && files.contains(folder + include.header))
+                    known.insert(roomOf(folder + include.header));
+        known.erase(roomOf(file));
+    }
+    return rooms;
+}
+
+Graph foldersOf(const Graph& rooms) {
+    Graph folders;
+    for (const auto& [room, known] : rooms)
+        for (const QString& other : known)
+            if (folderOf(other) != folderOf(room)) folders[folderOf(room)].insert(folderOf(other));
+    return folders;
+}
+
+// Some circle, as the names along it, the first one again at the end; empty when there is none.
+class CircleSearch {
+public:
+    explicit CircleSearch(const Graph& graph) : m_graph(graph) {}
+
+    QStringList circle() {
+        for (const auto& [node, known] : m_graph)
+            if (visit(node)) return m_path;
+        return {};
+    }
+
+private:
+    bool visit(const QString& node) {
+        if (const qsizetype begin = m_path.indexOf(node); begin >= 0) {
+            m_path = m_path.mid(begin) << node;
+            return true;
+        }
+        if (!m_done.insert(node).second) return false;
+        m_path << node;
+        if (const auto known = m_graph.find(node); known != m_graph.end())
+            for (const QString& next : known->second)
+                if (visit(next)) return true;
+        m_path.removeLast();
+        return false;
+    }
+
+    const Graph& m_graph;
+    QStringList m_path;
+    std::set<QString> m_done;
+};
+
+QString circleIn(const Graph& graph) {
+    return CircleSearch(graph).circle().join(QStringLiteral(" → "));
 }
 
 } // namespace
@@ -51,12 +153,16 @@ void LayeringTest::includesPointDownwards_data() {
                                            "QMenu|QLabel|QAbstractItemView|QPrint)");
     const QStringList ifs{QStringLiteral("ifs")};
     const QStringList attractor = ifs + QStringList{QStringLiteral("attractor")};
-    const QStringList document = attractor + QStringList{QStringLiteral("document")};
+    const QStringList animation = attractor + QStringList{QStringLiteral("animation")};
+    const QStringList document = animation + QStringList{QStringLiteral("document")};
     const QStringList io = document + QStringList{QStringLiteral("io")};
-    const QStringList view = io + QStringList{QStringLiteral("canvas"), QStringLiteral("panels"),
-                                              QStringLiteral("dialogs"), QString()};
+    const QStringList view =
+        io + QStringList{QStringLiteral("bars"),    QStringLiteral("bridges"), QStringLiteral("canvas"),
+                         QStringLiteral("desktop"), QStringLiteral("dialogs"), QStringLiteral("panels"),
+                         QStringLiteral("space"),   QStringLiteral("widgets")};
     QTest::newRow("model/ifs") << "model/ifs" << ifs << qt;
     QTest::newRow("model/attractor") << "model/attractor" << attractor << qt;
+    QTest::newRow("model/animation") << "model/animation" << animation << qt;
     QTest::newRow("model/document") << "model/document" << document << widgets;
     QTest::newRow("model/io") << "model/io" << io << widgets;
     QTest::newRow("view") << "view" << view << QStringLiteral("^$");
@@ -67,26 +173,87 @@ void LayeringTest::includesPointDownwards() {
     QFETCH(QStringList, mayKnow);
     QFETCH(QString, mustNotInclude);
 
-    const QStringList files = sourceFiles(folder);
+    const QStringList files = sourceFiles(support::sourcePath(folder));
     QVERIFY2(!files.isEmpty(), "the folder has no sources: the test looks at the wrong place");
-    static const QRegularExpression include(QStringLiteral("^\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"]"),
-                                            QRegularExpression::MultilineOption);
     const QRegularExpression forbidden(mustNotInclude);
-    for (const QString& path : files) {
-        auto matches = include.globalMatch(contents(path));
-        while (matches.hasNext()) {
-            const auto match = matches.next();
-            const QString header = match.captured(2);
-            if (match.captured(1) == QLatin1String("<")) {
-                QVERIFY2(!forbidden.match(header).hasMatch(),
-                         qPrintable(path + QStringLiteral(" includes <%1>").arg(header)));
-                continue;
-            }
-            const QString layer = header.contains(u'/') ? header.section(u'/', 0, 0) : QString();
-            if (header.endsWith(QLatin1String(".moc"))) continue;
-            QVERIFY2(mayKnow.contains(layer),
-                     qPrintable(path + QStringLiteral(" includes \"%1\"").arg(header)));
+    for (const QString& path : files)
+        for (const Include& include : includesOf(path)) {
+            if (include.header.endsWith(QLatin1String(".moc"))) continue;
+            const QString layer = include.header.section(u'/', 0, 0);
+            const bool isAllowed = include.isOurs ? mayKnow.contains(layer) && include.header.contains(u'/')
+                                                  : !forbidden.match(include.header).hasMatch();
+            QVERIFY2(isAllowed, qPrintable(path + QStringLiteral(" includes ") + include.header));
         }
+}
+
+void LayeringTest::foldersAndRoomsFormNoCircle() {
+    const Graph rooms = roomsOf(support::sourcePath(QString()));
+    QVERIFY2(rooms.size() > 100, "the tree has no sources: the test looks at the wrong place");
+    QVERIFY(rooms.at(QStringLiteral("model/ifs/facts"))
+                .contains(QStringLiteral("model/ifs/dimension/dimension")));
+    QCOMPARE(circleIn(rooms), QString());
+    QCOMPARE(circleIn(foldersOf(rooms)), QString());
+}
+
+void LayeringTest::circlesAreFound_data() {
+    QTest::addColumn<QStringList>("includes"); // file, what it includes, file, what it includes …
+    QTest::addColumn<QString>("ofRooms");
+    QTest::addColumn<QString>("ofFolders");
+
+    QTest::newRow("none") << QStringList{QStringLiteral("model/a/x.h"), QStringLiteral("b/y.h"),
+                                         QStringLiteral("model/b/y.h"), QStringLiteral("b/z.h"),
+                                         QStringLiteral("model/b/z.h"), QString()}
+                          << QString() << QString();
+    QTest::newRow("a header and the source of another")
+        << QStringList{QStringLiteral("model/a/x.h"),   QStringLiteral("a/y.h"),
+                       QStringLiteral("model/a/y.cpp"), QStringLiteral("a/x.h"),
+                       QStringLiteral("model/a/y.h"),   QString()}
+        << QStringLiteral("model/a/x → model/a/y → model/a/x") << QString();
+    QTest::newRow("by way of a third") << QStringList{QStringLiteral("view/a/x.h"), QStringLiteral("b/y.h"),
+                                                      QStringLiteral("view/b/y.h"), QStringLiteral("c/z.h"),
+                                                      QStringLiteral("view/c/z.h"), QStringLiteral("a/x.h")}
+                                       << QStringLiteral("view/a/x → view/b/y → view/c/z → view/a/x")
+                                       << QStringLiteral("view/a → view/b → view/c → view/a");
+    QTest::newRow("folders only") << QStringList{QStringLiteral("view/a/x.h"), QStringLiteral("b/y.h"),
+                                                 QStringLiteral("view/b/y.h"), QString(),
+                                                 QStringLiteral("view/b/z.h"), QStringLiteral("a/x.h")}
+                                  << QString() << QStringLiteral("view/a → view/b → view/a");
+}
+
+void LayeringTest::circlesAreFound() {
+    QFETCH(QStringList, includes);
+    QFETCH(QString, ofRooms);
+    QFETCH(QString, ofFolders);
+
+    const QTemporaryDir tree;
+    for (qsizetype i = 0; i < includes.size(); i += 2) {
+        QVERIFY(QDir(tree.path()).mkpath(folderOf(includes[i])));
+        QFile file(tree.filePath(includes[i]));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        if (!includes[i + 1].isEmpty())
+            file.write("#include \"" + includes[i + 1].toUtf8() + "\"\n#include <vector>\n");
+    }
+    const Graph rooms = roomsOf(tree.path());
+    QCOMPARE(circleIn(rooms), ofRooms);
+    QCOMPARE(circleIn(foldersOf(rooms)), ofFolders);
+}
+
+void LayeringTest::foldersReadLikeTablesOfContents() {
+    for (const char* folder :
+         {"model/ifs", "model/attractor", "model/io", "view", "view/canvas", "view/panels"}) {
+        const QDir here(support::sourcePath(QString::fromLatin1(folder)));
+        QVERIFY(here.exists());
+        const QStringList files = here.entryList(QDir::Files);
+        QVERIFY2(files.size() <= 15, qPrintable(here.path() + QStringLiteral(": ") + files.join(u' ')));
+    }
+}
+
+void LayeringTest::sourcesStandBesideTheirHeaders() {
+    for (const char* folder : {"model", "view"}) {
+        const QStringList files = sourceFiles(support::sourcePath(QString::fromLatin1(folder)));
+        for (const QString& path : files)
+            QVERIFY2(path.endsWith(QLatin1String(".h")) || files.contains(roomOf(path) + QLatin1String(".h")),
+                     qPrintable(path));
     }
 }
 
@@ -97,7 +264,8 @@ void LayeringTest::coreCompilesWithoutQt() {
     for (const QJsonValue& entry : QJsonDocument::fromJson(file.readAll()).array()) {
         const QString path = entry[QLatin1String("file")].toString();
         if (!path.contains(QLatin1String("/model/ifs/")) &&
-            !path.contains(QLatin1String("/model/attractor/")))
+            !path.contains(QLatin1String("/model/attractor/")) &&
+            !path.contains(QLatin1String("/model/animation/")))
             continue;
         if (!path.startsWith(support::sourcePath(QStringLiteral("model/")))) continue;
         ++seen;
@@ -110,7 +278,7 @@ void LayeringTest::coreCompilesWithoutQt() {
 void LayeringTest::viewStartsNoThread() {
     static const QRegularExpression thread(QStringLiteral(
         "\\b(std::j?thread|std::async|QThread(?!::currentThread)|QThreadPool|QtConcurrent)\\b"));
-    const QStringList files = sourceFiles(QStringLiteral("view"));
+    const QStringList files = sourceFiles(support::sourcePath(QStringLiteral("view")));
     QVERIFY(!files.isEmpty());
     for (const QString& path : files)
         QVERIFY2(!thread.match(contents(path)).hasMatch(), qPrintable(path));

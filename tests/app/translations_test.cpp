@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "attractor/palette.h"
+#include "attractor/colour/palette.h"
 #include "support/paths.h"
 
 #include <QCoreApplication>
@@ -74,6 +74,19 @@ bool isShortcut(const QString& text) {
     static const QRegularExpression keys(
         QStringLiteral("^((Ctrl|Shift|Alt)\\+)*([A-Z0-9,/]|F\\d+|Ins|Del|Up|Down)$"));
     return keys.match(text).hasMatch();
+}
+
+QSet<QString> textsOfTheCollection() {
+    QSet<QString> texts;
+    QFile index(support::sourcePath(QStringLiteral("ifs_library/index.json")));
+    if (!index.open(QIODevice::ReadOnly)) return {};
+    const QJsonArray themes =
+        QJsonDocument::fromJson(index.readAll()).object().value(QLatin1String("themes")).toArray();
+    for (const QJsonValue& theme : themes)
+        for (const char* text : {"title", "description"})
+            texts << QStringLiteral("Collection|") + theme.toObject().value(QLatin1String(text)).toString() +
+                         u'|';
+    return texts;
 }
 
 // What must be the same in every language; empty when it is.
@@ -180,17 +193,24 @@ QStringList TranslationsTest::textsFoundNowhere(const QSet<QString>& keys) {
     return overlooked;
 }
 
-// As lupdate finds them in the sources as they are now.
+// As lupdate finds them in the sources and the index of the collection as they are now.
 void TranslationsTest::everyTextOfTheProgramIsInTheCatalogues() {
     QTemporaryDir folder;
     const QString fresh = folder.filePath(QStringLiteral("fresh.ts"));
+    const QString collection = folder.filePath(QStringLiteral("collection.cpp"));
+    QCOMPARE(QProcess::execute(
+                 QStringLiteral(BARYCAGE_CMAKE),
+                 {QStringLiteral("-DINDEX=") + support::sourcePath(QStringLiteral("ifs_library/index.json")),
+                  QStringLiteral("-DOUTPUT=") + collection, QStringLiteral("-P"),
+                  support::sourcePath(QStringLiteral("resources/translations/collection_texts.cmake"))}),
+             0);
     QProcess lupdate;
     lupdate.setProcessChannelMode(QProcess::MergedChannels);
     lupdate.start(QStringLiteral(BARYCAGE_LUPDATE),
                   {QStringLiteral("-locations"), QStringLiteral("none"),
                    support::sourcePath(QStringLiteral("app/gui")),
                    support::sourcePath(QStringLiteral("model")), support::sourcePath(QStringLiteral("view")),
-                   QStringLiteral("-ts"), fresh});
+                   collection, QStringLiteral("-ts"), fresh});
     QVERIFY(lupdate.waitForFinished(120'000));
     const QString said = QString::fromUtf8(lupdate.readAll());
     QCOMPARE(lupdate.exitCode(), 0);
@@ -205,6 +225,8 @@ void TranslationsTest::everyTextOfTheProgramIsInTheCatalogues() {
         if (message.counts) counting.insert(message.key());
     }
     QVERIFY(texts.size() > 800);
+    QVERIFY(textsOfTheCollection().size() > 20);
+    QVERIFY(texts.contains(textsOfTheCollection()));
     const QStringList overlooked = textsFoundNowhere(texts);
     QVERIFY2(overlooked.isEmpty(),
              qPrintable(QStringLiteral("lupdate does not collect:\n") + overlooked.join(u'\n')));
@@ -225,15 +247,7 @@ void TranslationsTest::everyTextOfTheProgramIsInTheCatalogues() {
 
 // Texts that no tr() holds: the titles of the collection and the names of palettes.
 void TranslationsTest::namesOfDataAreInTheCatalogues() {
-    QSet<QString> names;
-    QFile index(support::sourcePath(QStringLiteral("ifs_library/index.json")));
-    QVERIFY(index.open(QIODevice::ReadOnly));
-    const QJsonArray themes =
-        QJsonDocument::fromJson(index.readAll()).object().value(QLatin1String("themes")).toArray();
-    for (const QJsonValue& theme : themes)
-        for (const char* text : {"title", "description"})
-            names << QStringLiteral("Collection|") + theme.toObject().value(QLatin1String(text)).toString() +
-                         u'|';
+    QSet<QString> names = textsOfTheCollection();
     for (const attractor::Palette& palette : attractor::builtInPalettes())
         names << QStringLiteral("Palette|") + QString::fromStdString(palette.name) + u'|';
     QVERIFY(names.size() > 30);

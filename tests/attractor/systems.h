@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "attractor/drawable_system.h"
-#include "attractor/renderer.h"
-#include "ifs/iterated_function_system.h"
+#include "attractor/render/renderer.h"
+#include "attractor/samples/prepared_system.h"
+#include "ifs/canonical_systems.h"
 
 #include <array>
 #include <initializer_list>
@@ -27,25 +27,19 @@ inline ifs::IteratedFunctionSystem<2> system(std::initializer_list<Row> rows) {
 }
 
 inline ifs::IteratedFunctionSystem<2> maple() {
-    return system({{{-0.04, 0, -0.23, -0.65, -0.08, 0.26}},
-                   {{0.61, 0, 0, 0.31, 0.07, 3.5}},
-                   {{0.65, 0.29, -0.3, 0.48, 0.74, 0.39}},
-                   {{0.64, -0.3, 0.16, 0.56, -0.56, 0.60}}});
+    return canonical::system(canonical::maple());
 }
 inline ifs::IteratedFunctionSystem<2> flower() {
-    return system({{{0.47, 0.30, -0.30, 0.47, 0.37, 1.74}, 1}, {{0.48, -0.29, 0.29, 0.48, -0.34, 1.75}, 1}});
+    return canonical::system(canonical::flower(), {1, 1});
 }
 inline ifs::IteratedFunctionSystem<2> fern() {
-    return system({{{0, 0, 0, 0.16, 0, 0}, 0.01},
-                   {{0.85, 0.04, -0.04, 0.85, 0, 1.6}, 0.85},
-                   {{0.2, -0.26, 0.23, 0.22, 0, 1.6}, 0.07},
-                   {{-0.15, 0.28, 0.26, 0.24, 0, 0.44}, 0.07}});
+    return canonical::system(canonical::fern(), canonical::FernWeights);
 }
-inline ifs::IteratedFunctionSystem<2> sierpinski() { // right-angled
-    return system({{{0.5, 0, 0, 0.5, 0, 0}}, {{0.5, 0, 0, 0.5, 0.5, 0}}, {{0.5, 0, 0, 0.5, 0, 0.5}}});
+inline ifs::IteratedFunctionSystem<2> sierpinski() {
+    return canonical::system(canonical::sierpinskiRight());
 }
 inline ifs::IteratedFunctionSystem<2> dragon() { // of even density
-    return system({{{0.5, -0.5, 0.5, 0.5, 0, 0}}, {{-0.5, -0.5, 0.5, -0.5, 1, 0}}});
+    return canonical::system(canonical::heighway());
 }
 
 // The unit square out of equal rectangles.
@@ -61,11 +55,7 @@ inline ifs::IteratedFunctionSystem<2> tiling(int columns, int rows) {
 }
 
 inline ifs::IteratedFunctionSystem<2> koch() {
-    const double h = 0.28867513459481287; // √3/6
-    return system({{{1.0 / 3, 0, 0, 1.0 / 3, 0, 0}},
-                   {{1.0 / 6, -h, h, 1.0 / 6, 1.0 / 3, 0}},
-                   {{1.0 / 6, h, -h, 1.0 / 6, 0.5, h}},
-                   {{1.0 / 3, 0, 0, 1.0 / 3, 2.0 / 3, 0}}});
+    return canonical::system(canonical::koch());
 }
 inline ifs::IteratedFunctionSystem<2> cantorDust(double ratio) { // of dimension ln 4 / ln(1 / ratio)
     const double gap = 1 - ratio;
@@ -77,7 +67,7 @@ inline ifs::IteratedFunctionSystem<2> cantorDust(double ratio) { // of dimension
 
 // All of the attractor in a picture of the given size.
 inline attractor::Camera camera(const ifs::IteratedFunctionSystem<2>& system, int width, int height) {
-    const attractor::DrawableSystem drawable = attractor::drawable(system);
+    const attractor::PreparedSystem drawable = attractor::prepared(system);
     attractor::Camera result;
     result.width = width;
     result.height = height;
@@ -106,6 +96,14 @@ inline double meanGrey(const attractor::Frame& frame) {
     for (const std::uint32_t pixel : frame.pixels)
         sum += grey(pixel);
     return frame.pixels.empty() ? 0 : sum / static_cast<double>(frame.pixels.size());
+}
+
+// A triangle that is pressed to that height.
+inline ifs::ControlCage<2> squeezed(double height) {
+    ifs::ControlCage<2> cage;
+    cage.rest = {{0, 0}, {1, 0}, {0, 1}};
+    cage.current = {{0, 0}, {1, 0}, {0, height}};
+    return cage;
 }
 
 } // namespace systems

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Prints the targets table of docs/performance.md as ratios of times measured in this run, and writes them as
 // one flat JSON object. barycage_bench [--quick] [--json FILE] [Google Benchmark's own options]
-#include "attractor/address_cut.h"
-#include "attractor/cell_sums.h"
-#include "attractor/chaos_game.h"
-#include "attractor/kernels.h"
-#include "attractor/picture.h"
-#include "attractor/renderer.h"
-#include "attractor/splat.h"
+#include "attractor/cells/cell_sums.h"
+#include "attractor/cells/splat.h"
+#include "attractor/cut/address_cut.h"
+#include "attractor/folds/density_fold.h"
+#include "attractor/kernels/kernels.h"
+#include "attractor/light/tone_map.h"
+#include "attractor/render/renderer.h"
+#include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
-#include "attractor/tone_map.h"
 #include "bench/canvas_drag.h"
 #include "bench/geometry_bench.h"
+#include "bench/light_bench.h"
 #include "bench/plain_rivals.h"
+#include "bench/space_bench.h"
 
 #include <QApplication>
 
@@ -42,7 +44,7 @@ constexpr std::uint64_t tenMillion = 10'000'000;
 struct Case {
     std::string name;
     RenderRequest request;
-    DrawableSystem drawable;
+    PreparedSystem drawable;
     rivals::Points points;
 };
 
@@ -65,7 +67,7 @@ std::vector<Case>& cases() {
               {"maple", systems::maple()},
               {"flower", systems::flower()},
               {"random32", randomSystem(32)}}) {
-            Case c{name, systems::request(system, tenMillion, 1920, 1080), drawable(system), {}};
+            Case c{name, systems::request(system, tenMillion, 1920, 1080), prepared(system), {}};
             c.request.appearance = Appearance{};
             c.request.exposure = Exposure{0, 5, 1};
             result.push_back(std::move(c));
@@ -101,7 +103,7 @@ RenderRequest bent(RenderRequest request, int frame) {
 
 // The maps of a system in box coordinates as the engine's chaos game has them.
 struct BoxMaps {
-    explicit BoxMaps(const DrawableSystem& system) : table(system.probabilities) {
+    explicit BoxMaps(const PreparedSystem& system) : table(system.probabilities) {
         for (auto& row : rows)
             row.assign(table.size(), 0);
         const ifs::Vector<2>& h = system.halfExtent;
@@ -227,7 +229,7 @@ void addBenchmarks(Case& c) {
             Camera camera = c.request.camera;
             camera.pixelsPerUnit *= zoom;
             if (zoom > 1) camera.centre = *ifs::fixedPoint(c.drawable.maps.back()); // something is there
-            const DrawableSystem& system = c.drawable;
+            const PreparedSystem& system = c.drawable;
             const Projection view = projection(camera, {}, 1);
             CutSettings settings;
             settings.words = wordsFor(tenMillion);
@@ -451,6 +453,7 @@ std::vector<Metric> ratios(const std::map<std::string, double>& times) {
     }
     metrics.push_back(
         {"chaos_game.many_maps", roof("orbit_engine/random32") / roof("orbit_engine/maple"), "<= 1.1"});
+    metrics.push_back({"space.light.vs_memcpy", roof("light") / roof("memcpy"), "<= 4"});
     metrics.push_back({"cage8.vs_triangle", roof("cage8/maple") / roof("redraw/maple"), "<= 1.5"});
     return metrics;
 }
@@ -494,6 +497,11 @@ void addGeometry(std::vector<Metric>& metrics, bool quick) {
         add("ms.max", times.back(), "reported");
         add("missed", distribution.missed, ("of " + std::to_string(times.size())).c_str());
     }
+}
+
+void addSpace(std::vector<Metric>& metrics, bool quick) {
+    for (const space::Ratio& ratio : space::measure(quick ? 12 : 40))
+        metrics.push_back({ratio.name, ratio.value, ratio.target});
 }
 
 void writeJson(const std::vector<Metric>& metrics, const std::string& path) {
@@ -541,10 +549,12 @@ int main(int argc, char** argv) {
     addDrag(whole, quick);
     if (!dragOnly) {
         addGeometry(whole, quick);
+        addSpace(whole, quick);
         addWholeEngine(whole, quick);
         for (Case& c : cases())
             addBenchmarks(c);
         addRoofline();
+        light::addBenchmark();
         Shortest shortest;
         benchmark::RunSpecifiedBenchmarks(&shortest);
         metrics = ratios(shortest.times);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bench/canvas_drag.h"
 
-#include "canvas/canvas_part.h"
-#include "canvas/canvas_scene.h"
+#include "bridges/render_bridge.h"
 #include "canvas/canvas_view.h"
+#include "canvas/geometry/canvas_part.h"
+#include "canvas/scene/canvas_scene.h"
 #include "document/document.h"
 #include "document/fractal.h"
-#include "render_bridge.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -52,7 +52,7 @@ std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, s
     document::Document document;
     document::Fractal fractal = document.fractal();
     *document::system2(fractal) = system;
-    fractal.cage.reset();
+    document::plane(fractal)->cage.reset();
     document.setFile(document::fileOf(fractal));
     view::RenderBridge bridge(&document);
     bridge.fixLiveSamples(samples);

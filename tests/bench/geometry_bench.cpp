@@ -2,7 +2,8 @@
 #include "bench/geometry_bench.h"
 
 #include "golden/collection.h"
-#include "ifs/support_function.h"
+#include "ifs/extent/convex_hull.h"
+#include "ifs/extent/extent.h"
 
 #include <ctime>
 

@@ -8,15 +8,15 @@
 namespace rivals {
 
 using attractor::Camera;
-using attractor::DrawableSystem;
+using attractor::PreparedSystem;
 
-Points storedPoints(const DrawableSystem& system, std::size_t count) {
+Points storedPoints(const PreparedSystem& system, std::size_t count) {
     std::vector<double> xy(2 * count);
     scalarOrbit(system, xy);
     return {{xy.begin(), xy.end()}};
 }
 
-void scalarOrbit(const DrawableSystem& system, std::span<double> xy) {
+void scalarOrbit(const PreparedSystem& system, std::span<double> xy) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     struct Map {
@@ -63,7 +63,7 @@ void redrawStored(const Points& points, const Camera& camera, std::vector<std::u
     }
 }
 
-void chaosIntoGrid(const DrawableSystem& system, const Camera& camera, std::size_t points,
+void chaosIntoGrid(const PreparedSystem& system, const Camera& camera, std::size_t points,
                    std::vector<std::uint32_t>& counts) {
     constexpr std::size_t entries = 16384;
     std::vector<std::uint16_t> table;

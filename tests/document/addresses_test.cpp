@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/addresses.h"
+#include "document/fractal_geometry.h"
 
 #include <QTest>
 
@@ -16,7 +17,7 @@ private slots:
         Fractal fractal = sierpinskiTriangle();
         System2& system = *system2(fractal);
         system.maps[0].enabled = false;
-        fractal.cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{2, 1}, {4, 2}, {1, 5}}};
+        plane(fractal)->cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{2, 1}, {4, 2}, {1, 5}}};
         const Addresses addresses(fractal);
         const ifs::Placement placed = placement(fractal);
         const ifs::AffineMap<2>&a = system.maps[1].map, &b = system.maps[2].map;
@@ -35,10 +36,10 @@ private slots:
     void branchesAreFoundWhereTheyAreShown() {
         Fractal fractal = sierpinskiTriangle();
         const System2& system = *system2(fractal);
-        fractal.moved = {{{system.maps[2].id, system.maps[1].id}, ifs::affineMap(0, -2, 2, 0, 5, 1)}};
+        plane(fractal)->moved = {{{system.maps[2].id, system.maps[1].id}, ifs::affineMap(0, -2, 2, 0, 5, 1)}};
         const ifs::AffineMap<2> branch = system.maps[2].map * system.maps[1].map;
         const Vector<2> point = *ifs::fixedPoint(branch);
-        const Vector<2> shown = fractal.moved[0].change(point);
+        const Vector<2> shown = plane(fractal)->moved[0].change(point);
         const Addresses addresses(fractal);
         const Word word = addresses.at(shown, 0.001);
         QVERIFY(word.size() > 6);

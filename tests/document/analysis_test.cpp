@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/analysis_thread.h"
+#include "document/fractal_geometry.h"
 
 #include <QtTest>
 
@@ -29,10 +30,10 @@ Fractal placedSierpinski(std::vector<Vector<2>> current) {
     for (const auto& shift : {Vector<2>(0, 0), Vector<2>(.5, 0), Vector<2>(0, .5)})
         ifs::append(system, {ifs::Matrix<2>::Identity() / 2, shift}, 1);
     Fractal fractal;
-    fractal.system = std::move(system);
+    fractal.shape = Shape<2>{std::move(system)};
     std::vector<Vector<2>> rest{{0, 0}, {1, 0}, {0, 1}};
     if (current.size() == 4) rest = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    fractal.cage = ifs::ControlCage<2>{std::move(rest), std::move(current)};
+    plane(fractal)->cage = ifs::ControlCage<2>{std::move(rest), std::move(current)};
     return fractal;
 }
 
@@ -165,7 +166,7 @@ private slots:
         ifs::append(system, ifs::affineMap(.5, .2, 0, .3, 0, 0));
         ifs::append(system, ifs::affineMap(.5, 0, .3, .4, 1, 0));
         Fractal fractal;
-        fractal.system = system;
+        fractal.shape = Shape<2>{system};
         const auto request = requestFor(fractal);
         QVERIFY(!analyser.completed(analyser.begun(request), stop.get_token()));
         const auto later = analyser.completed(analyser.begun(request), {}); // nothing half known was kept

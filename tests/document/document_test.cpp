@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "document/document.h"
-#include "document/edit_gesture.h"
 
 #include <QRandomGenerator>
 #include <QtTest>
 
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 using document::Change;
@@ -58,6 +59,7 @@ private slots:
     void gestureThatReturnsLeavesNoStep();
     void cancelRestoresExactly();
     void destructionCancels();
+    void movedGestureGoesOn();
     void secondGestureCommitsTheFirst();
     void editDuringAGestureCommitsIt();
     void undoDuringAGestureDropsIt();
@@ -70,9 +72,11 @@ private slots:
     void editFileRemovesTheCurrentEntry();
     void removingAllEntriesIsSafe();
     void partsAreTold();
+    void partsInSpaceAreTold();
     void markSavedTakesTheProblems();
     void names_data();
     void names();
+    void stepsOfOneKindBecomeOne();
     void randomEditsUndoExactly();
 };
 
@@ -99,6 +103,44 @@ void DocumentTest::editIsOneStep() {
     QCOMPARE(firstNumber(document), 0.25);
 }
 
+// As of an arrow key that is pressed several times.
+void DocumentTest::stepsOfOneKindBecomeOne() {
+    Document document;
+    const Fractal before = document.fractal();
+    const double start = firstNumber(document);
+    const auto nudge = [&](double to, int kind) {
+        EditGesture gesture = document.beginGesture(QStringLiteral("Nudge"));
+        gesture.describe(QStringLiteral("Nudge to %1").arg(to), kind);
+        gesture.preview(moved(document.fractal(), to));
+        gesture.commit();
+    };
+    nudge(0.25, 7);
+    nudge(0.5, 7);
+    nudge(0.75, 7);
+    QCOMPARE(document.undoStack()->count(), 1);
+    QCOMPARE(document.undoStack()->undoText(), QStringLiteral("Nudge to 0.75"));
+    nudge(0.8, 8); // another handle
+    QCOMPARE(document.undoStack()->count(), 2);
+    nudge(0.9, -1);
+    nudge(1, -1);
+    QCOMPARE(document.undoStack()->count(), 4);
+    QTest::qWait(1100);
+    nudge(1.1, 9);
+    QTest::qWait(1100);
+    nudge(1.2, 9); // too late
+    QCOMPARE(document.undoStack()->count(), 6);
+    document.markSaved(document.file());
+    nudge(1.3, 9); // what was saved can be gone back to
+    QCOMPARE(document.undoStack()->count(), 7);
+    while (document.undoStack()->canUndo())
+        document.undoStack()->undo();
+    QVERIFY(document.fractal() == before);
+    nudge(0.25, 7);
+    nudge(start, 7); // and back: nothing has been done
+    QCOMPARE(document.undoStack()->count(), 0);
+    QVERIFY(document.fractal() == before);
+}
+
 void DocumentTest::editWithoutEffectLeavesNoStep() {
     Document document;
     Listener listener(document);
@@ -111,7 +153,7 @@ void DocumentTest::editWithoutEffectLeavesNoStep() {
 void DocumentTest::gestureIsOneStep() {
     Document document;
     Listener listener(document);
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     for (const double a : {0.1, 0.2, 0.3}) {
         gesture.preview(moved(gesture.before(), a));
         QCOMPARE(firstNumber(document), a);
@@ -134,7 +176,7 @@ void DocumentTest::gestureIsOneStep() {
 void DocumentTest::gestureThatReturnsLeavesNoStep() {
     Document document;
     Listener listener(document);
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     gesture.preview(moved(gesture.before(), 0.1));
     gesture.preview(gesture.before());
     gesture.commit();
@@ -147,7 +189,7 @@ void DocumentTest::cancelRestoresExactly() {
     Document document;
     const auto before = document.currentEntry().fractal;
     Listener listener(document);
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     gesture.preview(moved(gesture.before(), 1.0 / 3));
     gesture.cancel();
     QCOMPARE(document.currentEntry().fractal.get(), before.get());
@@ -159,8 +201,25 @@ void DocumentTest::cancelRestoresExactly() {
 void DocumentTest::destructionCancels() {
     Document document;
     {
-        EditGesture gesture(document, QStringLiteral("Drag"));
+        EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
         gesture.preview(moved(gesture.before(), 0.1));
+    }
+    QCOMPARE(firstNumber(document), 0.5);
+    QCOMPARE(document.undoStack()->count(), 0);
+}
+
+void DocumentTest::movedGestureGoesOn() {
+    Document document;
+    {
+        EditGesture first = document.beginGesture(QStringLiteral("Drag"));
+        first.preview(moved(first.before(), 0.1));
+        std::optional<EditGesture> second;
+        second.emplace(std::move(first));
+        QVERIFY(!first.isOpen()); // NOLINT(bugprone-use-after-move): says so
+        QVERIFY(second->isOpen());
+        first.cancel();
+        QCOMPARE(firstNumber(document), 0.1);
+        second->preview(moved(second->before(), 0.2));
     }
     QCOMPARE(firstNumber(document), 0.5);
     QCOMPARE(document.undoStack()->count(), 0);
@@ -168,9 +227,9 @@ void DocumentTest::destructionCancels() {
 
 void DocumentTest::secondGestureCommitsTheFirst() {
     Document document;
-    EditGesture first(document, QStringLiteral("First"));
+    EditGesture first = document.beginGesture(QStringLiteral("First"));
     first.preview(moved(first.before(), 0.1));
-    EditGesture second(document, QStringLiteral("Second"));
+    EditGesture second = document.beginGesture(QStringLiteral("Second"));
     QVERIFY(!first.isOpen());
     QVERIFY(second.isOpen());
     QCOMPARE(document.undoStack()->count(), 1);
@@ -179,7 +238,7 @@ void DocumentTest::secondGestureCommitsTheFirst() {
 
 void DocumentTest::editDuringAGestureCommitsIt() {
     Document document;
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     gesture.preview(moved(gesture.before(), 0.1));
     document.edit(QStringLiteral("Edit"), moved(gesture.before(), 0.2));
     QCOMPARE(document.undoStack()->count(), 2);
@@ -192,7 +251,7 @@ void DocumentTest::editDuringAGestureCommitsIt() {
 void DocumentTest::undoDuringAGestureDropsIt() {
     Document document;
     document.edit(QStringLiteral("Edit"), moved(document.fractal(), 0.3));
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     gesture.preview(moved(gesture.before(), 0.1));
     Listener listener(document);
     document.undoStack()->undo();
@@ -210,7 +269,7 @@ void DocumentTest::redoDuringAGestureDropsIt() {
     Document document;
     document.edit(QStringLiteral("Edit"), moved(document.fractal(), 0.3));
     document.undoStack()->undo();
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     gesture.preview(moved(gesture.before(), 0.1));
     document.undoStack()->redo();
     QCOMPARE(firstNumber(document), 0.3);
@@ -220,7 +279,7 @@ void DocumentTest::redoDuringAGestureDropsIt() {
 void DocumentTest::currentEntryChangesDuringAGesture() {
     Document document;
     document.setFile(fileOf({QStringLiteral("a"), QStringLiteral("b")}));
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     gesture.preview(moved(gesture.before(), 0.1));
     document.setCurrent(document.file().entries[1].id);
     QVERIFY(!gesture.isOpen());
@@ -231,7 +290,7 @@ void DocumentTest::currentEntryChangesDuringAGesture() {
 
 void DocumentTest::fileIsReplacedDuringAGesture() {
     Document document;
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     gesture.preview(moved(gesture.before(), 0.1));
     document.setFile(fileOf({QStringLiteral("a")}));
     gesture.cancel();
@@ -242,7 +301,7 @@ void DocumentTest::fileIsReplacedDuringAGesture() {
 
 void DocumentTest::documentGoesBeforeItsGesture() {
     auto document = std::make_unique<Document>();
-    EditGesture gesture(*document, QStringLiteral("Drag"));
+    EditGesture gesture = document->beginGesture(QStringLiteral("Drag"));
     gesture.preview(moved(gesture.before(), 0.1));
     document.reset();
     QVERIFY(!gesture.isOpen());
@@ -308,7 +367,7 @@ void DocumentTest::removingAllEntriesIsSafe() {
     QVERIFY(document.currentId() == EntryId::None);
     QCOMPARE(document::dimension(document.fractal()), 0);
     document.edit(QStringLiteral("Edit"), document::sierpinskiTriangle());
-    EditGesture gesture(document, QStringLiteral("Drag"));
+    EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
     gesture.preview(document::sierpinskiTriangle());
     gesture.commit();
     QCOMPARE(document.undoStack()->count(), 1);
@@ -324,13 +383,30 @@ void DocumentTest::partsAreTold() {
     document.edit(QStringLiteral("Rename"), fractal);
     fractal.appearance.gamma = 3;
     document.edit(QStringLiteral("Gamma"), fractal);
-    fractal.cage = ifs::cageAtRest<2>({ifs::Vector<2>(0, 0), ifs::Vector<2>(1, 0), ifs::Vector<2>(0, 1)});
+    document::plane(fractal)->cage =
+        ifs::cageAtRest<2>({ifs::Vector<2>(0, 0), ifs::Vector<2>(1, 0), ifs::Vector<2>(0, 1)});
     document.edit(QStringLiteral("Cage"), fractal);
     document.setFile(fileOf({QStringLiteral("a")}));
     QVERIFY(listener.changes.at(0).parts == Change::Name);
     QVERIFY(listener.changes.at(1).parts == Change::Appearance);
     QVERIFY(listener.changes.at(2).parts == Change::Cage);
     QVERIFY(listener.changes.at(3).parts == Change::Everything);
+}
+
+void DocumentTest::partsInSpaceAreTold() {
+    Fractal fractal;
+    fractal.shape = document::Shape<3>();
+    Fractal other = fractal;
+    QVERIFY(document::difference(fractal, other) == Change::Parts());
+    document::space(other)->cage = ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    QVERIFY(document::difference(fractal, other) == Change::Cage);
+    other = fractal;
+    document::space(other)->moved = {{{ifs::MapId(1)}, {}}};
+    QVERIFY(document::difference(fractal, other) == Change::Cage);
+    other = fractal;
+    ifs::append(*document::system3(other), {});
+    QVERIFY(document::difference(fractal, other) == Change::System);
+    QVERIFY(document::difference(fractal, document::sierpinskiTriangle()).testFlag(Change::System));
 }
 
 void DocumentTest::markSavedTakesTheProblems() {
@@ -379,7 +455,7 @@ void DocumentTest::randomEditsUndoExactly() {
             file.entries.move(0, random.bounded(file.entries.size()));
             document.editFile(QStringLiteral("Move"), file);
         } else {
-            EditGesture gesture(document, QStringLiteral("Drag"));
+            EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
             for (int step = random.bounded(4); step > 0; --step)
                 gesture.preview(moved(gesture.before(), random.bounded(1.0)));
             gesture.commit();

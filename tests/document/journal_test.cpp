@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/journal.h"
+#include "support/file_size_limit.h"
 #include "support/unprivileged.h"
 
 #include <QCryptographicHash>
@@ -9,9 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <csignal>
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 using document::Journal;
@@ -62,15 +61,10 @@ void JournalTest::withoutRoomTheLastSnapshotStays() {
     {
         Journal journal(folder.path());
         QVERIFY(journal.write(last));
-        rlimit before{};
-        QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
-        rlimit none = before;
-        none.rlim_cur = 0;
-        const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &none), 0);
+        support::FileSizeLimit limit(0);
+        QVERIFY(limit.isSet());
         const bool written = journal.write(snapshot("lost"));
-        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &before), 0);
-        std::signal(SIGXFSZ, handler);
+        limit.lift();
         QVERIFY(!written);
     }
     const auto found = document::abandonedSnapshots(folder.path());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "document/edits/cage_edits.h"
+#include "document/fractal_geometry.h"
 #include "document/map_handles.h"
-#include "ifs/weaving.h"
+#include "ifs/system/map_interpolation.h"
 
 #include <QTest>
 
@@ -13,7 +15,7 @@ namespace {
 
 Fractal placed(std::vector<Vector<2>> rest, std::vector<Vector<2>> current) {
     Fractal fractal = sierpinskiTriangle();
-    fractal.cage = ifs::ControlCage<2>{std::move(rest), std::move(current)};
+    plane(fractal)->cage = ifs::ControlCage<2>{std::move(rest), std::move(current)};
     return fractal;
 }
 
@@ -39,12 +41,12 @@ class MapHandlesTest : public QObject {
 private slots:
     void theChildrenOfTheCageAreTheMapsOnTheScreen() {
         const Fractal fractal = placed(triangle, {{1, 1}, {3, 1.5}, {0.5, 4}});
-        const MapHandles handles(held(fractal), *fractal.cage);
+        const MapHandles handles(held(fractal), *plane(fractal)->cage);
         const auto effective = effectiveSystem(fractal);
         for (std::size_t i = 0; i < handles.count(); ++i)
             for (std::size_t k = 0; k < 3; ++k)
-                QVERIFY((handles.corners(i)[k] - effective->maps[i].map(fractal.cage->current[k])).norm() <
-                        1e-13);
+                QVERIFY((handles.corners(i)[k] - effective->maps[i].map(plane(fractal)->cage->current[k]))
+                            .norm() < 1e-13);
         QVERIFY(handles.outline(0) == handles.corners(0));
         const std::vector<Box> boxes = handles.boxes();
         QCOMPARE(boxes.size(), handles.count());
@@ -75,20 +77,20 @@ private slots:
         QFETCH(std::vector<Vector<2>>, current);
         QFETCH(bool, bends);
         const Fractal fractal = placed(rest, current);
-        const MapHandles handles(held(fractal), *fractal.cage);
-        QVERIFY(handles.canBeTaken());
+        const MapHandles handles(held(fractal), *plane(fractal)->cage);
+        QVERIFY(handles.canBeMoved());
         const Vector<2> offset(0.03, -0.02);
         const double exact = 1e-9, firstOrder = bends ? 1e-2 : 1e-9;
 
         const Fractal dragged = handles.withCornerMoved(1, 2, offset);
-        const MapHandles after(held(dragged), *dragged.cage);
+        const MapHandles after(held(dragged), *plane(dragged)->cage);
         QVERIFY((after.corners(1)[2] - handles.corners(1)[2] - offset).norm() < exact);
         QVERIFY(farthest(handles.corners(0), after.corners(0), Vector<2>::Zero()) == 0);
-        QVERIFY(dragged.cage == fractal.cage);
+        QVERIFY(plane(dragged)->cage == plane(fractal)->cage);
 
         const std::array<std::size_t, 2> both{0, 2};
         const Fractal moved = handles.withMapsMoved(both, offset);
-        const MapHandles there(held(moved), *moved.cage);
+        const MapHandles there(held(moved), *plane(moved)->cage);
         QVERIFY(farthest(handles.corners(0), there.corners(0), offset) < firstOrder);
         QVERIFY(farthest(handles.corners(2), there.corners(2), offset) < firstOrder);
         QVERIFY(there.corners(1) == handles.corners(1));
@@ -96,7 +98,7 @@ private slots:
 
         ifs::AffineMap<2> turn = ifs::affineMap(0.99, -0.08, 0.08, 0.99, 0.02, 0.01);
         const Fractal turned = handles.withMapsChanged(both, turn);
-        const MapHandles round(held(turned), *turned.cage);
+        const MapHandles round(held(turned), *plane(turned)->cage);
         for (std::size_t k = 0; k < rest.size(); ++k)
             QVERIFY((round.corners(0)[k] - turn(handles.corners(0)[k])).norm() < (bends ? 3e-2 : 1e-9));
     }
@@ -109,13 +111,13 @@ private slots:
         QVERIFY(handles.withMapsMoved(first, Vector<2>::Zero()) == fractal);
         QVERIFY(handles.withMapsChanged(first, {}) == fractal);
         // While the code changes, the cage that was in force stays.
-        QVERIFY(handles.withMapsMoved(first, {0.1, 0}).cage == effectiveCage(fractal));
+        QVERIFY(plane(handles.withMapsMoved(first, {0.1, 0}))->cage == effectiveCage(fractal));
     }
 
     void aFlatPlacementHoldsTheMaps() {
         const Fractal fractal = placed(triangle, {{0, 0}, {1, 1}, {2, 2}});
-        const MapHandles handles(held(fractal), *fractal.cage);
-        QVERIFY(!handles.canBeTaken());
+        const MapHandles handles(held(fractal), *plane(fractal)->cage);
+        QVERIFY(!handles.canBeMoved());
         QVERIFY(handles.withCornerMoved(0, 1, {0.1, 0.1}) == fractal);
     }
 
@@ -125,17 +127,17 @@ private slots:
         system2(fractal)->maps.push_back({ifs::MapId(9), ifs::affineMap(.1, 0, 0, .1, 0, 0), 1.0, false});
         const System2 before = *system2(fractal);
         const ifs::Word branch{2, 0};
-        const auto taken = branchHandles(held(fractal), *fractal.cage, branch, BranchEdit::OwnMap);
+        const auto taken = branchHandles(held(fractal), *plane(fractal)->cage, branch, BranchEdit::OwnMap);
         QVERIFY(taken);
         QCOMPARE(taken->handles.count(), std::size_t{6}); // 2·(3 − 1) + 1, and the one that is off
         QVERIFY(!taken->handles.maps().back().enabled);
         const ifs::AffineMap<2> map = before.maps[2].map * before.maps[0].map;
         const ifs::Placement place = placement(fractal);
         for (std::size_t k = 0; k < 3; ++k)
-            QVERIFY((taken->handles.corners(taken->place)[k] - place(map(triangle[k]))).norm() < 1e-13);
-        const std::array<std::size_t, 1> first{taken->place};
+            QVERIFY((taken->handles.corners(taken->index)[k] - place(map(triangle[k]))).norm() < 1e-13);
+        const std::array<std::size_t, 1> first{taken->index};
         const Fractal after = taken->handles.withMapsMoved(first, {0.2, 0.1});
-        const MapHandles moved(held(after), *after.cage);
+        const MapHandles moved(held(after), *plane(after)->cage);
         QVERIFY(farthest(taken->handles.corners(0), moved.corners(0), {0.2, 0.1}) < 1e-12);
         for (std::size_t i = 1; i < moved.count(); ++i)
             QVERIFY(moved.maps()[i] == taken->handles.maps()[i]);
@@ -144,29 +146,31 @@ private slots:
                 attractor::mapColour(fractal.appearance, before.maps[2].id, 2));
     }
 
-    // Through its last map, the branch follows the hand and the others that this map makes follow it.
+    // Through its last map, the branch follows the pointer, and the other branches of this map follow it.
     void aBranchChangesItsLastMap() {
         const Fractal fractal = placed(triangle, {{1, 1}, {3, 1.5}, {0.5, 4}});
-        const auto taken = branchHandles(held(fractal), *fractal.cage, {2, 2, 0}, BranchEdit::LastMap);
-        QVERIFY(taken && taken->place == 0);
+        const auto taken =
+            branchHandles(held(fractal), *plane(fractal)->cage, {2, 2, 0}, BranchEdit::LastMap);
+        QVERIFY(taken && taken->index == 0);
         const Vector<2> offset(0.03, -0.04);
         for (const Fractal& after :
              {taken->handles.withCornerMoved(0, 1, offset),
               taken->handles.withMapsChanged(std::array<std::size_t, 1>{0},
                                              ifs::affineMap(1, 0, 0, 1, offset.x(), offset.y()))}) {
             QVERIFY(system2(after)->maps[1] == system2(fractal)->maps[1]);
-            const auto there = branchHandles(held(after), *after.cage, {2, 2, 0}, BranchEdit::LastMap);
+            const auto there =
+                branchHandles(held(after), *plane(after)->cage, {2, 2, 0}, BranchEdit::LastMap);
             QVERIFY((there->handles.corners(0)[1] - taken->handles.corners(0)[1] - offset).norm() < 1e-12);
         }
-        QVERIFY(!branchHandles(held(fractal), *fractal.cage, {}, BranchEdit::LastMap));
-        QVERIFY(!branchHandles(held(fractal), *fractal.cage, {0, 7}, BranchEdit::LastMap));
+        QVERIFY(!branchHandles(held(fractal), *plane(fractal)->cage, {}, BranchEdit::LastMap));
+        QVERIFY(!branchHandles(held(fractal), *plane(fractal)->cage, {0, 7}, BranchEdit::LastMap));
     }
 
     // A branch turns about its own base, seen as a turn whatever the placement.
     void branchesSwingAboutTheirRoots() {
         for (const auto& current : {triangle, std::vector<Vector<2>>{{1, 1}, {3, 1.5}, {0.5, 4}}}) {
             const Fractal fractal = placed(triangle, current);
-            const MapHandles handles(held(fractal), *fractal.cage);
+            const MapHandles handles(held(fractal), *plane(fractal)->cage);
             const auto base = root(fractal);
             QVERIFY(base);
             const ifs::Placement place = placement(fractal);
@@ -190,7 +194,7 @@ private slots:
 
     void theOutlineBendsWithTheCage() {
         const Fractal fractal = placed(square, {{-0.2, -0.2}, {2, 0}, {1.1, 1.3}, {-0.2, 1.2}});
-        const MapHandles handles(held(fractal), *fractal.cage);
+        const MapHandles handles(held(fractal), *plane(fractal)->cage);
         QVERIFY(handles.outline(1).size() > 3 * handles.corners(1).size());
         QCOMPARE(handles.outline(1).front(), handles.corners(1).front());
     }
@@ -205,17 +209,17 @@ private slots:
         Fractal fractal = placed(rest, current);
         const System2 code = *system2(fractal);
         const ifs::MapId a = code.maps[0].id, b = code.maps[1].id;
-        fractal.moved = {{{b}, ifs::affineMap(0.9, -0.1, 0.1, 0.9, 0.05, 0.05)},
-                         {{a, b}, ifs::affineMap(1, 0, 0, 1, 0.3, 0)}};
+        plane(fractal)->moved = {{{b}, ifs::affineMap(0.9, -0.1, 0.1, 0.9, 0.05, 0.05)},
+                                 {{a, b}, ifs::affineMap(1, 0, 0, 1, 0.3, 0)}};
         const double exact = 1e-9, firstOrder = bends ? 2e-2 : 1e-9;
         const Vector<2> offset(0.03, -0.02);
         const ifs::AffineMap<2> turn = ifs::swung({}, {0.4, 0.3}, 0.1);
         for (const ifs::Word& word : {ifs::Word{1, 2}, ifs::Word{0, 1}, ifs::Word{2, 2, 0}, ifs::Word{1}}) {
             const auto handlesOf = [&](const Fractal& of) {
-                return branchHandles(held(of), *of.cage, word, BranchEdit::Display)->handles;
+                return branchHandles(held(of), *plane(of)->cage, word, BranchEdit::Display)->handles;
             };
             const MapHandles before = handlesOf(fractal);
-            QVERIFY(before.canBeTaken());
+            QVERIFY(before.canBeMoved());
             QCOMPARE(before.count(), 1U);
             const std::array<std::size_t, 1> first{0};
             const auto corners = before.corners(0);
@@ -229,11 +233,12 @@ private slots:
             QVERIFY((after[1] - corners[1] - offset).norm() < exact);
             QVERIFY((after[0] - corners[0]).norm() < (rest.size() > 3 ? 0.1 : exact));
             for (const Fractal& changed : {moved, dragged}) {
-                QVERIFY(*system2(changed) == code && changed.cage == fractal.cage);
+                QVERIFY(*system2(changed) == code && plane(changed)->cage == plane(fractal)->cage);
                 QVERIFY(isMoved(changed, word));
                 QVERIFY(!isMoved(withBranchPutBack(changed, word), word));
             }
-            QCOMPARE(moved.moved.size(), fractal.moved.size() + (isMoved(fractal, word) ? 0 : 1));
+            QCOMPARE(plane(moved)->moved.size(),
+                     plane(fractal)->moved.size() + (isMoved(fractal, word) ? 0 : 1));
             QVERIFY(before.withMapsMoved(first, Vector<2>::Zero()) == fractal);
         }
     }
@@ -243,29 +248,29 @@ private slots:
         Fractal fractal = placed(triangle, {{1, 1}, {3, 1.5}, {0.5, 4}});
         const System2 code = *system2(fractal);
         const ifs::MapId a = code.maps[0].id, b = code.maps[1].id, c = code.maps[2].id;
-        fractal.moved = {{{b}, ifs::affineMap(1, 0, 0, 1, 5, 0)},
-                         {{a, b, c}, ifs::affineMap(0, -1, 1, 0, -3, 1)},
-                         {{c, c}, ifs::affineMap(2, 0, 0, 1, 0, 7)}};
+        plane(fractal)->moved = {{{b}, ifs::affineMap(1, 0, 0, 1, 5, 0)},
+                                 {{a, b, c}, ifs::affineMap(0, -1, 1, 0, -3, 1)},
+                                 {{c, c}, ifs::affineMap(2, 0, 0, 1, 0, 7)}};
         const auto near = [](const Box& x, const Box& y) {
             return (x.min - y.min).norm() < 1e-6 && (x.max - y.max).norm() < 1e-6;
         };
         const Box box = *displayedBox(fractal);
         Fractal unmoved = fractal;
-        unmoved.moved.clear();
+        plane(unmoved)->moved.clear();
         QVERIFY(!near(box, *displayedBox(unmoved)));
-        QVERIFY(near(box, *displayedBox(*withCageBaked(fractal))));
+        QVERIFY(near(box, *displayedBox(*baked(fractal))));
         for (const ifs::Word& word : {ifs::Word{0, 1}, ifs::Word{1, 2}, ifs::Word{2, 2, 2}, ifs::Word{1}}) {
-            const auto branch = branchHandles(held(fractal), *fractal.cage, word, BranchEdit::OwnMap);
-            const std::array<std::size_t, 1> place{branch->place};
-            const Fractal own = branch->handles.withMapsChanged(place, ifs::affineMap(1, 0, 0, 1, 1e-14, 0));
+            const auto branch = branchHandles(held(fractal), *plane(fractal)->cage, word, BranchEdit::OwnMap);
+            const std::array<std::size_t, 1> index{branch->index};
+            const Fractal own = branch->handles.withMapsChanged(index, ifs::affineMap(1, 0, 0, 1, 1e-14, 0));
             if (word.size() > 1) QVERIFY(*system2(own) != code);
             QVERIFY(near(box, *displayedBox(own)));
             // The branch is seen where it is shown.
             const auto shown =
-                branchHandles(held(fractal), *fractal.cage, word, BranchEdit::Display)->handles;
-            QVERIFY(farthest(shown.corners(0), branch->handles.corners(branch->place), {0, 0}) < 1e-9);
-            const auto last = branchHandles(held(fractal), *fractal.cage, word, BranchEdit::LastMap);
-            QVERIFY(farthest(shown.corners(0), last->handles.corners(last->place), {0, 0}) < 1e-9);
+                branchHandles(held(fractal), *plane(fractal)->cage, word, BranchEdit::Display)->handles;
+            QVERIFY(farthest(shown.corners(0), branch->handles.corners(branch->index), {0, 0}) < 1e-9);
+            const auto last = branchHandles(held(fractal), *plane(fractal)->cage, word, BranchEdit::LastMap);
+            QVERIFY(farthest(shown.corners(0), last->handles.corners(last->index), {0, 0}) < 1e-9);
         }
     }
 };

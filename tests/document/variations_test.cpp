@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "document/fractal_geometry.h"
 #include "document/variations.h"
 
 #include <QTest>
@@ -79,10 +80,10 @@ void VariationsTest::onlyTheSystemChanges() {
     fractal.name = QStringLiteral("mine");
     fractal.comments << QStringLiteral(" kept");
     fractal.appearance.gamma = 3;
-    fractal.cage = document::effectiveCage(fractal);
-    fractal.cage->current[0] += ifs::Vector<2>(0.1, 0.2);
+    document::plane(fractal)->cage = document::effectiveCage(fractal);
+    document::plane(fractal)->cage->current[0] += ifs::Vector<2>(0.1, 0.2);
     document::Fractal varied = document::variation(fractal, 0.5, 3);
-    varied.system = fractal.system;
+    *document::system2(varied) = *document::system2(fractal);
     QVERIFY(varied == fractal);
 }
 
@@ -91,13 +92,13 @@ void VariationsTest::linesAndDustDoNotFillAView() {
     document::System2 line;
     ifs::append(line, ifs::affineMap(0.5, 0, 0, 0.5, 0, 0));
     ifs::append(line, ifs::affineMap(0.5, 0, 0, 0.5, 0.5, 0.5));
-    fractal.system = line;
+    fractal.shape = document::Shape<2>{line};
     QVERIFY(document::shareOfView(fractal) < 0.12);
     document::System2 dust;
     for (const double x : {0.0, 0.9})
         for (const double y : {0.0, 0.9})
             ifs::append(dust, ifs::affineMap(0.1, 0, 0, 0.1, x, y));
-    fractal.system = dust;
+    fractal.shape = document::Shape<2>{dust};
     QVERIFY(document::shareOfView(fractal) < 0.12);
 }
 

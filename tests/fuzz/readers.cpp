@@ -3,15 +3,19 @@
 
 #include "document/journal.h"
 #include "io/collection_reader.h"
-#include "io/fractint_reader.h"
-#include "io/fractint_writer.h"
-#include "io/own_comments.h"
-#include "io/palette_reader.h"
-#include "io/palette_stops.h"
-#include "io/png_system.h"
-#include "io/svg_system.h"
-#include "io/table_reader.h"
+#include "io/fractint/entry_writer.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/fractint/fractint_writer.h"
+#include "io/fractint/metadata_comments.h"
+#include "io/palette/palette_reader.h"
+#include "io/palette/palette_stops.h"
+#include "io/picture/png_system.h"
+#include "io/picture/svg_system.h"
+#include "io/sums/picture_request.h"
+#include "io/sums/sum_file.h"
+#include "io/table/table_reader.h"
 
+#include <QBuffer>
 #include <QtEndian>
 
 #include <zlib.h>
@@ -40,6 +44,11 @@ template <int Dim> void checkNumbers(const ifs::IteratedFunctionSystem<Dim>& sys
                 "every number is finite");
 }
 
+template <int Dim> void checkShape(const document::Shape<Dim>& shape) {
+    checkNumbers(shape.system);
+    if (shape.cage) promise(ifs::isValid(*shape.cage), "a cage can be used");
+}
+
 void check(const document::Problems& problems) {
     for (const Problem& problem : problems)
         promise(!problem.message.isEmpty() && problem.line >= 0 && problem.column >= 0,
@@ -47,11 +56,10 @@ void check(const document::Problems& problems) {
 }
 
 void check(const document::Fractal& fractal) {
-    if (const auto* plane = document::system2(fractal)) checkNumbers(*plane);
-    if (const auto* space = std::get_if<document::System3>(&fractal.system)) checkNumbers(*space);
+    if (const auto* plane = document::plane(fractal)) checkShape(*plane);
+    if (const auto* space = document::space(fractal)) checkShape(*space);
     promise(io::isGradient(fractal.appearance.palette.stops), "a palette is a gradient");
     promise(fractal.appearance.brightness > 0 && fractal.appearance.gamma > 0, "a picture can be drawn");
-    if (fractal.cage) promise(ifs::isValid(*fractal.cage), "a cage can be used");
 }
 
 void check(const document::FractalFile& file) {
@@ -64,24 +72,32 @@ void check(const document::FractalFile& file) {
 }
 
 // What an entry says when it has been written afresh. Weights that were never given are written out.
-void checkRewritten(const document::Fractal& fractal) {
-    const auto* maps = document::system2(fractal);
-    if (maps == nullptr || maps->maps.empty()) return;
+template <int Dim> void checkRewritten(const document::Fractal& fractal, const document::Shape<Dim>& shape) {
+    if (shape.system.maps.empty()) return;
     const document::FractalFile back = io::readFractint(io::writeEntry(fractal));
     promise(back.entries.size() == 1, "an entry that is written is one entry");
-    document::Fractal before = io::asStored(fractal);
-    document::Fractal after = io::asStored(*back.entries.first().fractal);
-    const auto* rows = document::system2(after);
-    promise(rows != nullptr && rows->maps.size() == maps->maps.size(),
+    const document::Fractal before = io::asStored(fractal);
+    const document::Fractal after = io::asStored(*back.entries.first().fractal);
+    const auto* stored = std::get_if<document::Shape<Dim>>(&before.shape);
+    const auto* reread = std::get_if<document::Shape<Dim>>(&after.shape);
+    const auto& maps = shape.system.maps;
+    promise(reread != nullptr && reread->system.maps.size() == maps.size(),
             "an entry that is written keeps its maps");
-    for (std::size_t i = 0; i < maps->maps.size(); ++i)
-        promise(rows->maps[i].map == maps->maps[i].map && rows->maps[i].enabled == maps->maps[i].enabled,
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        promise(reread->system.maps[i].map == maps[i].map &&
+                    reread->system.maps[i].enabled == maps[i].enabled,
                 "an entry that is written keeps its numbers");
-    promise(before.cage == after.cage && before.appearance == after.appearance && before.moved == after.moved,
+    promise(stored->cage == reread->cage && stored->moved == reread->moved &&
+                before.appearance == after.appearance,
             "an entry that is written keeps its cage, its branches and its appearance");
 }
 
-// The same file with its first system changed holds the change and all else.
+void checkRewritten(const document::Fractal& fractal) {
+    if (const auto* plane = document::plane(fractal)) checkRewritten(fractal, *plane);
+    if (const auto* space = document::space(fractal)) checkRewritten(fractal, *space);
+}
+
+// The same file with its first system changed contains the change and everything else.
 void checkEdited(document::FractalFile file) {
     for (document::Entry& entry : file.entries) {
         if (document::dimension(*entry.fractal) != 2) continue;
@@ -89,7 +105,7 @@ void checkEdited(document::FractalFile file) {
         auto& maps = document::system2(changed)->maps;
         maps.front().map.linear(0, 1) = -0.0625;
         if (maps.size() > 1) maps.pop_back();
-        changed.cage.reset();
+        document::plane(changed)->cage.reset();
         entry.fractal = std::make_shared<const document::Fractal>(std::move(changed));
         break;
     }
@@ -191,6 +207,41 @@ void readPng(const QByteArray& bytes) {
     }
 }
 
+// The same: from the header on, each block and the number of its tile.
+QByteArray withChecksumsOfSums(QByteArray sums) {
+    quint32 tile = 0;
+    for (qsizetype at = 8; at + 8 <= sums.size();) {
+        const auto length = qFromLittleEndian<quint32>(sums.constData() + at);
+        if (qint64(length) > sums.size() - at - 8) break;
+        const auto number = qToLittleEndian(tile);
+        const auto sum = crc32(crc32(0, reinterpret_cast<const Bytef*>(&number), sizeof number),
+                               reinterpret_cast<const Bytef*>(sums.constData() + at + 4), uInt(length));
+        qToLittleEndian(quint32(sum), sums.data() + at + 4 + length);
+        at += 8 + qsizetype(length);
+        if (at + 4 > sums.size()) break;
+        tile = qFromLittleEndian<quint32>(sums.constData() + at);
+        at += 4;
+    }
+    return sums;
+}
+
+void readSums(const QByteArray& bytes) {
+    for (const QByteArray& sums : {bytes, withChecksumsOfSums(bytes)}) {
+        QBuffer device;
+        device.setData(sums);
+        device.open(QIODevice::ReadOnly);
+        io::SumReader reader(device);
+        if (reader.failure()) continue;
+        const io::TileGrid grid(reader.header());
+        for (const auto& [number, position] : reader.tiles())
+            if (const auto tile = reader.read(number))
+                promise(tile->values.size() == grid.valuesIn(number), "a tile has all of its cells");
+        if (const auto picture = io::pictureOf(reader.header().request))
+            promise(io::pictureOf(io::pictureRequest(*picture)).has_value(),
+                    "the request of a picture that was read can be read");
+    }
+}
+
 void readSvg(const QByteArray& bytes) {
     const io::EmbeddedSystem system = io::readSvgSystem(bytes);
     promise(!system.failure || system.text.isEmpty(), "a failure gives no text");
@@ -212,19 +263,26 @@ void readJournal(const QByteArray& bytes) {
     promise(back && back->bytes == bytes && back->path == kept.path, "what is kept can be recovered");
 }
 
-// Our own comment lines, one a line, on a system of three maps.
-void readOwnComments(const QByteArray& bytes) {
-    io::OwnComments comments;
+// Our own comment lines, one a line, on a system of three maps in the plane and on one in space.
+void readMetadataComments(const QByteArray& bytes) {
+    io::MetadataComments comments;
     for (const QByteArray& line : bytes.split('\n'))
         comments.read(line.contains("barycage:") ? line.sliced(line.indexOf("barycage:"))
                                                  : "barycage: " + line);
-    document::Fractal fractal = document::sierpinskiTriangle();
-    for (const QString& sentence : comments.applyTo(fractal))
-        promise(!sentence.isEmpty(), "what does not fit is said");
-    check(fractal);
-    for (const QByteArray& line : io::ownComments(fractal))
-        promise(line.size() < 70 || line.contains("palette"), "a line of ours is short");
-    checkRewritten(fractal);
+    document::Fractal space = document::sierpinskiTriangle();
+    document::Shape<3> tetrahedron;
+    for (const auto& map : document::system2(space)->maps)
+        ifs::append(tetrahedron.system,
+                    ifs::AffineMap<3>{ifs::Matrix<3>::Identity() * 0.5, {map.map.translation.x(), 0, 0.5}});
+    space.shape = tetrahedron;
+    for (document::Fractal fractal : {document::sierpinskiTriangle(), space}) {
+        for (const QString& sentence : comments.applyTo(fractal).sentences)
+            promise(!sentence.isEmpty(), "what does not fit is said");
+        check(fractal);
+        for (const QByteArray& line : io::metadataComments(fractal))
+            promise(line.size() < 70 || line.contains("palette"), "a line of ours is short");
+        checkRewritten(fractal);
+    }
 }
 
 } // namespace
@@ -238,10 +296,11 @@ std::span<const Reader> readers() {
         {"flame", readFlame, {"flame", "flam3", "xml"}},
         {"table", readTable, {"csv", "tsv", "txt"}},
         {"palettes", readPalettes, {"gpl", "ugr", "map"}},
+        {"sums", readSums, {"sum"}},
         {"png", readPng, {"png"}},
         {"svg", readSvg, {"svg"}},
         {"journal", readJournal, {"journal"}},
-        {"own_comments", readOwnComments, {"comments"}},
+        {"metadata_comments", readMetadataComments, {"comments"}},
     };
     return all;
 }

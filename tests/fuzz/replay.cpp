@@ -24,7 +24,7 @@
 
 namespace {
 
-constexpr qsizetype largestInput = 1 << 15;
+constexpr qsizetype maxInput = 1 << 15;
 
 QByteArray current; // is left in a file when a reader breaks over it
 
@@ -50,10 +50,10 @@ public:
 
     QByteArray next() {
         QByteArray input = any(m_seeds);
-        if (input.size() > largestInput) input = input.mid(below(input.size() - largestInput), largestInput);
+        if (input.size() > maxInput) input = input.mid(below(input.size() - maxInput), maxInput);
         for (qsizetype i = below(6); i >= 0; --i)
             change(input);
-        return input.left(largestInput);
+        return input.left(maxInput);
     }
 
 private:
@@ -87,7 +87,7 @@ private:
             break;
         case 6: { // the end of another
             const QByteArray& other = any(m_seeds);
-            input = input.left(at) + other.mid(below(other.size()), largestInput);
+            input = input.left(at) + other.mid(below(other.size()), maxInput);
             break;
         }
         default:

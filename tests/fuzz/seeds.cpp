@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "document/journal.h"
 #include "fuzz/readers.h"
-#include "io/fractint_reader.h"
-#include "io/fractint_writer.h"
-#include "io/palette_reader.h"
-#include "io/png_writer.h"
-#include "io/svg_writer.h"
-#include "io/text_formats.h"
+#include "io/exchange/text_formats.h"
+#include "io/fractint/entry_writer.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/palette/palette_reader.h"
+#include "io/picture/png_writer.h"
+#include "io/picture/svg_writer.h"
+#include "io/sums/picture_request.h"
+#include "io/sums/sum_file.h"
 #include "support/paths.h"
 
 #include <QBuffer>
@@ -60,6 +62,24 @@ QByteArray svg(const document::Fractal& fractal) {
     return io::svgPicture(fractal, camera, format).bytes;
 }
 
+QByteArray sums(const document::Fractal& fractal) {
+    io::PngExport picture;
+    picture.fractal = fractal;
+    picture.request.camera.width = 300;
+    picture.request.camera.height = 20;
+    const io::SumHeader header{io::pictureRequest(picture), attractor::CellKind::Count, 300, 20, {1000},
+                               {{0, 20, 0, {1, 2}}}};
+    QBuffer device;
+    device.open(QIODevice::WriteOnly);
+    io::SumWriter writer(device, header);
+    std::vector<std::uint64_t> values(io::TileGrid(header).valuesIn(1));
+    values[0] = 1;
+    values[7] = 1'000'000'007;
+    writer.write({1, values});
+    writer.finish();
+    return device.data();
+}
+
 // What the program itself writes, by suffix.
 QByteArrayList written(const QByteArray& suffix) {
     const document::Fractal triangle = document::sierpinskiTriangle();
@@ -70,6 +90,7 @@ QByteArrayList written(const QByteArray& suffix) {
     if (suffix == "gpl") return {io::writeGimpPalette(attractor::builtInPalettes().front())};
     if (suffix == "png") return {png(io::writeEntry(triangle)), png({}), png(own.repeated(20))};
     if (suffix == "svg") return {svg(triangle)};
+    if (suffix == "sum") return {sums(triangle)};
     if (suffix == "journal")
         return {document::recoveryFile({QStringLiteral("/somewhere/a.ifs"),
                                         QStringLiteral("a.ifs"),

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "attractor/renderer.h"
+#include "attractor/light/solid_light.h"
+#include "attractor/render/renderer.h"
+#include "attractor/render/solid_rendering.h"
 #include "document/fractal_file.h"
-#include "io/fractint_reader.h"
+#include "document/fractal_geometry.h"
+#include "io/fractint/fractint_reader.h"
 
 #include <QFile>
 #include <QImage>
@@ -75,7 +78,27 @@ inline QImage picture(const attractor::Frame& frame) {
     return view.convertToFormat(QImage::Format_RGB32);
 }
 
+// A solid of stone, from the usual side.
+inline QImage solidTile(const document::System3& system) {
+    attractor::SpaceRequest request;
+    request.system = system;
+    request.camera.size = {tileSize, tileSize};
+    request.camera.orientation = attractor::orbit(30, 20);
+    const auto support = ifs::SupportFunction<3>::of(ifs::activeMaps(system).maps);
+    request.camera = attractor::fitted(request.camera, *support, {}, 0.05);
+    attractor::SolidRendering rendering(request);
+    rendering.draw();
+    if (rendering.note() != attractor::RenderNote::None || rendering.work().isCutShort) return {};
+    attractor::Frame frame;
+    frame.camera.width = frame.camera.height = tileSize;
+    attractor::Workers workers(1);
+    frame.pixels =
+        attractor::lit(rendering.raster(), {}, attractor::solidView(request.camera, 0, 1), workers);
+    return picture(frame);
+}
+
 inline QImage tile(const document::Fractal& fractal) {
+    if (const auto* solid = document::system3(fractal)) return solidTile(*solid);
     return picture(attractor::render(tileRequest(fractal)));
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "collection.h"
 
-#include "attractor/chaos_game.h"
+#include "attractor/samples/chaos_game.h"
 #include "document/fractal.h"
-#include "ifs/attractor_existence.h"
+#include "document/fractal_geometry.h"
+#include "ifs/canonical_systems.h"
+#include "ifs/dimension/dimension.h"
+#include "ifs/dimension/moments.h"
+#include "ifs/existence/attractor_existence.h"
+#include "ifs/extent/extent.h"
 #include "ifs/facts.h"
-#include "ifs/moments.h"
-#include "io/fractint_writer.h"
+#include "io/fractint/fractint_strict.h"
 #include "support/paths.h"
 
 #include <QDir>
@@ -15,6 +19,7 @@
 #include <QSet>
 #include <QtTest>
 
+#include <numbers>
 #include <numeric>
 
 class CollectionTest : public QObject {
@@ -36,21 +41,52 @@ private slots:
     void paperSystemsAreAsPrinted();
     void samplesHaveTheExactMoments_data();
     void samplesHaveTheExactMoments();
-    void geometryIsCertified_data() { entryRows(); }
+    void geometryIsCertified_data() { entryRows(2); }
     void geometryIsCertified();
+    void hullsTurnWithTheirSystems_data() { entryRows(2); }
+    void hullsTurnWithTheirSystems();
+    void thereAreManySolids();
+    void solidsAreCertified_data() { entryRows(3); }
+    void solidsAreCertified();
+    void solidsHaveTheirDimension_data();
+    void solidsHaveTheirDimension();
+    void fern3IsFractints();
 
 private:
-    void entryRows();
+    void entryRows(int dimension = 0); // 0: of the plane and of space
+    const document::Fractal& named(const QString& name) const;
     const QList<golden::Theme> m_themes = golden::collection();
 };
 
+namespace {
+
+// The system of an entry, whatever its dimension, handed to work().
+template <class Work> void visitSystem(const document::Fractal& fractal, Work work) {
+    if (const auto* plane = document::system2(fractal))
+        work(*plane);
+    else
+        work(*document::system3(fractal));
+}
+
+} // namespace
+
 // One row for every entry of the collection.
-void CollectionTest::entryRows() {
+void CollectionTest::entryRows(int dimension) {
     QTest::addColumn<int>("theme");
     QTest::addColumn<int>("entry");
     for (int t = 0; t < m_themes.size(); ++t)
-        for (int e = 0; e < m_themes[t].file.entries.size(); ++e)
-            QTest::addRow("%s", qPrintable(m_themes[t].file.entries[e].fractal->name)) << t << e;
+        for (int e = 0; e < m_themes[t].file.entries.size(); ++e) {
+            const document::Fractal& fractal = *m_themes[t].file.entries[e].fractal;
+            if (dimension == 0 || document::dimension(fractal) == dimension)
+                QTest::addRow("%s", qPrintable(fractal.name)) << t << e;
+        }
+}
+
+const document::Fractal& CollectionTest::named(const QString& name) const {
+    for (const golden::Theme& theme : m_themes)
+        for (const document::Entry& entry : theme.file.entries)
+            if (entry.fractal->name == name) return *entry.fractal;
+    throw std::runtime_error("no entry " + name.toStdString());
 }
 
 void CollectionTest::indexNamesEveryFile() {
@@ -89,13 +125,15 @@ void CollectionTest::namesAreUnique() {
 }
 
 // The form that every reader takes, judged here without our own reader: ASCII, LF, one map of seven plain
-// decimals a line, comments after the header only, the closing brace alone on its line.
+// decimals (thirteen in space) a line, comments after the header only, the closing brace alone on its line.
 void CollectionTest::bytesAreStrict() {
     const QString number = QStringLiteral("-?(0|[1-9]\\d*)(\\.\\d+)?");
-    const QRegularExpression header(QStringLiteral("^[a-z0-9_]{1,18} \\{ ; \\S[ -~]*$"));
-    const QRegularExpression row(QStringLiteral("^  %1( %1){6}$").arg(number));
+    const QRegularExpression header(QStringLiteral("^[a-z0-9_]{1,18}( \\(3D\\))? \\{ ; \\S[ -~]*$"));
+    const QRegularExpression planeRow(QStringLiteral("^  %1( %1){6}$").arg(number));
+    const QRegularExpression spaceRow(QStringLiteral("^  %1( %1){12}$").arg(number));
     const QRegularExpression comment(QStringLiteral("^(  )?; [ -~]*\\S$"));
     enum class Place { Outside, Comments, Rows } place = Place::Outside;
+    bool inSpace = false;
     for (const golden::Theme& theme : m_themes) {
         QVERIFY(theme.bytes.endsWith('\n') && !theme.bytes.endsWith("\n\n"));
         for (const QByteArray& bytes : theme.bytes.chopped(1).split('\n')) {
@@ -105,13 +143,14 @@ void CollectionTest::bytesAreStrict() {
             if (place == Place::Outside && (line.isEmpty() || comment.match(line).hasMatch())) continue;
             if (place == Place::Outside) {
                 QVERIFY2(header.match(line).hasMatch(), said);
+                inSpace = line.contains(QStringLiteral("(3D)"));
                 place = Place::Comments;
             } else if (place == Place::Comments && line.startsWith(QStringLiteral("  ;"))) {
                 QVERIFY2(comment.match(line).hasMatch() && bytes.size() < 72, said);
             } else if (place == Place::Rows && line == u'}') {
                 place = Place::Outside;
             } else {
-                QVERIFY2(row.match(line).hasMatch(), said);
+                QVERIFY2((inSpace ? spaceRow : planeRow).match(line).hasMatch(), said);
                 place = Place::Rows;
             }
         }
@@ -130,17 +169,23 @@ void CollectionTest::entriesLoadWithoutAProblem() {
     QVERIFY(file.problems.isEmpty());
     const document::Entry& loaded = file.entries[entry];
     QVERIFY2(loaded.problems.isEmpty(), qPrintable(loaded.problems.value(0).message));
-    QVERIFY(document::system2(*loaded.fractal));
+    QVERIFY(document::dimension(*loaded.fractal) != 0);
     QVERIFY(!loaded.fractal->headerComment.isEmpty()); // its title
     const io::StrictText strict = io::writeStrict(file, {loaded.id});
     QVERIFY2(strict.problems.isEmpty(), qPrintable(strict.problems.value(0).message));
     const document::FractalFile again = io::readFractint(strict.bytes);
     QCOMPARE(again.entries.size(), 1);
-    const document::System2& before = *document::system2(*loaded.fractal);
-    const document::System2& after = *document::system2(*again.entries[0].fractal);
-    QVERIFY(ifs::mapsOf(after) == ifs::mapsOf(before));
-    for (std::size_t i = 0; i < before.maps.size(); ++i)
-        QVERIFY(std::abs(*after.maps[i].weight - *before.maps[i].weight) <= 1e-15);
+    const document::Fractal& written = *again.entries[0].fractal;
+    QCOMPARE(document::dimension(written), document::dimension(*loaded.fractal));
+    visitSystem(*loaded.fractal, [&](const auto& before) {
+        visitSystem(written, [&](const auto& after) {
+            if constexpr (std::is_same_v<decltype(before), decltype(after)>) {
+                QVERIFY(ifs::mapsOf(after) == ifs::mapsOf(before));
+                for (std::size_t i = 0; i < before.maps.size(); ++i)
+                    QVERIFY(std::abs(*after.maps[i].weight - *before.maps[i].weight) <= 1e-15);
+            }
+        });
+    });
 }
 
 void CollectionTest::entriesHaveAnAttractor_data() {
@@ -150,10 +195,11 @@ void CollectionTest::entriesHaveAnAttractor_data() {
 void CollectionTest::entriesHaveAnAttractor() {
     QFETCH(int, theme);
     QFETCH(int, entry);
-    const document::System2& system = *document::system2(*m_themes[theme].file.entries[entry].fractal);
-    const std::vector<ifs::AffineMap<2>> maps = ifs::mapsOf(system);
-    const ifs::Verdict verdict = ifs::classify(std::span(maps)).verdict;
-    QVERIFY(verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive);
+    visitSystem(*m_themes[theme].file.entries[entry].fractal, [](const auto& system) {
+        const auto maps = ifs::mapsOf(system);
+        const ifs::Verdict verdict = ifs::classify(std::span(maps)).verdict;
+        QVERIFY(verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive);
+    });
 }
 
 void CollectionTest::weightsSumToOne_data() {
@@ -163,17 +209,18 @@ void CollectionTest::weightsSumToOne_data() {
 void CollectionTest::weightsSumToOne() {
     QFETCH(int, theme);
     QFETCH(int, entry);
-    const document::System2& system = *document::system2(*m_themes[theme].file.entries[entry].fractal);
-    double sum = 0;
-    for (const ifs::WeightedMap<2>& map : system.maps) {
-        QVERIFY(map.weight && *map.weight > 0);
-        sum += *map.weight;
-    }
-    QVERIFY2(std::abs(sum - 1) <= 1e-12, qPrintable(QString::number(sum, 'g', 17)));
+    visitSystem(*m_themes[theme].file.entries[entry].fractal, [](const auto& system) {
+        double sum = 0;
+        for (const auto& map : system.maps) {
+            QVERIFY(map.weight && *map.weight > 0);
+            sum += *map.weight;
+        }
+        QVERIFY2(std::abs(sum - 1) <= 1e-12, qPrintable(QString::number(sum, 'g', 17)));
+    });
 }
 
 void CollectionTest::boxIsOfReasonableShape_data() {
-    entryRows();
+    entryRows(2);
 }
 
 void CollectionTest::boxIsOfReasonableShape() {
@@ -193,18 +240,12 @@ void CollectionTest::paperSystemsAreAsPrinted() {
             if (entry.fractal->name == name) return ifs::mapsOf(*document::system2(*entry.fractal));
         return std::vector<ifs::AffineMap<2>>();
     };
-    const std::vector<ifs::AffineMap<2>> maple = {ifs::affineMap(-0.04, 0, -0.23, -0.65, -0.08, 0.26),
-                                                  ifs::affineMap(0.61, 0, 0, 0.31, 0.07, 3.5),
-                                                  ifs::affineMap(0.65, 0.29, -0.3, 0.48, 0.74, 0.39),
-                                                  ifs::affineMap(0.64, -0.3, 0.16, 0.56, -0.56, 0.60)};
-    const std::vector<ifs::AffineMap<2>> flower = {ifs::affineMap(0.47, 0.30, -0.30, 0.47, 0.37, 1.74),
-                                                   ifs::affineMap(0.48, -0.29, 0.29, 0.48, -0.34, 1.75)};
-    QVERIFY(rows(QStringLiteral("maple")) == maple);
-    QVERIFY(rows(QStringLiteral("flower")) == flower);
+    QVERIFY(rows(QStringLiteral("maple")) == canonical::maple());
+    QVERIFY(rows(QStringLiteral("flower")) == canonical::flower());
 }
 
 void CollectionTest::samplesHaveTheExactMoments_data() {
-    entryRows();
+    entryRows(2);
 }
 
 // Within five standard errors. Those of the mean are the exact long-run ones, which vanish along y for the
@@ -221,13 +262,110 @@ void CollectionTest::geometryIsCertified() {
     QVERIFY(facts.simplex->error <= 1e-11 * facts.simplex->leg);
 }
 
+// Between the area of the polygon and that with a seam as wide as the error lies the area of the hull.
+void CollectionTest::hullsTurnWithTheirSystems() {
+    QFETCH(int, theme);
+    QFETCH(int, entry);
+    const auto maps = ifs::activeMaps(*document::system2(*m_themes[theme].file.entries[entry].fractal)).maps;
+    double least = 0, most = std::numeric_limits<double>::infinity();
+    for (const ifs::Vector<2>& turn : {ifs::Vector<2>(1, 0), {0, 1}, {-1, 0}, {0, -1}, {0.8, 0.6}}) {
+        const ifs::AffineMap<2> rotation = ifs::affineMap(turn.x(), -turn.y(), turn.y(), turn.x(), 0, 0);
+        std::vector<ifs::AffineMap<2>> turned;
+        for (const auto& map : maps)
+            turned.push_back(*ifs::conjugate(rotation, map));
+        const auto support = *ifs::SupportFunction<2>::of(turned);
+        const double size = support.radius() + support.centre().norm(), rounding = 1e-13 * size * size;
+        for (const double tolerance : {1e-5, 1e-12}) {
+            const auto hull = ifs::convexHull(support, tolerance * size);
+            double seam = std::numbers::pi * hull.error * hull.error;
+            for (std::size_t k = 0; k < hull.vertices.size(); ++k)
+                seam +=
+                    hull.error * (hull.vertices[(k + 1) % hull.vertices.size()] - hull.vertices[k]).norm();
+            least = std::max(least, hull.area - rounding);
+            most = std::min(most, hull.area + seam + rounding);
+        }
+    }
+    QVERIFY2(least <= most,
+             qPrintable(QStringLiteral("%1 > %2").arg(least, 0, 'g', 17).arg(most, 0, 'g', 17)));
+}
+
+void CollectionTest::thereAreManySolids() {
+    qsizetype solids = 0;
+    for (const golden::Theme& theme : m_themes)
+        for (const document::Entry& entry : theme.file.entries)
+            solids += document::dimension(*entry.fractal) == 3 ? 1 : 0;
+    QVERIFY(solids >= 24);
+}
+
+void CollectionTest::solidsAreCertified() {
+    QFETCH(int, theme);
+    QFETCH(int, entry);
+    const auto& system = *document::system3(*m_themes[theme].file.entries[entry].fractal);
+    const auto support = ifs::SupportFunction<3>::of(ifs::activeMaps(system).maps);
+    QVERIFY(support);
+    const auto box = ifs::boundingBox(*support);
+    const ifs::Vector<3> size = box.max - box.min;
+    QVERIFY(box.error <= 1e-6 * size.norm());
+    QVERIFY(size.maxCoeff() < 100);
+    QVERIFY2(size.maxCoeff() / size.minCoeff() < 6,
+             qPrintable(QString::number(size.maxCoeff() / size.minCoeff())));
+    QVERIFY(ifs::minimalCanonicalSimplex(*support).error <= 1e-6 * size.norm());
+}
+
+void CollectionTest::solidsHaveTheirDimension_data() {
+    QTest::addColumn<double>("dimension");
+    const auto ratio = [](double copies, double scale) { return std::log(copies) / std::log(scale); };
+    constexpr double phi = std::numbers::phi;
+    QTest::newRow("tetrahedron") << 2.0;
+    QTest::newRow("octahedron_flake") << ratio(6, 2);
+    QTest::newRow("pyramid") << ratio(5, 2);
+    QTest::newRow("icosahedron_flake") << ratio(12, 1 + phi);
+    QTest::newRow("dodecahedron_flake") << ratio(20, 2 + phi);
+    QTest::newRow("cuboctahedron") << ratio(12, 3);
+    QTest::newRow("menger") << ratio(20, 3);
+    QTest::newRow("mosely") << ratio(18, 3);
+    QTest::newRow("cross_space") << ratio(7, 3);
+    QTest::newRow("saltire_space") << 2.0;
+    QTest::newRow("cantor_space") << ratio(8, 3);
+    QTest::newRow("cube_corner") << ratio(7, 2);
+    QTest::newRow("mirrored_corners") << ratio(7, 2);
+    QTest::newRow("quadratic_koch") << ratio(13, 3);
+    // 8 x + 12 x^2 = 1 where x is the ratio √2 − 1 to the power of the dimension
+    QTest::newRow("jerusalem_cube") << ratio((std::sqrt(7.0) - 2) / 6, std::numbers::sqrt2 - 1);
+    QTest::newRow("space_dragon") << 2.0;
+    QTest::newRow("space_levy") << 2.0;
+    QTest::newRow("space_terdragon") << 2.0;
+    QTest::newRow("turned_tetra") << 2.0;
+    QTest::newRow("turned_cubes") << ratio(8, 1 / 0.45);
+    QTest::newRow("turned_octa") << ratio(6, 2);
+}
+
+void CollectionTest::solidsHaveTheirDimension() {
+    QFETCH(double, dimension);
+    const auto maps = ifs::mapsOf(*document::system3(named(QString::fromLatin1(QTest::currentDataTag()))));
+    const std::optional<double> found = ifs::similarityDimension<3>(maps);
+    QVERIFY(found);
+    QVERIFY2(std::abs(*found - dimension) < 1e-8, qPrintable(QString::number(*found, 'g', 12)));
+}
+
+// Its extent is that of docs/mathematics.md.
+void CollectionTest::fern3IsFractints() {
+    const auto& system = *document::system3(named(QStringLiteral("fern3")));
+    QCOMPARE(system.maps.size(), std::size_t(4));
+    const auto box = ifs::boundingBox(*ifs::SupportFunction<3>::of(ifs::mapsOf(system)));
+    const ifs::Vector<3> min(-1.623248571865150, 0, -4.998953181197701);
+    const ifs::Vector<3> max(1.623248571865150, 7.997725100771707, 0);
+    QVERIFY((box.min - min).norm() < 1e-9);
+    QVERIFY((box.max - max).norm() < 1e-9);
+}
+
 void CollectionTest::samplesHaveTheExactMoments() {
     QFETCH(int, theme);
     QFETCH(int, entry);
     const document::System2& system = *document::system2(*m_themes[theme].file.entries[entry].fractal);
     const auto exact = ifs::moments(ifs::activeMaps(system));
     QVERIFY(exact);
-    const attractor::DrawableSystem drawable = attractor::drawable(system);
+    const attractor::PreparedSystem drawable = attractor::prepared(system);
     constexpr int sets = 32;
     attractor::SampleSet samples;
     using Moments = Eigen::Vector<double, 5>; // x, y, xx, xy, yy about the exact mean

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "ifs/iterated_function_system.h"
+#include "ifs/system/iterated_function_system.h"
 
 #include <cmath>
 #include <initializer_list>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
+#include "ifs/extent/polygon.h"
 #include "ifs/facts.h"
-#include "ifs/polygon.h"
+#include "support/near.h"
+
+#include <Eigen/Geometry>
 
 #include <QtTest>
 
@@ -25,9 +28,11 @@ bool isStrictlyConvex(const Polygon& polygon) {
     }
     return polygon.size() > 2;
 }
-bool near(double a, double b, double tolerance) {
-    return std::abs(a - b) <= tolerance;
-}
+using support::near;
+
+constexpr LongFact allLongFacts[] = {LongFact::Existence,    LongFact::Extents, LongFact::JointSpectralRadius,
+                                     LongFact::Contacts,     LongFact::Hull,    LongFact::AffinityDimension,
+                                     LongFact::ExtremePoints};
 
 } // namespace
 
@@ -48,12 +53,43 @@ private slots:
         QVERIFY(near(image.hull->area, direct.hull->area, 1e-7));
         QVERIFY(near(image.hull->area, code.hull->area * (1.2 * 0.8 - 0.7 * 0.3), 1e-10));
         QVERIFY(image.hull->error < 1e-8);
-        QVERIFY((*image.mean - *direct.mean).norm() < 1e-12);
+        QVERIFY((image.mean->point - direct.mean->point).norm() < 1e-12);
         QVERIFY((image.moments->mean - direct.moments->mean).norm() < 1e-12);
         QVERIFY((image.moments->covariance - direct.moments->covariance).norm() < 1e-11);
         QVERIFY(image.existence.verdict == direct.existence.verdict);
         QVERIFY(near(image.existence.contractivity, direct.existence.contractivity, 1e-12));
         QVERIFY(image.affinityDimension == code.affinityDimension);
+    }
+
+    void anImageInSpaceIsTheAttractorOfTheConjugatedSystem() {
+        AffineMap<3> leaning; // turns over
+        leaning.linear << 1.2, 0.7, 0, -0.3, -0.8, 0.1, 0.2, 0, 0.9;
+        leaning.translation = {2, -5, 1};
+        const double volume = determinant<3>(leaning.linear);
+        QVERIFY(volume < 0);
+        const Facts<3> code = factsOf(canonical::system(fern3()), 1e-2);
+        const Facts<3> image = moved(leaning, code);
+        const Facts<3> direct = factsOf(*conjugate(leaning, canonical::system(fern3())), 1e-2);
+        QVERIFY((image.box->min - direct.box->min).norm() < 1e-9);
+        QVERIFY((image.box->max - direct.box->max).norm() < 1e-9);
+        QVERIFY(image.simplex->orientation == direct.simplex->orientation);
+        QVERIFY(near(image.simplex->leg, direct.simplex->leg, 1e-9));
+        QVERIFY(near(image.hull->volume, -volume * code.hull->volume, 1e-12));
+        QVERIFY(near(image.hull->volume, direct.hull->volume, 0.03 * direct.hull->volume));
+        const auto& [a, b, c] = image.hull->facets.front(); // seen from outside, as before
+        const auto& corners = image.hull->vertices;
+        const Vector<3> normal = (corners[std::size_t(b)] - corners[std::size_t(a)])
+                                     .cross(corners[std::size_t(c)] - corners[std::size_t(a)]);
+        QVERIFY(normal.dot(image.mean->point - corners[std::size_t(a)]) < 0);
+        QVERIFY((image.moments->mean - direct.moments->mean).norm() < 1e-11);
+        QVERIFY((image.moments->covariance - direct.moments->covariance).norm() < 1e-10);
+        QVERIFY(image.existence.verdict == direct.existence.verdict);
+        QCOMPARE(image.active.maps.size(), std::size_t(4));
+
+        leaning.linear.row(1).setZero();
+        const Facts<3> flat = moved(leaning, code);
+        QVERIFY(flat.box && near(flat.box->min.y(), -5, 1e-9) && near(flat.box->max.y(), -5, 1e-9));
+        QVERIFY(flat.active.maps.empty() && !flat.hull && !flat.similarityDimension);
     }
 
     // Hardly any word that can be tried contracts when a system leans so far; its attractor is there all the
@@ -112,8 +148,8 @@ private slots:
         }
     }
 
-    // Maps that hardly contract have an attractor, and what is said of it holds, within errors that say how
-    // much of it rounding has left.
+    // Maps that hardly contract have an attractor, and its properties are correct within error bounds that
+    // include rounding.
     void slowContractionsKeepTheirPromises() {
         struct Known {
             AffineMap<2> slow, fast;
@@ -134,6 +170,55 @@ private slots:
             for (const double end : {low, high})
                 QVERIFY(distanceToConvex(facts.hull->vertices, {end, 0}) <= facts.hull->error);
             QVERIFY(facts.hull->error <= sharp * (high - low));
+        }
+    }
+
+    // Nothing is begun when the time is over, and everything that is left out is named.
+    void whatTakesTooLongIsNamed() {
+        FactLimits none;
+        none.together = std::chrono::duration<double>(0);
+        const Facts<2> facts = factsOf(systemOf(maple()), {}, none);
+        for (const auto fact : allLongFacts)
+            QVERIFY2(facts.isLate(fact) || fact == LongFact::ExtremePoints,
+                     qPrintable(QString::number(int(fact))));
+        QVERIFY(!facts.support && !facts.box && !facts.simplex && !facts.hull && !facts.affinityDimension);
+        QVERIFY(!facts.invariants.jointSpectralRadius && !facts.invariants.contacts);
+        QVERIFY(facts.mean && facts.moments && facts.invariants.entropy); // solved at once
+        QCOMPARE(facts.probabilities.size(), maple().size());
+        none.withAffinityDimension = false;
+        QVERIFY(!factsOf(systemOf(maple()), {}, none).isLate(LongFact::AffinityDimension));
+        const Facts<3> space = factsOf(canonical::system(fern3()), {}, none);
+        QVERIFY(!space.hull && space.isLate(LongFact::Hull) && space.isLate(LongFact::AffinityDimension));
+    }
+
+    // Each by itself: what is quick is there all the same.
+    void oneFactThatTakesTooLongIsLeftOut() {
+        std::vector<AffineMap<2>> maps; // an attractor that is round has no end of corners
+        for (int i = 0; i < 29; ++i) {
+            const double c = 0.97 * std::cos(i), s = 0.97 * std::sin(i);
+            maps.push_back(affineMap(c, -s, s, c, 7 * std::sin(5 * i), 7 * std::cos(3 * i)));
+        }
+        FactLimits limits;
+        limits.withAffinityDimension = false;
+        limits.perFact = std::chrono::duration<double>(1e-3);
+        const Facts<2> cut = factsOf(systemOf(maps), 1e-13, limits);
+        QVERIFY(cut.isLate(LongFact::Hull) && !cut.hull);
+        QVERIFY(!cut.isLate(LongFact::Existence) && cut.existence.verdict == Verdict::Hyperbolic);
+        QVERIFY(cut.invariants.jointSpectralRadius && cut.invariants.contacts);
+        QCOMPARE(cut.isLate(LongFact::Extents), !cut.box);
+    }
+
+    void withoutLimitsNothingIsLate() {
+        for (const auto& maps : {maple(), fern(), sierpinskiRight()}) {
+            const Facts<2> facts = factsOf(systemOf(maps));
+            QVERIFY(facts.late.empty() && facts.hull && facts.affinityDimension);
+            QCOMPARE(facts.extremePoints.size(), facts.hull->vertices.size());
+            FactLimits wide;
+            wide.perFact = wide.together = std::chrono::duration<double>(1e6);
+            const Facts<2> limited = factsOf(systemOf(maps), {}, wide);
+            QVERIFY(limited.late.empty());
+            QVERIFY(limited.hull->vertices == facts.hull->vertices);
+            QVERIFY(limited.affinityDimension == facts.affinityDimension);
         }
     }
 

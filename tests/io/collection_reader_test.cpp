@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "ifs/canonical_systems.h"
 #include "io/collection_reader.h"
-#include "io/table_reader.h"
-#include "io/text_formats.h"
+#include "io/exchange/text_formats.h"
+#include "io/table/table_reader.h"
 
 #include <QTest>
 
@@ -12,6 +13,9 @@ class CollectionReaderTest : public QObject {
 private slots:
     void formats_data();
     void formats();
+    void listsAreTables_data();
+    void listsAreTables();
+    void systemsInListsHaveTheirNames();
     void parameterFilesGiveTheirSystems();
     void ambiguousTablesAsk();
     void chosenColumnsAreTaken();
@@ -34,13 +38,9 @@ const document::System2& firstSystem(const document::FractalFile& file) {
 document::Fractal fern() {
     document::Fractal fractal;
     fractal.name = QStringLiteral("fern");
-    document::System2 system;
-    ifs::append(system, ifs::affineMap(0, 0, 0, 0.16, 0, 0), 0.01);
-    ifs::append(system, ifs::affineMap(0.85, 0.04, -0.04, 0.85, 0, 1.6), 0.85);
-    ifs::append(system, ifs::affineMap(0.2, -0.26, 0.23, 0.22, 0, 1.6), 0.07);
-    ifs::append(system, ifs::affineMap(-0.15, 0.28, 0.26, 0.24, 0, 0.44), 0.07);
+    document::System2 system = canonical::system(canonical::fern(), canonical::FernWeights);
     ifs::append(system, ifs::affineMap(1.0 / 3, 0.1, 0.7, -1e-9, 2.5, 1e12), 0);
-    fractal.system = system;
+    fractal.shape = document::Shape<2>{system};
     return fractal;
 }
 
@@ -76,8 +76,11 @@ void CollectionReaderTest::formats_data() {
     row("a bad first row", "a,b,c,d,e,f,p\nO.5,0,0,.5,0,0,.5\n.5,0,0,.5,1,0,.5\n", "table", 0);
     row("bad rows alone", ".5,0,0,.5,0,0,nan\n", "table", 0);
     row("flame", "<flame><xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame>", "flame", 1);
-    row("expressions are no table", "0, 0.16*y;0.5\r\n0.5*x, y/2;0.5\r\n", "fractint", 0);
-    row("prose", "Once upon a time\nthere were 6 maps\n", "fractint", 0);
+    row("expressions are no table", "0, 0.16*y;0.5\r\n0.5*x, y/2;0.5\r\n", "unknown", 0);
+    row("prose", "Once upon a time\nthere were 6 maps\n", "unknown", 0);
+    row("binary", "\x01\x02\x03\x04\x05\x06\x07\x08", "unknown", 0);
+    row("other JSON", "{\"points\": [[1, 2], [3, 4]], \"name\": \"a\"}\n", "unknown", 0);
+    row("another program", "import math\n\ndef f(x):\n    return 2*x\n", "unknown", 0);
 }
 
 void CollectionReaderTest::formats() {
@@ -88,6 +91,70 @@ void CollectionReaderTest::formats() {
     QCOMPARE(collection.file.entries.isEmpty(),
              std::any_of(collection.file.problems.begin(), collection.file.problems.end(),
                          [](const auto& p) { return p.severity == document::Problem::Severity::Error; }));
+}
+
+void CollectionReaderTest::listsAreTables_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<bool>("hasWeights");
+    const auto row = [](const char* name, const char* bytes, bool hasWeights = true) {
+        QTest::newRow(name) << QByteArray(bytes) << hasWeights;
+    };
+    row("JSON rows", "[[0.5, 0.1, -0.2, 0.4, 3, 7, 0.25],\n [1e-1, 0, 0, 0.5, 1, 0, 0.75]]\n");
+    row("JSON rows without weights", "{\"maps\": [[0.5,0.1,-0.2,0.4,3,7],[0.1,0,0,0.5,1,0]]}", false);
+    row("JSON names",
+        "{\"maps\": [{\"f\": 7, \"e\": 3, \"a\": 0.5, \"b\": 0.1, \"c\": -0.2, \"d\": 0.4, \"prob\": 0.25, "
+        "\"colour\": \"red\"},\n"
+        "{\"f\": 0, \"e\": 1, \"a\": 0.1, \"b\": 0, \"c\": 0, \"d\": 0.5, \"prob\": 0.75}]}");
+    row("JSON matrices", "{\"transforms\": [{\"matrix\": [[0.5, 0.1], [-0.2, 0.4]], \"translation\": [3, 7], "
+                         "\"weight\": 0.25}, {\"matrix\": [[0.1, 0], [0, 0.5]], \"translation\": [1, 0], "
+                         "\"weight\": 0.75}]}");
+    row("Python tuples",
+        "# a fern\nimport numpy as np\nmaps = [\n  (0.5, 0.1, -0.2, 2/5, 3, 7, .25),  # stem\n"
+        "  (.1, 0, 0, .5, 1, 0, .75),\n]\nfor m in maps:\n    print(m[0] * 2)\n");
+    row("arrays and weights",
+        "import numpy as np\nA = [np.array([[0.5, 0.1, 3], [-0.2, 0.4, 7], [0, 0, 1]]),\n"
+        "     np.array([[.1, 0, 1], [0, .5, 0], [0, 0, 1]])]\nprobs = [0.25, 0.75]\n");
+    row("matrix, vector, weight", "ifs = [([[0.5, 0.1], [-0.2, 0.4]], [3, 7], 0.25),\n"
+                                  "       ([[0.1, 0], [0, 0.5]], [1, 0], 0.75)]\n");
+    row("two by three", "let maps = [ [[0.5, 0.1, 3], [-0.2, 0.4, 7]], [[.1, 0, 1], [0, .5, 0]] ];", false);
+    row("C", "static const float maps[2][7] = {\n  {0.5f, 0.1f, -0.2f, 0.4f, 3, 7, 0.25f},\n"
+             "  {0.1f, 0, 0, 0.5f, 1, 0, 0.75f},\n};\n");
+    row("Mathematica", "fern = {{{{0.5, 0.1}, {-0.2, 0.4}}, {3, 7}}, {{{0.1, 0}, {0, 0.5}}, {1, 0}}};",
+        false);
+    row("Markdown",
+        "# Fern\n\n| map | a | b | c | d | e | f | p |\n|---|---|---|---|---|---|---|---|\n"
+        "| w1 | 0.5 | 0.1 | -0.2 | 0.4 | 3 | 7 | 0.25 |\n| w2 | 0.1 | 0 | 0 | 0.5 | 1 | 0 | 0.75 |\n");
+    row("LaTeX", "\\begin{tabular}{ccccccc}\n$a$ & $b$ & $c$ & $d$ & $e$ & $f$ & $p$ \\\\ \\hline\n"
+                 "0.5 & 0.1 & -0.2 & 0.4 & 3 & 7 & 0.25 \\\\\n0.1 & 0 & 0 & 0.5 & 1 & 0 & 0.75 "
+                 "\\\\\n\\end{tabular}\n");
+}
+
+void CollectionReaderTest::listsAreTables() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(bool, hasWeights);
+    const io::Collection collection = io::readCollection(bytes);
+    QCOMPARE(collection.format, QStringLiteral("table"));
+    QCOMPARE(collection.file.problems.size(), 1); // the remark
+    QVERIFY(collection.file.problems.first().severity == document::Problem::Severity::Warning);
+    const document::System2& system = firstSystem(collection.file);
+    QCOMPARE(system.maps.size(), std::size_t(2));
+    QVERIFY(system.maps[0].map == ifs::affineMap(0.5, 0.1, -0.2, 0.4, 3, 7));
+    QVERIFY(system.maps[1].map == ifs::affineMap(0.1, 0, 0, 0.5, 1, 0));
+    QCOMPARE(system.maps[0].weight.has_value(), hasWeights);
+    if (!hasWeights) return;
+    QCOMPARE(*system.maps[0].weight, 0.25);
+    QCOMPARE(*system.maps[1].weight, 0.75);
+}
+
+void CollectionReaderTest::systemsInListsHaveTheirNames() {
+    const io::Collection collection = io::readCollection(
+        "{\"fern\": [[0.5,0,0,0.5,0,0,1],[0.5,0,0,0.5,1,0,1]],\n \"cube\": {\"maps\": ["
+        "[0.5,0,0,0,0.5,0,0,0,0.5,0,0,0],[0.5,0,0,0,0.5,0,0,0,0.5,1,0,0]]},\n \"points\": [[0,1],[2,3]]}");
+    QCOMPARE(collection.file.entries.size(), 2);
+    QCOMPARE(collection.file.entries[0].fractal->name, QStringLiteral("fern"));
+    QCOMPARE(collection.file.entries[1].fractal->name, QStringLiteral("cube"));
+    QCOMPARE(document::dimension(*collection.file.entries[1].fractal), 3);
+    QVERIFY(collection.file.entries[0].id != collection.file.entries[1].id);
 }
 
 void CollectionReaderTest::parameterFilesGiveTheirSystems() {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/collection_reader.h"
-#include "io/fractint_reader.h"
-#include "io/fractint_writer.h"
-#include "io/palette_reader.h"
-#include "io/png_system.h"
-#include "io/svg_system.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/fractint/fractint_strict.h"
+#include "io/fractint/fractint_writer.h"
+#include "io/palette/palette_reader.h"
+#include "io/picture/png_system.h"
+#include "io/picture/svg_system.h"
 
 #include <QTest>
 #include <QtEndian>
@@ -91,7 +92,7 @@ void HostileFilesTest::hugeFiles_data() {
     row("opening braces", "", "a{", "", "No iterated function system");
     row("closing braces", "a{", "}", "", "no numbers");
     row("entries", "", "a{}\n", "", "more than 200000 entries");
-    row("wrong entries", "", "a{\n1\n}\n", "", "a map is 7 numbers");
+    row("wrong entries", "", "a{\n1\n}\n", "", "a map has 7 numbers");
     row("an entry of rows", "a {\n", ".5 0 0 .5 0 0 1\n", "}", "more than 1000000 lines");
     row("an entry of wide rows", "a {\n",
         ".5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 "
@@ -102,7 +103,7 @@ void HostileFilesTest::hugeFiles_data() {
     row("an entry of line ends", "a {\n", "\n", "}", "more than 1000000 lines");
     row("an entry of comments", "a {\n", ";\n", "}", "more than 1000000 lines");
     row("an entry of our lines", "a {\n", "; barycage: rest 0 0\n", "}", "more than 1000000 lines");
-    row("a header without end", "a { ;", "x", "", "not closed");
+    row("a header without end", "a { ;", "x", "", "no closing");
     row("bare numbers", "", "1 ", "", "more than 250000 maps");
     row("bare lines", "", "1 2 3\n", "", "more than 1000000 lines");
     row("a table of one row", "", "1,", "", "No iterated function system", 60'000'000);
@@ -113,7 +114,7 @@ void HostileFilesTest::hugeFiles_data() {
         60'000'000);
     row("a picture of text", "<svg><system xmlns='urn:barycage:system:1'>", "a { }\n", "", "limit for XML");
     row("a picture to be read", "<svg><system xmlns='urn:barycage:system:1'>", "a { }\n", "</system></svg>",
-        "more than 8 MB", 60'000'000);
+        "larger than 8 MB", 60'000'000);
 }
 
 void HostileFilesTest::hugeFiles() {
@@ -188,14 +189,22 @@ void HostileFilesTest::aCompressedTextDoesNotGrowWithoutEnd() {
             sum.data());
         return bytes + sum;
     };
-    const auto picture = [&](qsizetype size) {
+    const auto picture = [&](qsizetype size, const QByteArray& more = {}) {
         const QByteArray packed = qCompress(QByteArray(size, ' ')).sliced(4);
         return "\x89PNG\r\n\x1a\n" + chunk("IHDR", QByteArray("\0\0\0\1\0\0\0\1\x08\0\0\0\0", 13)) +
-               chunk("iTXt", QByteArray("Barycage\0\1\0\0\0", 13) + packed) +
+               chunk("iTXt", QByteArray("Barycage\0\1\0\0\0", 13) + packed) + more +
                chunk("IDAT", qCompress(QByteArray(2, '\0')).sliced(4)) + chunk("IEND", {});
     };
     QCOMPARE(io::readPngSystem(picture(1000)).text.size(), 1000);
     QVERIFY(io::readPngSystem(picture(1'000'000'000)).failure); // a megabyte of file
+    // Each within its limit.
+    const QByteArray text =
+        chunk("iTXt", QByteArray("other\0\1\0\0\0", 10) + qCompress(QByteArray(8'000'000, ' ')).sliced(4));
+    QCOMPARE(io::readPngSystem(picture(1000, text)).text.size(), 1000);
+    const QByteArray many = picture(1000, text.repeated(99)); // 0.8 MB of file, 800 MB of text
+    QVERIFY(many.size() < 1'000'000);
+    const auto refusal = io::readPngSystem(many).failure;
+    QVERIFY(refusal && refusal->contains(QStringLiteral("too much text")));
 }
 
 void HostileFilesTest::hugePalettes() {

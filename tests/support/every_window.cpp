@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/every_window.h"
 
-#include "canvas/vertex_dialog.h"
+#include "canvas/tools/vertex_dialog.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -47,10 +47,13 @@ bool isLeftOut(const QAction* action) {
 
 } // namespace
 
-EveryWindow::EveryWindow() : m_main(new MainWindow) {
+EveryWindow::EveryWindow(const QString& path) : m_main(new MainWindow) {
     m_main->setAttribute(Qt::WA_DeleteOnClose, false);
     m_main->resize(1400, 900);
-    m_main->openFirstPicture();
+    if (path.isEmpty())
+        m_main->openFirstPicture();
+    else if (!m_main->openPath(path))
+        qFatal("not opened: %s", qPrintable(path));
     m_main->show();
     QTest::qWait(50);
     for (QAction* action : leaves(m_main->menuBar())) {

@@ -9,11 +9,11 @@
 
 namespace support {
 
-// A window with the maple and, beside it, every dialog that its menus open (but those of the system: files,
-// the printer). For tests that look at all of them.
+// A window with the maple, or with the file at `path`, and every dialog that its menus open (except system
+// dialogs: files, the printer). For tests that check all of them.
 class EveryWindow {
 public:
-    EveryWindow();
+    explicit EveryWindow(const QString& path = {});
     ~EveryWindow();
 
     MainWindow& main() const { return *m_main; }

@@ -8,8 +8,9 @@
 
 namespace support {
 
-// To root no file is read-only. While one of these lives, a process of root is nobody instead, in the eyes of
-// the kernel and of access(); the folder is nobody's as well. For any other user nothing changes.
+// For root no file is read-only. During the lifetime of this object, a process of root runs as the user
+// nobody, for the kernel and for access(), and the folder belongs to nobody too. For other users nothing
+// changes.
 class Unprivileged {
 public:
     explicit Unprivileged(const QString& folder) {

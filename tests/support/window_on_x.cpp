@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "support/window_on_x.h"
 
-#include "attractor/camera.h"
-#include "canvas/canvas_scene.h"
-#include "io/fractint_reader.h"
-#include "io/save_file.h"
+#include "attractor/request/camera.h"
+#include "canvas/scene/canvas_scene.h"
+#include "io/file/save_file.h"
+#include "io/fractint/fractint_reader.h"
 #include "support/forget_settings.h"
 
 #include <QAbstractItemView>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/fractal_geometry.h"
 #include "main_window.h"
 #include "support/watchdog.h"
 #include "support/x_input.h"
@@ -13,6 +14,7 @@
 #include <QUndoStack>
 
 #include <functional>
+#include <utility>
 #include <memory>
 
 class QAbstractItemView;
@@ -27,17 +29,18 @@ struct CanvasPart;
 
 namespace support {
 
-// Until `condition` holds; in an event loop, as the program itself waits. False when that takes too long.
+// Waits until `condition` is true, in an event loop, as the program itself waits. False after a time limit.
 bool waitFor(const std::function<bool()>& condition);
 
-// A window of the program on a real X server and the hand that uses it, for tests to derive from. Each test
-// function has a fresh window with the maple and fails when an event took the thread of the window too long.
+// A window of the program on a real X server and the input for it, for tests to derive from. Each test
+// function has a fresh window with the maple and fails if an event occupied the thread of the window for too
+// long.
 class WindowOnX : public QObject {
     Q_OBJECT
 
 protected:
     void openWindow();  // skips the test where there is no X server
-    void closeWindow(); // unsaved work is given up; reports what was late
+    void closeWindow(); // discards unsaved work; reports late events
 
     MainWindow& window() const { return *m_window; }
     view::CanvasView& canvas() const;
@@ -83,9 +86,11 @@ protected:
         bool met = false;
         bool gone = false;
         QTimer poll;
+        QRect place; // where it was before: the window manager may still move it
         QObject::connect(&poll, &QTimer::timeout, &poll, [&] {
             auto* found = visible<Dialog>();
             if (!found || met || !found->isActiveWindow()) return;
+            if (std::exchange(place, found->geometry()) != found->geometry()) return;
             met = true;
             watchdog().ignoreThisEvent(); // it holds the work of the test
             const QPointer<Dialog> dialog = found;

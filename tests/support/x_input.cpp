@@ -134,7 +134,7 @@ void XInput::hold(const char* key) {
     settle();
 }
 
-void XInput::letGo(const char* key) {
+void XInput::freeInBackground(const char* key) {
     fakeKey(key, false);
     settle();
 }

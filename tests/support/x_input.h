@@ -10,18 +10,18 @@
 
 namespace support {
 
-// The pointer and the keyboard of the X server, as a hand uses them: what is pressed here goes through the
-// server and the window manager. Positions are pixels of the screen. Every call handles the events it causes,
-// for as long as `settling`; zero leaves them to the loop that runs.
+// The pointer and the keyboard of the X server, as a user operates them: every press goes through the server
+// and the window manager. Positions are pixels of the screen. Every call processes the events it causes for
+// `settling`; zero leaves them to the running event loop.
 class XInput {
 public:
     explicit XInput(std::chrono::milliseconds settling = std::chrono::milliseconds(25));
-    ~XInput(); // lets go of what is held
+    ~XInput(); // releases all buttons and keys
 
     XInput(const XInput&) = delete;
     XInput& operator=(const XInput&) = delete;
 
-    static QString obstacle(); // why there is no such hand here; empty when there is
+    static QString obstacle(); // why no input can be sent here; empty if it can
 
     enum Button { Left = 1, Middle, Right, WheelUp, WheelDown };
 
@@ -36,7 +36,7 @@ public:
 
     // Keys by their X names: "Escape", "Left", "s". A chord joins them: "Control+Shift+z".
     void hold(const char* key);
-    void letGo(const char* key);
+    void freeInBackground(const char* key);
     void key(const char* chord);
     void type(const QString& text); // of the Latin alphabet, as on an English keyboard
 

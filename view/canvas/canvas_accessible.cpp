@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_accessible.h"
 
-#include "canvas/canvas_scene.h"
-#include "canvas/canvas_view.h"
+#include "canvas/scene/canvas_scene.h"
+#include "canvas/scene/handle_text.h"
 
 #include <QAccessible>
 #include <QAccessibleWidget>
 #include <QCoreApplication>
+#include <QGraphicsView>
 #include <QKeyEvent>
 #include <QPointer>
 
@@ -18,10 +19,25 @@ namespace view {
 
 namespace {
 
-int childIndex(const CanvasScene& scene, const CanvasPart& part) {
-    const std::vector<CanvasPart> handles = scene.handles();
+// nullptr while the view is being taken down.
+CanvasScene* sceneOf(const QGraphicsView* view) {
+    return view ? qobject_cast<CanvasScene*>(view->scene()) : nullptr;
+}
+
+std::vector<CanvasPart> handlesOf(const QGraphicsView* view) {
+    const CanvasScene* scene = sceneOf(view);
+    return scene ? scene->handles().parts() : std::vector<CanvasPart>();
+}
+
+int childIndex(const QGraphicsView* view, const CanvasPart& part) {
+    const std::vector<CanvasPart> handles = handlesOf(view);
     const auto found = std::ranges::find(handles, part);
     return found == handles.end() ? -1 : int(found - handles.begin());
+}
+
+int focusedIndex(const QGraphicsView* view) {
+    const CanvasScene* scene = sceneOf(view);
+    return scene ? childIndex(view, scene->selection().focused()) : -1;
 }
 
 // What the arrow keys do, for clients that press no keys.
@@ -45,13 +61,13 @@ const Move* moveCalled(const QString& name) {
 
 class AccessibleHandle final : public QAccessibleInterface, public QAccessibleActionInterface {
 public:
-    AccessibleHandle(CanvasView* canvas, int index) : m_canvas(canvas), m_index(index) {}
+    AccessibleHandle(QGraphicsView* view, int index) : m_view(view), m_index(index) {}
 
-    bool isValid() const override { return m_canvas && m_index < int(handles().size()); }
+    bool isValid() const override { return m_index < int(handlesOf(m_view).size()); }
     QObject* object() const override { return nullptr; }
     QWindow* window() const override { return parent() ? parent()->window() : nullptr; }
     QAccessibleInterface* childAt(int, int) const override { return nullptr; }
-    QAccessibleInterface* parent() const override { return QAccessible::queryAccessibleInterface(m_canvas); }
+    QAccessibleInterface* parent() const override { return QAccessible::queryAccessibleInterface(m_view); }
     QAccessibleInterface* child(int) const override { return nullptr; }
     int childCount() const override { return 0; }
     int indexOfChild(const QAccessibleInterface*) const override { return -1; }
@@ -79,27 +95,28 @@ public:
     }
     void doAction(const QString& name) override {
         if (!isValid()) return;
-        m_canvas->focusOn(part());
+        m_view->setFocus(Qt::TabFocusReason);
+        sceneOf(m_view)->selection().setFocused(part());
         const Move* move = moveCalled(name);
         if (!move) return;
         QKeyEvent press(QEvent::KeyPress, move->key, Qt::NoModifier);
-        QCoreApplication::sendEvent(m_canvas, &press);
+        QCoreApplication::sendEvent(m_view, &press);
         QKeyEvent release(QEvent::KeyRelease, move->key, Qt::NoModifier);
-        QCoreApplication::sendEvent(m_canvas, &release);
+        QCoreApplication::sendEvent(m_view, &release);
     }
 
     QString text(QAccessible::Text kind) const override {
         if (!isValid()) return {};
-        const CanvasScene& scene = m_canvas->canvas();
-        if (kind == QAccessible::Name) return scene.nameOf(part());
-        return kind == QAccessible::Value || kind == QAccessible::Description ? scene.placeOf(part())
-                                                                              : QString();
+        const CanvasScene& scene = *sceneOf(m_view);
+        if (kind == QAccessible::Name) return nameOf(scene.handles(), part());
+        return kind == QAccessible::Value || kind == QAccessible::Description
+                   ? valueOf(scene.handles(), scene.camera(), part())
+                   : QString();
     }
 
     QRect rect() const override {
         if (!isValid()) return {};
-        const QPoint middle =
-            m_canvas->viewport()->mapToGlobal(m_canvas->canvas().positionOf(part()).toPoint());
+        const QPoint middle = m_view->viewport()->mapToGlobal(sceneOf(m_view)->positionOf(part()).toPoint());
         return QRect(middle - QPoint(12, 12), QSize(24, 24));
     }
 
@@ -111,34 +128,33 @@ public:
         }
         state.focusable = true;
         state.movable = true;
-        state.invisible = !m_canvas->overlaysVisible();
-        state.focused = m_canvas->hasFocus() && m_canvas->canvas().focused() == part();
+        state.invisible = !sceneOf(m_view)->overlaysVisible();
+        state.focused = m_view->hasFocus() && sceneOf(m_view)->selection().focused() == part();
         return state;
     }
 
 private:
-    std::vector<CanvasPart> handles() const { return m_canvas->canvas().handles(); }
-    CanvasPart part() const { return handles()[std::size_t(m_index)]; }
+    CanvasPart part() const { return handlesOf(m_view)[std::size_t(m_index)]; }
 
-    QPointer<CanvasView> m_canvas;
+    QPointer<QGraphicsView> m_view;
     int m_index;
 };
 
 class AccessibleCanvas final : public QAccessibleWidget {
 public:
-    explicit AccessibleCanvas(CanvasView* canvas)
-        : QAccessibleWidget(canvas, QAccessible::Canvas), m_canvas(canvas) {}
+    explicit AccessibleCanvas(QGraphicsView* view)
+        : QAccessibleWidget(view, QAccessible::Canvas), m_view(view) {}
     ~AccessibleCanvas() override {
         for (const QAccessible::Id id : m_children)
             QAccessible::deleteAccessibleInterface(id);
     }
 
-    int childCount() const override { return int(m_canvas->canvas().handles().size()); }
+    int childCount() const override { return int(handlesOf(m_view).size()); }
 
     QAccessibleInterface* child(int index) const override {
         if (index < 0 || index >= childCount()) return nullptr;
         while (int(m_children.size()) <= index) {
-            auto handle = std::make_unique<AccessibleHandle>(m_canvas, int(m_children.size()));
+            auto handle = std::make_unique<AccessibleHandle>(m_view, int(m_children.size()));
             m_children.push_back(QAccessible::registerAccessibleInterface(handle.release()));
         }
         return QAccessible::accessibleInterface(m_children[std::size_t(index)]);
@@ -151,23 +167,23 @@ public:
     }
 
     QAccessibleInterface* childAt(int x, int y) const override {
-        const QPoint position = m_canvas->viewport()->mapFromGlobal(QPoint(x, y));
-        return child(childIndex(m_canvas->canvas(), m_canvas->canvas().partAt(position, Reach::Mouse)));
+        const CanvasScene* scene = sceneOf(m_view);
+        const QPoint position = m_view->viewport()->mapFromGlobal(QPoint(x, y));
+        return scene ? child(childIndex(m_view, scene->partAt(position, Reach::Mouse))) : nullptr;
     }
 
     QAccessibleInterface* focusChild() const override {
-        if (!m_canvas->hasFocus()) return nullptr;
-        return child(childIndex(m_canvas->canvas(), m_canvas->canvas().focused()));
+        return m_view->hasFocus() ? child(focusedIndex(m_view)) : nullptr;
     }
 
 private:
-    CanvasView* m_canvas;
+    QGraphicsView* m_view;
     mutable std::vector<QAccessible::Id> m_children; // made when first asked for
 };
 
 QAccessibleInterface* factory(const QString&, QObject* object) {
-    auto* canvas = qobject_cast<CanvasView*>(object);
-    return canvas ? new AccessibleCanvas(canvas) : nullptr;
+    auto* view = qobject_cast<QGraphicsView*>(object);
+    return sceneOf(view) ? new AccessibleCanvas(view) : nullptr;
 }
 
 } // namespace
@@ -180,20 +196,21 @@ void installCanvasAccessibility() {
     Q_UNUSED(installed)
 }
 
-void announceFocus(CanvasView& canvas) {
-    const int place = childIndex(canvas.canvas(), canvas.canvas().focused());
-    if (place < 0 || !QAccessible::isActive()) return;
-    QAccessibleEvent event(&canvas, QAccessible::Focus);
-    event.setChild(place);
+void announceFocus(QGraphicsView& view) {
+    const int index = QAccessible::isActive() ? focusedIndex(&view) : -1;
+    if (index < 0) return;
+    QAccessibleEvent event(&view, QAccessible::Focus);
+    event.setChild(index);
     QAccessible::updateAccessibility(&event);
 }
 
-void announceMotion(CanvasView& canvas) {
-    const CanvasScene& scene = canvas.canvas();
-    const int place = childIndex(scene, scene.focused());
-    if (place < 0 || !QAccessible::isActive()) return;
-    QAccessibleValueChangeEvent event(&canvas, scene.placeOf(scene.focused()));
-    event.setChild(place);
+void announceMotion(QGraphicsView& view) {
+    const int index = QAccessible::isActive() ? focusedIndex(&view) : -1;
+    if (index < 0) return;
+    const CanvasScene& scene = *sceneOf(&view);
+    QAccessibleValueChangeEvent event(&view,
+                                      valueOf(scene.handles(), scene.camera(), scene.selection().focused()));
+    event.setChild(index);
     QAccessible::updateAccessibility(&event);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+class QGraphicsView;
+
 namespace view {
 
-class CanvasView;
-
-// Lets screen readers see the canvas with its handles as children: their names, places and focus.
+// Lets screen readers see a view of a CanvasScene with its handles as children: names, positions and focus.
 void installCanvasAccessibility();
-void announceFocus(CanvasView& canvas);  // another handle has the focus
-void announceMotion(CanvasView& canvas); // the handle in focus is elsewhere
+void announceFocus(QGraphicsView& view);  // another handle has the focus
+void announceMotion(QGraphicsView& view); // the handle in focus is elsewhere
 
 } // namespace view

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_menu.h"
 
-#include "cage_edits.h"
-#include "canvas/cage_actions.h"
-#include "canvas/canvas_scene.h"
-#include "canvas/canvas_view.h"
-#include "canvas/vertex_dialog.h"
+#include "canvas/tools/vertex_dialog.h"
+#include "document/edits/cage_actions.h"
+#include "document/edits/cage_edits.h"
+#include "document/edits/maps_edits.h"
 #include "document/fractal.h"
-#include "panels/maps_edits.h"
 
+#include <QAbstractScrollArea>
 #include <QCoreApplication>
 #include <QKeySequence>
 #include <QMenu>
 
 #include <cmath>
-#include <functional>
+#include <optional>
+#include <utility>
 
 namespace view {
 
@@ -37,7 +37,7 @@ QAction* add(QMenu& menu, const QString& text, const QString& tip, std::function
 // Runs an operation on the document; why it could not be done goes to the status bar.
 std::function<void()> attempt(const MenuContext& context, std::function<std::optional<QString>()> operation) {
     return [context, operation = std::move(operation)] {
-        if (const std::optional<QString> failure = operation()) emit context.view.message(*failure);
+        if (const std::optional<QString> failure = operation()) emit context.tools.message(*failure);
     };
 }
 
@@ -47,17 +47,18 @@ QString withKey(const QString& text, Qt::Key key) {
 }
 
 void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
-    const ifs::ControlCage<2> cage = *context.scene.cage();
+    const ifs::ControlCage<2> cage = *context.scene.handles().cage();
     const ifs::Vector<2> position = cage.current[std::size_t(index)];
     const ifs::Vector<2> rest = cage.rest[std::size_t(index)];
-    document::Document& document = context.document;
+    document::Document& document = context.scene.document();
     menu.addSection(Menu::tr("Vertex %1").arg(index + 1));
-    add(menu, Menu::tr("&Coordinates…"), Menu::tr("Types the place of this vertex"), [context, index] {
-        auto* dialog = new VertexDialog(&context.document, index, &context.view);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->open();
-    });
-    add(menu, Menu::tr("&Reset This Vertex"), Menu::tr("Puts this vertex back to rest"),
+    add(menu, Menu::tr("&Coordinates…"), Menu::tr("Lets you type the coordinates of this vertex"),
+        [context, index] {
+            auto* dialog = new VertexDialog(&context.scene.document(), index, &context.view);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->open();
+        });
+    add(menu, Menu::tr("&Reset This Vertex"), Menu::tr("Returns this vertex to its position at rest"),
         attempt(context, [&document, index] { return resetVertex(document, index); }))
         ->setEnabled(position != rest);
     SnapTargets targets = context.scene.snapTargets({Kind::Vertex, index}, {index});
@@ -82,69 +83,75 @@ void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
                 }))
         ->setEnabled(position.x() != 0);
     add(menu, withKey(Menu::tr("&Delete This Vertex"), Qt::Key_Delete),
-        Menu::tr("Takes this vertex out of the cage"),
+        Menu::tr("Removes this vertex from the cage"),
         attempt(context, [&document, index] { return removeVertices(document, {std::size_t(index)}); }))
         ->setEnabled(cage.rest.size() > 3);
-    add(menu, Menu::tr("Put the &Pivot Here"), Menu::tr("Turns and scales the cage about this vertex"),
-        [context, position] { context.scene.setPivot(position); });
+    add(menu, Menu::tr("Put the &Pivot Here"), Menu::tr("Rotates and scales the cage about this vertex"),
+        [context, position] { context.scene.handles().setPivot(position); });
 }
 
-void addMapActions(QMenu& menu, const MenuContext& context, int place) {
-    document::Document& document = context.document;
-    const QString number = QString::number(place + 1);
+void addMapActions(QMenu& menu, const MenuContext& context, int index) {
+    document::Document& document = context.scene.document();
+    const QString number = QString::number(index + 1);
     menu.addSection(Menu::tr("Map %1").arg(number));
     document::Fractal switched = document.fractal();
-    bool& enabled = document::system2(switched)->maps[std::size_t(place)].enabled;
+    bool& enabled = document::system2(switched)->maps[std::size_t(index)].enabled;
     enabled = !enabled;
     add(menu, enabled ? Menu::tr("&Switch On") : Menu::tr("&Switch Off"),
-        Menu::tr("Lets this map take part, or not"),
+        Menu::tr("Switches this map on or off"),
         [&document, switched,
          text = (enabled ? Menu::tr("Switch on map %1") : Menu::tr("Switch off map %1")).arg(number)] {
             document.edit(text, switched);
         });
-    add(menu, withKey(Menu::tr("D&uplicate"), Qt::Key_Insert), Menu::tr("Puts a copy of this map beside it"),
-        [context, place] { context.scene.setSelectedMaps(duplicateMaps(context.document, {place})); });
-    add(menu, withKey(Menu::tr("&Delete"), Qt::Key_Delete), Menu::tr("Takes this map out of the system"),
-        [context, place] { context.scene.setSelectedMaps(deleteMaps(context.document, {place})); });
+    add(menu, withKey(Menu::tr("D&uplicate"), Qt::Key_Insert), Menu::tr("Adds a copy of this map"),
+        [context, index] {
+            context.scene.selection().setMaps(duplicateMaps(context.scene.document(), {index}));
+        });
+    add(menu, withKey(Menu::tr("&Delete"), Qt::Key_Delete), Menu::tr("Removes this map from the system"),
+        [context, index] {
+            context.scene.selection().setMaps(deleteMaps(context.scene.document(), {index}));
+        });
 }
 
 void addEdgeActions(QMenu& menu, const MenuContext& context, int edge, const QPoint& global) {
     menu.addSection(Menu::tr("Edge"));
     const QPointF position = context.view.viewport()->mapFromGlobal(global);
     add(menu, withKey(Menu::tr("&Insert a Vertex Here"), Qt::Key_Insert),
-        Menu::tr("Puts one more vertex on this edge; a double click does the same"),
-        [context, edge, position] { context.view.insertVertexAt(edge, position); });
+        Menu::tr("Inserts a vertex on this edge; double-clicking does the same"),
+        [context, edge, position] { context.tools.cageTool().insertVertexAt(edge, position); });
 }
 
 void addPivotActions(QMenu& menu, const MenuContext& context, Kind kind) {
-    menu.addSection(kind == Kind::Rotate  ? Menu::tr("Rotate: Shift turns in steps of 15°")
-                    : kind == Kind::Scale ? Menu::tr("Scale: Shift keeps to x or y")
+    menu.addSection(kind == Kind::Rotate  ? Menu::tr("Rotate: hold Shift for steps of 15°")
+                    : kind == Kind::Scale ? Menu::tr("Scale: hold Shift for x or y only")
                                           : Menu::tr("Pivot"));
-    add(menu, Menu::tr("Put the &Pivot in the Middle"),
-        Menu::tr("Turns and scales the cage about its middle"),
-        [context] { context.scene.setPivot(std::nullopt); })
-        ->setEnabled(context.scene.hasOwnPivot());
+    add(menu, Menu::tr("Put the &Pivot in the Centre"),
+        Menu::tr("Rotates and scales the cage about its centre"),
+        [context] { context.scene.handles().setPivot(std::nullopt); })
+        ->setEnabled(context.scene.handles().hasOwnPivot());
 }
 
 void addCageActions(QMenu& menu, const MenuContext& context) {
-    document::Document& document = context.document;
+    document::Document& document = context.scene.document();
     menu.addSection(Menu::tr("Cage"));
     add(menu, Menu::tr("Fit &Minimal Canonical Simplex"),
-        Menu::tr("Holds the picture by the smallest right-angled triangle around it"),
+        Menu::tr(
+            "Fits the smallest isosceles right triangle with legs parallel to the axes around the picture"),
         attempt(context, [&document] { return fitMinimalCanonicalSimplex(document); }));
-    add(menu, Menu::tr("&Define Triangle"), Menu::tr("Holds the picture by three points that are clicked"),
-        [context] { context.view.setTool(CanvasView::Tool::DefineTriangle); });
-    const std::optional<ifs::ControlCage<2>>& cage = context.scene.cage();
+    add(menu, Menu::tr("&Define Triangle"),
+        Menu::tr("Defines the triangle by three clicks; the picture stays"),
+        [context] { context.tools.setTool(Toolbox::Tool::DefineTriangle); });
+    const std::optional<ifs::ControlCage<2>>& cage = context.scene.handles().cage();
     const bool displaced = cage && cage->current != cage->rest;
-    add(menu, Menu::tr("R&eset Cage"), Menu::tr("Puts every vertex back to rest"),
+    add(menu, Menu::tr("R&eset Cage"), Menu::tr("Returns every vertex to its position at rest"),
         attempt(context, [&document] { return resetCage(document); }))
         ->setEnabled(displaced);
-    add(menu, Menu::tr("Make Re&gular"), Menu::tr("Puts the vertices on the regular polygon nearest to them"),
+    add(menu, Menu::tr("Make Re&gular"), Menu::tr("Moves the vertices to the nearest regular polygon"),
         attempt(context, [&document] { return makeCageRegular(document); }));
     const QString obstacle = bakeObstacle(document.fractal());
     add(menu, Menu::tr("&Bake Placement into the Code"),
         obstacle.isEmpty()
-            ? Menu::tr("Rewrites the maps so that they draw what is shown, with the cage at rest")
+            ? Menu::tr("Rewrites the maps so that they draw the picture as shown, with the cage at rest")
             : obstacle,
         attempt(context, [&document] { return bakeCage(document); }))
         ->setEnabled(obstacle.isEmpty());
@@ -160,24 +167,26 @@ void addToggle(QMenu& menu, const QString& text, const QString& tip, bool checke
 }
 
 void addCanvasActions(QMenu& menu, const MenuContext& context) {
-    CanvasView& view = context.view;
+    CanvasNavigation& navigation = context.navigation;
+    CanvasOptions& options = context.options;
     menu.addSection(Menu::tr("View"));
-    add(menu, Menu::tr("&Fit\tF"), Menu::tr("Shows the whole picture and its cage"), [&view] { view.fit(); });
-    add(menu, Menu::tr("&100 %\t1"), Menu::tr("Shows one unit of the plane as a hundred pixels"),
-        [&view] { view.resetZoom(); });
-    addToggle(menu, Menu::tr("&Grid"), Menu::tr("Shows or hides the grid"), view.isGridVisible(),
-              [&view](bool on) { view.setGridVisible(on); });
+    add(menu, Menu::tr("&Fit\tF"), Menu::tr("Shows the whole picture and its cage"),
+        [&navigation] { navigation.fit(); });
+    add(menu, Menu::tr("&100 %\t1"), Menu::tr("Shows one unit of the plane as one hundred pixels"),
+        [&navigation] { navigation.resetZoom(); });
+    addToggle(menu, Menu::tr("&Grid"), Menu::tr("Shows or hides the grid"), options.isGridVisible(),
+              [&options](bool on) { options.setGridVisible(on); });
     addToggle(menu, Menu::tr("&Axes"), Menu::tr("Shows or hides the axes and their numbers"),
-              view.areAxesVisible(), [&view](bool on) { view.setAxesVisible(on); });
-    addToggle(menu, Menu::tr("&Y Axis Down"),
-              Menu::tr("Turns the plane over, as on the screen of a computer"),
-              view.yAxis() == attractor::YAxis::Down,
-              [&view](bool on) { view.setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up); });
+              options.areAxesVisible(), [&options](bool on) { options.setAxesVisible(on); });
+    addToggle(menu, Menu::tr("&Y Axis Down"), Menu::tr("Points the y axis down, as in window coordinates"),
+              navigation.yAxis() == attractor::YAxis::Down, [&navigation](bool on) {
+                  navigation.setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
+              });
     addToggle(menu, Menu::tr("&Only the Picture\tH"), Menu::tr("Hides the cage, the grid and the axes"),
-              !view.overlaysVisible(), [&view](bool on) { view.setOverlaysVisible(!on); });
+              !options.overlaysVisible(), [&options](bool on) { options.setOverlaysVisible(!on); });
     menu.addSeparator();
-    add(menu, Menu::tr("&Copy Picture"), Menu::tr("Copies the picture as it is seen, without the cage"),
-        [&view] { view.copyPicture(); });
+    add(menu, Menu::tr("&Copy Picture"), Menu::tr("Copies the picture as shown, without the cage"),
+        context.copyPicture);
 }
 
 } // namespace
@@ -186,8 +195,8 @@ void popUpCanvasMenu(const MenuContext& context, const CanvasPart& part, const Q
     auto* menu = new QMenu(&context.view);
     menu->setAccessibleName(Menu::tr("Canvas"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    if (context.scene.cage()) {
-        if (part.map >= 0 && context.scene.taken() == CanvasScene::Taken::Maps)
+    if (context.scene.handles().cage()) {
+        if (part.map >= 0 && context.scene.handles().target() == HandleTarget::Maps)
             addMapActions(*menu, context, part.map);
         if (part.map < 0 && part.kind == Kind::Vertex) addVertexActions(*menu, context, part.index);
         if (part.kind == Kind::Edge) addEdgeActions(*menu, context, part.index, global);
@@ -197,7 +206,7 @@ void popUpCanvasMenu(const MenuContext& context, const CanvasPart& part, const Q
     }
     if (part.kind == Kind::None) {
         addCanvasActions(*menu, context);
-        if (context.scene.cage()) addCageActions(*menu, context);
+        if (context.scene.handles().cage()) addCageActions(*menu, context);
     }
     menu->popup(global);
 }

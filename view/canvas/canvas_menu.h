@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "canvas/canvas_part.h"
+#include "canvas/canvas_navigation.h"
+#include "canvas/tools/toolbox.h"
 
-#include <QPoint>
+#include <functional>
 
-namespace document {
-class Document;
-}
+class QAbstractScrollArea;
 
 namespace view {
 
-class CanvasScene;
-class CanvasView;
-
 struct MenuContext {
-    CanvasView& view;
-    document::Document& document;
+    QAbstractScrollArea& view;
     CanvasScene& scene;
+    Toolbox& tools;
+    CanvasNavigation& navigation;
+    CanvasOptions& options;
+    std::function<void()> copyPicture;
 };
 
 // The context menu of a handle, the cage or the empty canvas.

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
 
-#include "canvas/attractor_item.h"
-#include "canvas/branch_tool.h"
-#include "canvas/cage_actions.h"
-#include "canvas/cage_tool.h"
+#include "attractor/render/renderer.h"
+#include "bridges/render_bridge.h"
 #include "canvas/canvas_accessible.h"
-#include "canvas/canvas_geometry.h"
-#include "canvas/canvas_scene.h"
-#include "canvas/define_tool.h"
-#include "canvas/maps_tool.h"
+#include "canvas/canvas_menu.h"
+#include "canvas/items/attractor_item.h"
+#include "canvas/scene/handle_text.h"
 #include "document/analysis.h"
-#include "document/fractal.h"
-#include "render_bridge.h"
+#include "document/edits/cage_actions.h"
+#include "document/fractal_geometry.h"
 
 #include <QClipboard>
+#include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QMessageBox>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPainter>
 #include <QPushButton>
+#include <QTouchEvent>
+#include <QWheelEvent>
+#include <QWindow>
 
 #include <utility>
 
@@ -25,9 +29,7 @@ namespace view {
 
 namespace {
 
-constexpr double unitPixels = 100; // of one unit of the plane at 100 %
-constexpr double fitMargin = 0.09;
-constexpr int longestHold = 33; // milliseconds
+constexpr int maxHold = 33; // milliseconds
 
 } // namespace
 
@@ -36,10 +38,21 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
       m_document(document),
       m_bridge(bridge),
       m_scene(new CanvasScene(document, this)),
-      m_cageTool(new CageTool(m_scene)),
-      m_mapsTool(new MapsTool(m_scene)),
-      m_branchTool(new BranchTool(m_scene)),
-      m_defineTool(new DefineTool(m_scene)) {
+      m_options(*m_scene),
+      m_navigation(*m_scene, *bridge, *viewport()),
+      m_tools(*m_scene, m_options),
+      m_input(*m_scene, m_tools, m_navigation, m_options) {
+    setUpWidget();
+    connectParts();
+    m_scene->setDesktop(palette(), font());
+    m_scene->setFrame(bridge->frame());
+}
+
+CanvasView::~CanvasView() {
+    m_tools.stop(); // what is held is let go while there is a scene
+}
+
+void CanvasView::setUpWidget() {
     installCanvasAccessibility();
     setScene(m_scene);
     setFrameShape(QFrame::NoFrame);
@@ -60,127 +73,55 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
     viewport()->setCursor(Qt::CrossCursor);
     setAccessibleName(tr("Canvas"));
     this->setWhatsThis(
-        tr("The picture and its cage. Drag a corner, an edge or the inside of the cage; Ctrl turns, Alt "
-           "scales, Shift keeps directions. The wheel zooms at the pointer, the middle button moves the "
-           "plane. Tab goes from handle to handle, arrow keys move them, F6 leaves."));
-    setAccessibleDescription(
-        tr("The attractor and its control cage. Tab goes from handle to handle, the arrow keys "
-           "move the one in focus, F6 leaves the canvas."));
-    m_scene->setDesktop(palette(), font());
+        tr("The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, "
+           "Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. "
+           "Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas."));
+    setAccessibleDescription(tr("The attractor and its control cage. Tab moves from handle to handle, the "
+                                "arrow keys move the handle in focus, F6 leaves the canvas."));
+    m_hold.setSingleShot(true);
+    m_hold.setInterval(maxHold);
+}
 
-    connect(document, &document::Document::changed, this, &CanvasView::followDocument);
-    connect(bridge, &RenderBridge::frameChanged, this, [this] {
+void CanvasView::connectParts() {
+    connect(m_document, &document::Document::changed, this, &CanvasView::followDocument);
+    connect(m_bridge, &RenderBridge::frameChanged, this, [this] {
         m_scene->setFrame(m_bridge->frame());
         paintAgain();
     });
-    m_hold.setSingleShot(true);
-    m_hold.setInterval(longestHold);
     connect(&m_hold, &QTimer::timeout, this, &CanvasView::paintAgain);
-    connect(m_scene, &CanvasScene::focusChanged, this, [this] {
+    const CanvasSelection& selection = m_scene->selection();
+    connect(&selection, &CanvasSelection::mapsChanged, this, &CanvasView::selectedMapsChanged);
+    connect(&selection, &CanvasSelection::focusChanged, this, [this] {
         describeFocus();
         announceFocus(*this);
     });
-    connect(m_scene, &CanvasScene::focusMoved, this, [this] {
+    connect(&selection, &CanvasSelection::focusMoved, this, [this] {
         describeFocus();
         announceMotion(*this);
     });
-    connect(m_branchTool, &BranchTool::changed, this, &CanvasView::branchChanged);
-    connect(m_scene, &CanvasScene::selectedMapsChanged, this, &CanvasView::selectedMapsChanged);
-    for (CanvasTool* tool :
-         {static_cast<CanvasTool*>(m_cageTool), static_cast<CanvasTool*>(m_mapsTool),
-          static_cast<CanvasTool*>(m_branchTool), static_cast<CanvasTool*>(m_defineTool)}) {
-        connect(tool, &CanvasTool::message, this, &CanvasView::message);
-        connect(tool, &CanvasTool::cursorChanged, this, &CanvasView::refreshCursor);
-        connect(tool, &CanvasTool::finished, this, &CanvasView::finishTool);
-    }
-    for (PolygonTool* tool : {static_cast<PolygonTool*>(m_cageTool), static_cast<PolygonTool*>(m_mapsTool),
-                              static_cast<PolygonTool*>(m_branchTool)})
-        connect(tool, &PolygonTool::grasped, this, &CanvasView::dismissHint);
-    m_scene->setFrame(bridge->frame());
+    connect(&m_options, &CanvasOptions::overlaysVisibleChanged, this, [this](bool visible) {
+        cancelGesture();
+        refreshCursor();
+        emit message(visible ? QString() : tr("Only the picture is shown. Press H to see the cage again."));
+    });
+    connect(&m_tools, &Toolbox::message, this, &CanvasView::message);
+    connect(&m_tools, &Toolbox::cursorChanged, this, &CanvasView::refreshCursor);
+    connect(&m_tools, &Toolbox::toolChanged, this, &CanvasView::toolChanged);
+    connect(&m_tools, &Toolbox::used, this, &CanvasView::dismissHint);
+    connect(&m_tools, &Toolbox::definingRefused, this, &CanvasView::offerReset);
+    connect(this, &CanvasView::message, this, [this] { m_said.clear(); });
+    connect(&m_navigation, &CanvasNavigation::zoomed, this, &CanvasView::dismissHint);
+    connect(&m_navigation, &CanvasNavigation::zoomed, &m_input, &CanvasInput::reportAt);
+    connect(&m_input, &CanvasInput::cursorChanged, this, &CanvasView::refreshCursor);
+    connect(&m_input, &CanvasInput::pointerMoved, this, &CanvasView::pointerMoved);
+    connect(&m_input, &CanvasInput::pointerLeft, this, &CanvasView::pointerLeft);
 }
 
-CanvasView::~CanvasView() {
-    if (m_document) active().stop(); // what is held is let go while there is a scene
-}
-
-CanvasTool& CanvasView::active() const {
-    if (PolygonTool* tool = taking()) return *tool;
-    return *m_defineTool;
-}
-
-PolygonTool* CanvasView::taking() const {
-    if (m_tool == Tool::Maps) return m_mapsTool;
-    if (m_tool == Tool::Branch) return m_branchTool;
-    return m_tool == Tool::Cage ? m_cageTool : nullptr;
-}
-
-const std::vector<ifs::MapId>& CanvasView::selectedMaps() const {
-    return m_scene->selectedMaps();
-}
-
-void CanvasView::selectMaps(const std::vector<ifs::MapId>& maps) {
-    m_scene->setSelectedMaps(maps);
-}
-
-double CanvasView::shareToShow(const std::function<document::Fractal(double)>& after) {
-    return m_mapsTool->shareToShow(after);
-}
-
-void CanvasView::dismissStop() {
-    m_scene->setPrompt({});
-}
-
-void CanvasView::setAllowsNoAttractor(bool allows) {
-    m_mapsTool->setAllowsNoAttractor(allows);
-    m_branchTool->setAllowsNoAttractor(allows);
-}
-
-const ifs::Word& CanvasView::branchAddress() const {
-    return m_branchTool->address();
-}
-
-int CanvasView::branchDepth() const {
-    return m_branchTool->depth();
-}
-
-void CanvasView::setBranchDepth(int depth) {
-    m_branchTool->setDepth(depth);
-}
-
-void CanvasView::setBranchEdit(document::BranchEdit edit) {
-    m_branchTool->setEdit(edit);
-}
-
-void CanvasView::setTool(Tool tool) {
-    if (tool == m_tool) return;
-    if (tool != Tool::Cage && !document::system2(m_document->fractal())) {
-        emit message(m_scene->note());
-        emit toolChanged(m_tool); // a button that was pressed goes back
-        return;
-    }
-    if (tool == Tool::DefineTriangle && offerReset()) {
-        emit toolChanged(m_tool);
-        return;
-    }
-    if (tool != Tool::Cage) setOverlaysVisible(true);
-    dismissHint();
-    active().stop();
-    m_tool = tool;
-    active().start();
-    refreshCursor();
-    emit toolChanged(tool);
-}
-
-void CanvasView::finishTool() {
-    setTool(Tool::Cage);
-}
-
-bool CanvasView::offerReset() {
-    if (isPlacementInvertible(m_document->fractal())) return false;
+void CanvasView::offerReset() {
     auto* question = new QMessageBox(
         QMessageBox::Question, tr("Define triangle"),
         tr("The cage is flat, so new vertices cannot be related to the picture."), QMessageBox::Cancel, this);
-    question->setInformativeText(tr("Put the cage back to rest first?"));
+    question->setInformativeText(tr("Reset the cage first?"));
     question->setAttribute(Qt::WA_DeleteOnClose);
     const QPushButton* reset = question->addButton(tr("Reset the Cage"), QMessageBox::AcceptRole);
     connect(reset, &QPushButton::clicked, this, [this] {
@@ -188,148 +129,24 @@ bool CanvasView::offerReset() {
         setTool(Tool::DefineTriangle);
     });
     question->open();
-    return true;
-}
-
-bool CanvasView::cancelGesture() {
-    if (m_holding == Holding::Plane) {
-        setCamera(m_pan.before());
-        m_pan.release();
-        m_holding = Holding::Nothing;
-        refreshCursor();
-        return true;
-    }
-    if (!active().isBusy() && taking()) return false;
-    return active().cancel();
-}
-
-const attractor::Camera& CanvasView::camera() const {
-    return m_scene->camera();
-}
-
-void CanvasView::setCamera(attractor::Camera camera) {
-    const double ratio = viewport()->devicePixelRatioF();
-    camera = withinDepth(camera);
-    m_scene->setView(camera, ratio);
-    if (camera.width > 0 && camera.height > 0) m_bridge->setCamera(deviceCamera(camera, ratio));
-    emit viewChanged();
-}
-
-void CanvasView::adoptViewport() {
-    attractor::Camera camera = m_scene->camera();
-    camera.width = viewport()->width();
-    camera.height = viewport()->height();
-    setCamera(camera);
-    if (m_fitted) fit();
-}
-
-void CanvasView::fit() {
-    std::optional<document::Box> box = document::displayedBox(m_document->fractal());
-    if (m_scene->cage())
-        for (const ifs::Vector<2>& vertex : m_scene->cage()->current) {
-            if (!box) box = document::Box{vertex, vertex};
-            box->min = box->min.cwiseMin(vertex);
-            box->max = box->max.cwiseMax(vertex);
-        }
-    if (!box) box = document::Box{ifs::Vector<2>(-1, -1), ifs::Vector<2>(1, 1)};
-    setCamera(attractor::fitted(m_scene->camera(), box->min, box->max, fitMargin));
-    m_fitted = true;
-}
-
-void CanvasView::zoomAt(const QPointF& position, double factor) {
-    m_fitted = false;
-    setCamera(attractor::zoomedAt(m_scene->camera(), toVector(position), factor));
-    report(position);
-}
-
-void CanvasView::zoomBy(double factor) {
-    zoomAt(QPointF(viewport()->width() / 2.0, viewport()->height() / 2.0), factor);
-}
-
-void CanvasView::resetZoom() {
-    m_fitted = false;
-    attractor::Camera camera = m_scene->camera();
-    camera.pixelsPerUnit = unitPixels;
-    setCamera(camera);
-}
-
-void CanvasView::pan(const QPointF& pixels) {
-    m_fitted = false;
-    setCamera(attractor::panned(m_scene->camera(), toVector(pixels)));
-}
-
-void CanvasView::setYAxis(attractor::YAxis yAxis) {
-    if (yAxis == this->yAxis()) return;
-    attractor::Camera camera = m_scene->camera();
-    camera.yAxis = yAxis;
-    setCamera(camera);
-    emit yAxisChanged(yAxis);
-}
-
-void CanvasView::setGridVisible(bool visible) {
-    if (visible == isGridVisible()) return;
-    m_scene->setGridVisible(visible);
-    emit gridVisibleChanged(visible);
-}
-
-void CanvasView::setAxesVisible(bool visible) {
-    if (visible == areAxesVisible()) return;
-    m_scene->setAxesVisible(visible);
-    emit axesVisibleChanged(visible);
-}
-
-void CanvasView::setOverlaysVisible(bool visible) {
-    if (visible == overlaysVisible()) return;
-    cancelGesture();
-    m_scene->setOverlaysVisible(visible);
-    refreshCursor();
-    emit message(visible ? QString() : tr("Only the picture is shown. Press H to see the cage again."));
-    emit overlaysVisibleChanged(visible);
-}
-
-bool CanvasView::isGridVisible() const {
-    return m_scene->isGridVisible();
-}
-
-bool CanvasView::areAxesVisible() const {
-    return m_scene->areAxesVisible();
-}
-
-bool CanvasView::overlaysVisible() const {
-    return m_scene->overlaysVisible();
-}
-
-void CanvasView::setSnapping(Snapping snapping) {
-    if (snapping == m_scene->snapping()) return;
-    m_scene->setSnapping(snapping);
-    emit snappingChanged(snapping);
-}
-
-Snapping CanvasView::snapping() const {
-    return m_scene->snapping();
 }
 
 void CanvasView::showOutlines(std::vector<document::OutlineShape> shapes) {
-    m_scene->showOutlines(std::move(shapes));
+    m_scene->marks().showOutlines(std::move(shapes));
 }
 
 void CanvasView::showTrail(const std::vector<ifs::Vector<2>>& points) {
-    m_scene->showTrail(points);
+    m_scene->marks().showTrail(points);
 }
 
 void CanvasView::setHint(const QString& hint) {
-    m_hint = hint;
-    m_scene->setHint(hint);
+    m_scene->notes().setHint(hint);
 }
 
 void CanvasView::dismissHint() {
-    if (m_hint.isEmpty()) return;
+    if (hint().isEmpty()) return;
     setHint({});
     emit hintDismissed();
-}
-
-QString CanvasView::note() const {
-    return m_scene->note();
 }
 
 QImage CanvasView::picture() const {
@@ -337,20 +154,17 @@ QImage CanvasView::picture() const {
     return frame ? imageOf(*frame).copy() : QImage();
 }
 
-void CanvasView::copyPicture() const {
-    if (const QImage image = picture(); !image.isNull()) QGuiApplication::clipboard()->setImage(image);
-}
-
 void CanvasView::followDocument(const document::Change& change) {
     using document::Change;
     if (change.live)
         holdPainting();
-    else if (viewport()->underMouse()) // what is said of the place of the pointer has changed with the cage
-        QMetaObject::invokeMethod(
-            this, [this] { report(m_pointer.position); }, Qt::QueuedConnection);
+    else if (viewport()
+                 ->underMouse()) // what is said of the point under the pointer has changed with the cage
+        QMetaObject::invokeMethod(&m_input, &CanvasInput::reportPointer, Qt::QueuedConnection);
+    if (!change.live && !m_said.isEmpty()) describeFocus();
     if (!(change.parts & (Change::Current | Change::File))) return;
-    if (m_tool == Tool::DefineTriangle) finishTool();
-    if (m_placed) fit();
+    if (tool() == Tool::DefineTriangle) setTool(Tool::Cage);
+    if (m_wasShown) fit();
 }
 
 // Cage and picture move together: during a gesture nothing is painted until the picture has come, unless that
@@ -366,6 +180,156 @@ void CanvasView::paintAgain() {
     if (viewportUpdateMode() == QGraphicsView::FullViewportUpdate) return;
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
     viewport()->update();
+}
+
+bool CanvasView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && m_input.needsKey(static_cast<QKeyEvent&>(*event))) {
+        event->accept();
+        return true;
+    }
+    return QGraphicsView::event(event);
+}
+
+bool CanvasView::viewportEvent(QEvent* event) {
+    bool isOurs = false;
+    switch (event->type()) {
+    case QEvent::Leave:
+        m_input.leave();
+        break;
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        isOurs = m_input.touch(static_cast<QTouchEvent&>(*event));
+        break;
+    case QEvent::NativeGesture:
+        isOurs = m_input.gesture(static_cast<QNativeGestureEvent&>(*event));
+        break;
+    default:
+        break;
+    }
+    return isOurs || QGraphicsView::viewportEvent(event);
+}
+
+void CanvasView::resizeEvent(QResizeEvent*) {
+    m_navigation.adoptViewport();
+}
+
+void CanvasView::showEvent(QShowEvent* event) {
+    QGraphicsView::showEvent(event);
+    if (QWindow* handle = window()->windowHandle())
+        connect(handle, &QWindow::screenChanged, &m_navigation, &CanvasNavigation::adoptViewport,
+                Qt::UniqueConnection);
+    m_navigation.adoptViewport();
+    if (!std::exchange(m_wasShown, true)) fit();
+}
+
+void CanvasView::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_scene->setDesktop(palette(), font());
+    QGraphicsView::changeEvent(event);
+}
+
+void CanvasView::wheelEvent(QWheelEvent* event) {
+    m_input.turnWheel(*event);
+    event->accept();
+}
+
+void CanvasView::mousePressEvent(QMouseEvent* event) {
+    m_showsFocus = false;
+    m_input.press(*event);
+}
+
+void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
+    m_input.handleDoubleClick(*event);
+}
+
+void CanvasView::mouseMoveEvent(QMouseEvent* event) {
+    m_input.move(*event);
+}
+
+void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
+    m_input.release(*event);
+}
+
+void CanvasView::contextMenuEvent(QContextMenuEvent* event) {
+    event->accept();
+    if (m_input.isHolding()) return;
+    if (tool() == Tool::DefineTriangle) {
+        cancelGesture();
+        return;
+    }
+    if (event->reason() == QContextMenuEvent::Keyboard) {
+        const CanvasPart part = m_scene->selection().focused();
+        const QPointF position = part.kind == CanvasPart::Kind::None ? QPointF(viewport()->rect().center())
+                                                                     : m_scene->positionOf(part);
+        showMenu(part, viewport()->mapToGlobal(position.toPoint()));
+        return;
+    }
+    const QPointF position = viewport()->mapFromGlobal(event->globalPos());
+    showMenu(m_scene->partAt(position, Reach::Mouse), event->globalPos());
+}
+
+void CanvasView::showMenu(const CanvasPart& part, const QPoint& global) {
+    const auto copyPicture = [this] {
+        if (const QImage image = picture(); !image.isNull()) QGuiApplication::clipboard()->setImage(image);
+    };
+    popUpCanvasMenu({*this, *m_scene, m_tools, m_navigation, m_options, copyPicture}, part, global);
+}
+
+void CanvasView::keyPressEvent(QKeyEvent* event) {
+    event->setAccepted(m_input.pressKey(*event));
+}
+
+void CanvasView::keyReleaseEvent(QKeyEvent* event) {
+    event->setAccepted(m_input.releaseKey(*event));
+}
+
+// That the keyboard is here is shown to those who use it.
+void CanvasView::focusInEvent(QFocusEvent* event) {
+    m_showsFocus = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+    QGraphicsView::focusInEvent(event);
+    viewport()->update();
+}
+
+void CanvasView::drawForeground(QPainter* painter, const QRectF& area) {
+    QGraphicsView::drawForeground(painter, area);
+    if (!m_showsFocus || !hasFocus()) return;
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(QPen(palette().color(QPalette::Base), 4));
+    painter->drawRect(sceneRect().adjusted(2, 2, -2, -2));
+    painter->setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter->drawRect(sceneRect().adjusted(1, 1, -1, -1));
+}
+
+void CanvasView::focusOutEvent(QFocusEvent* event) {
+    viewport()->update();
+    m_input.loseFocus();
+    QGraphicsView::focusOutEvent(event);
+}
+
+bool CanvasView::focusNextPrevChild(bool next) {
+    PolygonTool* tool = m_tools.polygonTool();
+    if (!tool || !m_scene->handles().cage() || !m_scene->overlaysVisible())
+        return QGraphicsView::focusNextPrevChild(next);
+    tool->walk(next ? 1 : -1);
+    return true;
+}
+
+void CanvasView::refreshCursor() {
+    viewport()->setCursor(m_input.cursor());
+}
+
+void CanvasView::describeFocus() {
+    // While a part is dragged the read-out of the pointer says where it is.
+    const CanvasPart part = m_scene->selection().focused();
+    const bool isShown = part.kind != CanvasPart::Kind::None && !m_input.isHolding();
+    const QString said = isShown ? tr("%1: %2").arg(nameOf(m_scene->handles(), part),
+                                                    valueOf(m_scene->handles(), m_scene->camera(), part))
+                                 : QString();
+    if (said == m_said) return;
+    emit message(said);
+    m_said = said;
 }
 
 } // namespace view

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/aifs_dialog.h"
 
-#include "io/aifs.h"
-#include "mended_text.h"
-#include "panels/number_text.h"
+#include "document/fractal_geometry.h"
+#include "io/exchange/aifs.h"
+#include "widgets/number_text.h"
+#include "widgets/text_edit_workarounds.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -21,7 +22,7 @@ namespace view {
 
 namespace {
 
-constexpr std::size_t mostShown = 500; // maps: nobody reads more, and a text of ten thousand is slow
+constexpr std::size_t maxShown = 500; // maps: nobody reads more, and a text of ten thousand is slow
 
 // To be read: without what rounding has left of a zero or a one.
 QString entry(double value, Digits digits) {
@@ -33,10 +34,7 @@ QString entry(double value, Digits digits) {
 // The triangle of the cage; of a cage with more vertices, the one that a new cage would have.
 ifs::ControlCage<2> triangleOf(const document::Fractal& fractal) {
     const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
-    if (cage.rest.size() == 3) return cage;
-    document::Fractal bare = fractal;
-    bare.cage.reset();
-    return document::effectiveCage(bare);
+    return cage.rest.size() == 3 ? cage : document::canonicalCage(fractal);
 }
 
 } // namespace
@@ -44,7 +42,7 @@ ifs::ControlCage<2> triangleOf(const document::Fractal& fractal) {
 QString aifsText(const document::Fractal& fractal, Digits digits) {
     const auto number = digits == Digits::All ? &fullNumber : &shortNumber;
     const document::System2* system = document::system2(fractal);
-    if (!system) return AifsDialog::tr("This entry has no maps of the plane.");
+    if (!system) return AifsDialog::tr("This entry is not a system in the plane.");
     const ifs::ControlCage<2> cage = triangleOf(fractal);
     const ifs::Simplex<2> rest{cage.rest[0], cage.rest[1], cage.rest[2]};
     const io::AffineInvariantForm form = io::affineInvariantForm(*system, rest);
@@ -53,8 +51,7 @@ QString aifsText(const document::Fractal& fractal, Digits digits) {
         text += QStringLiteral("V%1 = (%2, %3)\n")
                     .arg(j + 1)
                     .arg(number(cage.current[j].x()), number(cage.current[j].y()));
-    const std::size_t shown =
-        digits == Digits::All ? form.maps.size() : std::min(form.maps.size(), mostShown);
+    const std::size_t shown = digits == Digits::All ? form.maps.size() : std::min(form.maps.size(), maxShown);
     for (std::size_t i = 0; i < shown; ++i) {
         text += QStringLiteral("\nS%1 =\n").arg(i + 1);
         for (int row = 0; row < 3; ++row) {
@@ -64,28 +61,28 @@ QString aifsText(const document::Fractal& fractal, Digits digits) {
         }
     }
     if (shown < form.maps.size())
-        text += AifsDialog::tr("\n… and %1 more. Copy takes all of them.\n").arg(form.maps.size() - shown);
+        text += AifsDialog::tr("\n… and %1 more. Copy includes all of them.\n").arg(form.maps.size() - shown);
     return text;
 }
 
 AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
     : QDialog(parent), m_fractal(fractal) {
     setWindowTitle(tr("Affine Invariant Form"));
-    auto* explanation = new QLabel(
-        tr("Row j of a matrix holds the barycentric coordinates of the image of vertex j in the triangle, so "
-           "each row sums to 1. The matrices do not change when the triangle is dragged. Where no entry is "
-           "negative, the map takes the triangle into itself."),
-        this);
+    auto* explanation =
+        new QLabel(tr("Row j of a matrix contains the barycentric coordinates of the image of vertex j in "
+                      "the triangle, so each row sums to 1. Dragging the triangle does not change the "
+                      "matrices. If no entry is negative, the map takes the triangle into itself."),
+                   this);
     explanation->setWordWrap(true);
-    auto* text = new MendedText<QPlainTextEdit>(aifsText(fractal, Digits::Few), this);
+    auto* text = new TextEditWithWorkarounds<QPlainTextEdit>(aifsText(fractal, Digits::Few), this);
     text->setReadOnly(true);
     text->setAccessibleName(windowTitle());
-    text->setWhatsThis(tr("Every map as a matrix that takes barycentric coordinates over the control "
-                          "triangle to barycentric coordinates: each row has the sum 1."));
+    text->setWhatsThis(tr("Each map as a matrix that acts on barycentric coordinates in the control "
+                          "triangle; every row sums to 1."));
     text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
-    copy->setWhatsThis(tr("Copies the triangle and the matrices with all digits."));
+    copy->setWhatsThis(tr("Copies the triangle and the matrices at full precision."));
     connect(copy, &QPushButton::clicked, this, &AifsDialog::copy);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);

@@ -17,20 +17,19 @@ ColumnOrders::ColumnOrders(const QString& whatsThis, QWidget* parent)
     : QWidget(parent), m_known(new QComboBox(this)), m_typed(new QLineEdit(this)) {
     for (const auto& [text, names] :
          {std::pair{tr("a b c d e f p: Fractint, Barnsley"), QStringLiteral("a b c d e f p")},
-          {tr("a b e c d f p: each equation in a row"), QStringLiteral("a b e c d f p")},
+          {tr("a b e c d f p: one equation after the other"), QStringLiteral("a b e c d f p")},
           {tr("a c b d e f p: column by column"), QStringLiteral("a c b d e f p")},
           {tr("p a b c d e f: the weight first"), QStringLiteral("p a b c d e f")},
           {tr("r s theta phi e f p: scales, and angles in degrees"), QStringLiteral("r s theta phi e f p")},
-          {tr("a b c d e f, and weights that add up row by row"), cumulative}})
+          {tr("a b c d e f, and cumulative weights"), cumulative}})
         m_known->addItem(text, names);
     m_known->addItem(tr("Other…"));
     m_known->setAccessibleName(tr("Order of the columns"));
     m_known->setWhatsThis(whatsThis);
-    m_typed->setAccessibleName(tr("Names of the columns in their order"));
-    m_typed->setWhatsThis(
-        tr("The names of the columns in their order: a b c d or r s theta phi, then e and f, "
-           "each once, and p for a weight or cumulative for a sum of weights where there is "
-           "one. x′ = a·x + b·y + e and y′ = c·x + d·y + f."));
+    m_typed->setAccessibleName(tr("Column names in order"));
+    m_typed->setWhatsThis(tr("The names of the columns in order: a b c d or r s theta phi, then e and f, "
+                             "each once; if there are weights, also p, or cumulative for running sums of "
+                             "weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f."));
     m_typed->setToolTip(m_typed->whatsThis());
     m_typed->hide();
     setFocusProxy(m_known);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/table_columns.h"
+#include "io/table/table_columns.h"
 
 #include <QWidget>
 

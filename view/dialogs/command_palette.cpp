@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/command_palette.h"
 
+#include "widgets/tooltip_text.h"
+
 #include <QAction>
 #include <QDockWidget>
 #include <QKeyEvent>
@@ -53,11 +55,13 @@ const QWidget* contentOf(const QWidget* panel, const QWidget* widget) {
     return widget;
 }
 
-// The panel, and the named parts of its content that the widget is in.
-QString placeOf(const QWidget* widget, const QWidget* panel) {
+// The panel, and the parts of its content with names of their own that the widget is in.
+QString pathOf(const QWidget* widget, const QWidget* panel) {
     QStringList names;
     for (const QWidget* at = widget; at != contentOf(panel, widget); at = at->parentWidget())
-        if (at != widget && !at->accessibleName().isEmpty()) names.prepend(at->accessibleName());
+        if (const QString name = at->accessibleName();
+            at != widget && !name.isEmpty() && name != panel->windowTitle())
+            names.prepend(name);
     names.prepend(panel->windowTitle());
     return names.join(QStringLiteral(" › "));
 }
@@ -74,7 +78,7 @@ QAction* clickOf(QAbstractButton* button) {
     action->setText(button->accessibleName().isEmpty() ? button->text() : button->accessibleName());
     action->setIcon(button->icon());
     action->setEnabled(button->isEnabled());
-    action->setStatusTip(button->toolTip());
+    action->setStatusTip(plainText(button->toolTip()));
     action->setWhatsThis(button->whatsThis());
     return action;
 }
@@ -84,16 +88,16 @@ QList<NamedAction> actionsIn(QWidget* panel) {
     QList<NamedAction> found;
     for (QWidget* widget : panel->findChildren<QWidget*>()) {
         if (widget->window() != panel->window()) continue; // menus come by their buttons
-        const QString place = placeOf(widget, panel);
+        const QString path = pathOf(widget, panel);
         const auto* tool = qobject_cast<const QToolButton*>(widget);
         auto* button = qobject_cast<QAbstractButton*>(widget);
         if (tool && tool->menu() && tool->menu()->title().isEmpty())
-            collect(tool->menu()->actions(), below(place, tool->text()), found, panel);
+            collect(tool->menu()->actions(), below(path, tool->text()), found, panel);
         else if (!widget->actions().isEmpty())
-            collect(widget->actions(), place, found, panel);
+            collect(widget->actions(), path, found, panel);
         else if (button && button != contentOf(panel, button) &&
                  button->isVisibleTo(contentOf(panel, button)))
-            collect({clickOf(button)}, place, found, panel);
+            collect({clickOf(button)}, path, found, panel);
     }
     return found;
 }
@@ -151,7 +155,8 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     setAccessibleName(tr("Command palette"));
     m_search->setPlaceholderText(tr("Type what you want to do"));
     m_search->setAccessibleName(tr("Command"));
-    m_search->setWhatsThis(tr("Type some letters of what you want to do. Arrow keys choose, Enter does it."));
+    m_search->setWhatsThis(
+        tr("Type some letters of what you want to do. The arrow keys select a command, Enter runs it."));
     m_search->setClearButtonEnabled(true);
     m_search->installEventFilter(this);
     m_list->setModel(m_model);
@@ -161,7 +166,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     empty.fill(Qt::transparent);
     m_noIcon = QIcon(empty);
     m_list->setAccessibleName(tr("Matching commands"));
-    m_list->setWhatsThis(tr("The commands whose names have these letters."));
+    m_list->setWhatsThis(tr("The commands whose names contain these letters."));
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setUniformItemSizes(true);
     m_list->setFocusPolicy(Qt::NoFocus);
@@ -185,7 +190,7 @@ void CommandPalette::filter(const QString& text) {
     for (const bool enabled : {true, false})
         if (enabled || !text.isEmpty()) add(text, enabled);
     if (m_model->rowCount() == 0) {
-        auto* none = new QStandardItem(m_noIcon, tr("No command is called that."));
+        auto* none = new QStandardItem(m_noIcon, tr("No matching command."));
         none->setEnabled(false);
         m_model->appendRow(none);
     }
@@ -201,7 +206,7 @@ void CommandPalette::add(const QString& text, bool enabled) {
         auto* item = new QStandardItem(action->icon().isNull() ? m_noIcon : action->icon(),
                                        keys.isEmpty() ? title : title + QStringLiteral("    ") + keys);
         item->setData(int(i), actionRole);
-        item->setToolTip(action->statusTip());
+        item->setToolTip(tooltipText(action->statusTip())); // perhaps the path of a file
         item->setEnabled(enabled);
         m_model->appendRow(item);
     }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
 
-#include "icon.h"
-#include "mended_text.h"
+#include "widgets/icon.h"
+#include "widgets/text_edit_workarounds.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -29,9 +30,9 @@ namespace {
 constexpr int margin = 16;
 
 // As wide as its window and no wider: long lines of code are broken, and wide pictures made smaller.
-class Page : public MendedText<QTextBrowser> {
+class Page : public TextEditWithWorkarounds<QTextBrowser> {
 public:
-    explicit Page(QWidget* parent) : MendedText(parent) {
+    explicit Page(QWidget* parent) : TextEditWithWorkarounds(parent) {
         document()->setDocumentMargin(margin);
         document()->setIndentWidth(1.25 * margin);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the width does not depend on the height
@@ -46,13 +47,19 @@ public:
         cursor.mergeBlockFormat(breakable);
     }
 
+    // The first position that is shown. Qt finds it only in a page that is laid out to its end.
+    int top() const {
+        document()->documentLayout()->blockBoundingRect(document()->lastBlock());
+        return cursorForPosition({0, 0}).position();
+    }
+
     // Where one reads, with some lines before it, unless it is seen already.
-    void scrollTo(const QTextCursor& place) {
-        const QRect there = cursorRect(place);
+    void scrollTo(const QTextCursor& match) {
+        const QRect there = cursorRect(match);
         if (!viewport()->rect().contains(there))
             verticalScrollBar()->setValue(verticalScrollBar()->value() + there.top() -
                                           viewport()->height() / 3);
-        setTextCursor(place);
+        setTextCursor(match);
     }
 
 protected:
@@ -63,7 +70,7 @@ protected:
                 if (const auto picture = part.fragment().charFormat().toImageFormat(); picture.isValid())
                     fit(source().resolved(QUrl(picture.name())), room);
         document()->markContentsDirty(0, document()->characterCount());
-        MendedText::resizeEvent(event);
+        TextEditWithWorkarounds::resizeEvent(event);
     }
 
 private:
@@ -83,16 +90,16 @@ public:
         setPlaceholderText(QCoreApplication::translate("view::Guide", "Find in the guide"));
         setAccessibleName(placeholderText());
         setWhatsThis(QCoreApplication::translate(
-            "view::Guide", "Marks these words in the guide. Enter shows the next place, Shift+Enter the one "
-                           "before. Ctrl+F leads here."));
+            "view::Guide", "Finds these words in the guide. Enter goes to the next match, Shift+Enter to the "
+                           "previous one. Ctrl+F comes back here."));
         setClearButtonEnabled(true);
         addAction(icon(QStringLiteral("search")), LeadingPosition);
         connect(this, &QLineEdit::textChanged, this, &FindField::find);
     }
 
     void step(int by) {
-        if (m_places.isEmpty()) return;
-        m_shown = (m_shown + by + m_places.size()) % m_places.size();
+        if (m_matches.isEmpty()) return;
+        m_shown = (m_shown + by + m_matches.size()) % m_matches.size();
         mark();
     }
 
@@ -107,34 +114,33 @@ protected:
             QLineEdit::keyPressEvent(event);
     }
     void changeEvent(QEvent* event) override {
-        if (event->type() == QEvent::PaletteChange && !m_places.isEmpty()) mark();
+        if (event->type() == QEvent::PaletteChange && !m_matches.isEmpty()) mark();
         QLineEdit::changeEvent(event);
     }
 
 private:
     // The first place after the one that is shown, or after the top of the page.
     void find() {
-        const int from = m_places.isEmpty() ? m_page->cursorForPosition({0, 0}).position()
-                                            : m_places[m_shown].selectionStart();
-        m_places.clear();
+        const int from = m_matches.isEmpty() ? m_page->top() : m_matches[m_shown].selectionStart();
+        m_matches.clear();
         m_shown = 0;
         const QString words = text().simplified();
-        for (QTextCursor place(m_page->document()); !words.isEmpty();) {
-            place = m_page->document()->find(words, place);
-            if (place.isNull()) break;
-            if (place.selectionStart() < from) ++m_shown;
-            m_places << place;
+        for (QTextCursor match(m_page->document()); !words.isEmpty();) {
+            match = m_page->document()->find(words, match);
+            if (match.isNull()) break;
+            if (match.selectionStart() < from) ++m_shown;
+            m_matches << match;
         }
-        if (m_shown == m_places.size()) m_shown = 0;
+        if (m_shown == m_matches.size()) m_shown = 0;
         mark();
     }
 
     void mark() {
         QList<QTextEdit::ExtraSelection> marks;
-        for (const QTextCursor& place : m_places) {
-            QTextEdit::ExtraSelection mark{place, {}};
+        for (const QTextCursor& match : m_matches) {
+            QTextEdit::ExtraSelection mark{match, {}};
             QColor colour = palette().color(QPalette::Active, QPalette::Highlight);
-            if (&place == &m_places.at(m_shown))
+            if (&match == &m_matches.at(m_shown))
                 mark.format.setForeground(palette().color(QPalette::Active, QPalette::HighlightedText));
             else
                 colour.setAlphaF(0.3F);
@@ -142,22 +148,22 @@ private:
             marks << mark;
         }
         m_page->setExtraSelections(marks);
-        if (m_places.isEmpty()) {
+        if (m_matches.isEmpty()) {
             m_count->setText(text().simplified().isEmpty()
                                  ? QString()
                                  : QCoreApplication::translate("view::Guide", "Not found"));
             return;
         }
         m_count->setText(
-            QCoreApplication::translate("view::Guide", "%1 of %2").arg(m_shown + 1).arg(m_places.size()));
-        QTextCursor place = m_places[m_shown];
-        place.setPosition(place.selectionStart());
-        m_page->scrollTo(place);
+            QCoreApplication::translate("view::Guide", "%1 of %2").arg(m_shown + 1).arg(m_matches.size()));
+        QTextCursor match = m_matches[m_shown];
+        match.setPosition(match.selectionStart());
+        m_page->scrollTo(match);
     }
 
     Page* m_page;
     QLabel* m_count;
-    QList<QTextCursor> m_places;
+    QList<QTextCursor> m_matches;
     qsizetype m_shown = 0;
 };
 
@@ -170,7 +176,7 @@ void showGuide(QWidget* parent) {
     auto* browser = new Page(dialog);
     browser->setAccessibleName(dialog->windowTitle());
     browser->setWhatsThis(QCoreApplication::translate(
-        "view::Guide", "The user guide: what can be done here, in the order in which one needs it."));
+        "view::Guide", "The user guide: what you can do with Barycage, in the order in which you need it."));
     browser->setOpenExternalLinks(true);
     browser->open(QUrl(QStringLiteral("qrc:/guide/guide.md")));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);

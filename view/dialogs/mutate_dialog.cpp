@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/mutate_dialog.h"
 
+#include "document/edits/entries_edits.h"
 #include "document/variations.h"
-#include "io/background.h"
-#include "panels/entries_edits.h"
-#include "panels/thumbnail_tile.h"
+#include "io/file/background.h"
+#include "widgets/thumbnail_tile.h"
+#include "widgets/tooltip_text.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -60,16 +61,16 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
       m_source(source),
       m_parent(document->currentEntry().fractal),
       m_thumbnails(new Thumbnails(this)) {
-    setWindowTitle(source == Source::Current ? tr("Variations of “%1”").arg(m_parent->name)
-                                             : tr("Fractals by Chance"));
+    setWindowTitle(source == Source::Current ? tr("Variations of “%1”").arg(titleText(m_parent->name))
+                                             : tr("Random Fractals"));
     m_thumbnails->setSize(side, devicePixelRatioF());
     connect(m_thumbnails, &Thumbnails::ready, this, [this](quint64 key) {
         if (key / count == quint64(m_seed->value())) showPicture(int(key % count));
     });
     m_grid = new QListWidget(this);
     m_grid->setAccessibleName(tr("Variations"));
-    m_grid->setWhatsThis(tr("Choose one and press OK, or double-click it: it takes the place of the fractal, "
-                            "as one step that can be undone."));
+    m_grid->setWhatsThis(tr("Select one and confirm, or double-click it: it replaces the fractal, in one "
+                            "step that you can undo."));
     m_grid->setItemDelegate(new Tiles(m_grid));
     m_grid->setViewMode(QListView::IconMode);
     m_grid->setMovement(QListView::Static);
@@ -82,9 +83,9 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(source == Source::Current ? tr("&Use This One") : tr("&Add to the File"),
                                QDialogButtonBox::AcceptRole);
-    m_use->setWhatsThis(tr("Takes the chosen one, as one step that can be undone."));
+    m_use->setWhatsThis(tr("Uses the selected one, in one step that you can undo."));
     m_vary = buttons->addButton(tr("&Vary This One"), QDialogButtonBox::ActionRole);
-    m_vary->setToolTip(tr("Make the chosen one what the variations start from"));
+    m_vary->setToolTip(tr("Use the selected one as the new starting point"));
     auto* layout = new QVBoxLayout(this);
     createControls();
     layout->addWidget(m_grid, 1);
@@ -107,14 +108,14 @@ void MutateDialog::createControls() {
     m_strength->setRange(2, strengthSteps);
     m_strength->setValue(30);
     m_strength->setAccessibleName(tr("How different the variations are"));
-    m_strength->setWhatsThis(
-        tr("To the left the variations are much like what they start from, to the right they are wild."));
+    m_strength->setWhatsThis(tr(
+        "On the left, the variations stay close to their starting point; on the right, they differ wildly."));
     m_seed = new QSpinBox(this);
     m_seed->setRange(1, 999'999);
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("The same seed gives the same sheet again"));
     auto* other = new QPushButton(tr("&Others"), this);
-    other->setToolTip(tr("Another sheet: the next seed"));
+    other->setToolTip(tr("Show another sheet, from the next seed"));
     auto* strengthLabel = new QLabel(tr("&Difference:"), this);
     strengthLabel->setBuddy(m_strength);
     auto* seedLabel = new QLabel(tr("&Seed:"), this);
@@ -137,7 +138,7 @@ void MutateDialog::createControls() {
 void MutateDialog::makeAll() {
     m_making.cancel();
     m_thumbnails->clear();
-    io::letGo(std::exchange(m_fractals, {}));
+    io::freeInBackground(std::exchange(m_fractals, {}));
     m_grid->clear();
     for (int i = 0; i < count; ++i) {
         auto* item = new QListWidgetItem(m_grid);
@@ -195,7 +196,7 @@ void MutateDialog::accept() {
     } else {
         document::Entry entry;
         entry.fractal = fractal;
-        const Inserted added = inserted(m_document->file(), {entry}, m_document->currentId());
+        const document::Inserted added = inserted(m_document->file(), {entry}, m_document->currentId());
         m_document->editFile(tr("Add Random Fractal"), added.file, added.ids.value(0));
     }
     QDialog::accept();

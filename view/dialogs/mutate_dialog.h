@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "thumbnails.h"
+#include "widgets/thumbnails.h"
 
 #include <QDialog>
 #include <QFutureWatcher>

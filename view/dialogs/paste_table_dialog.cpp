@@ -2,7 +2,7 @@
 #include "dialogs/paste_table_dialog.h"
 
 #include "dialogs/column_orders.h"
-#include "panels/number_text.h"
+#include "widgets/number_text.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -28,7 +28,7 @@ document::Problems errorsOf(const io::Table& table) {
 }
 
 // Maps, counted from 1, that do not contract.
-QStringList stretching(const MapRows& rows) {
+QStringList stretching(const document::MapRows& rows) {
     QStringList found;
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (ifs::spectralNorm(rows[i].map.linear) >= 1) found << QString::number(i + 1);
@@ -36,7 +36,7 @@ QStringList stretching(const MapRows& rows) {
 }
 
 // No weights of their own do that.
-bool addUpToOneOrHundred(const MapRows& rows) {
+bool addUpToOneOrHundred(const document::MapRows& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (!rows[i].weight || *rows[i].weight <= (i > 0 ? *rows[i - 1].weight : 0)) return false;
     return rows.size() > 1 && (*rows.back().weight == 1 || *rows.back().weight == 100);
@@ -44,17 +44,15 @@ bool addUpToOneOrHundred(const MapRows& rows) {
 
 } // namespace
 
-PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& rows, const QString& text,
-                                   QWidget* parent)
+PasteTableDialog::PasteTableDialog(document::Document* document, const document::Rows& rows,
+                                   const QString& text, QWidget* parent)
     : QDialog(parent),
       m_text(text),
       m_rows(rows),
-      m_gesture(*document, tr("Paste maps")),
-      m_columns(
-          new ColumnOrders(tr("The rows do not say which column is which, and programs differ. Choose the "
-                              "order in which the picture "
-                              "behind this dialog is the one you expect."),
-                           this)),
+      m_gesture(document->beginGesture(tr("Paste maps"))),
+      m_columns(new ColumnOrders(tr("The rows do not say which column is which, and programs differ. Choose "
+                                    "the order that gives the picture you expect in the background."),
+                                 this)),
       m_maps(new QTableWidget(0, 7, this)),
       m_verdict(new QLabel(this)) {
     setWindowTitle(tr("Paste a Table"));
@@ -68,7 +66,7 @@ PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& row
     m_maps->setAlternatingRowColors(true);
     m_maps->setShowGrid(false);
     m_maps->setAccessibleName(tr("The maps as they will be pasted"));
-    m_maps->setWhatsThis(tr("The maps in the order chosen: (x, y) goes to (a x + b y + e, c x + d y + f)."));
+    m_maps->setWhatsThis(tr("The maps in the chosen order: (x, y) goes to (a x + b y + e, c x + d y + f)."));
     m_verdict->setWordWrap(true);
     m_verdict->setAccessibleName(tr("What the maps do"));
     m_verdict->setMinimumHeight(2 * m_verdict->fontMetrics().lineSpacing());
@@ -78,7 +76,7 @@ PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& row
     m_accept = buttons->button(QDialogButtonBox::Ok);
     m_accept->setText(tr("&Paste"));
     auto* layout = new QFormLayout(this);
-    layout->addRow(tr("&Columns:"), m_columns);
+    layout->addRow(tr("C&olumns:"), m_columns);
     layout->addRow(m_maps);
     layout->addRow(m_verdict);
     layout->addRow(buttons);
@@ -94,7 +92,7 @@ PasteTableDialog::PasteTableDialog(document::Document* document, const Rows& row
 void PasteTableDialog::askForColumns(document::Document* document, const QString& table, QWidget* parent) {
     const document::System2* system = document::system2(document->fractal());
     if (!system) return;
-    Rows all(system->maps.size());
+    document::Rows all(system->maps.size());
     std::iota(all.begin(), all.end(), 0);
     auto* dialog = new PasteTableDialog(document, all, table, parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -144,12 +142,12 @@ void PasteTableDialog::update() {
         return;
     }
     const QStringList wild = stretching(m_table.rows);
-    m_verdict->setText(wild.isEmpty()
-                           ? tr("In this order every map contracts.")
-                           : tr("In this order these maps do not contract: %1. Perhaps the columns mean "
-                                "something else.")
-                                 .arg(wild.join(QStringLiteral(", "))));
-    MapsEdit edit = withMapsPasted(m_gesture.before(), m_rows, m_table.rows);
+    m_verdict->setText(
+        wild.isEmpty()
+            ? tr("In this order every map contracts.")
+            : tr("In this order these maps do not contract: %1. The columns may have a different meaning.")
+                  .arg(wild.join(QStringLiteral(", "))));
+    document::MapsEdit edit = withMapsPasted(m_gesture.before(), m_rows, m_table.rows);
     m_touched = std::move(edit.touched);
     m_gesture.preview(std::move(edit.fractal));
 }

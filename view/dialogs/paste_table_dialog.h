@@ -2,8 +2,8 @@
 #pragma once
 
 #include "document/edit_gesture.h"
-#include "io/table_reader.h"
-#include "panels/maps_edits.h"
+#include "document/edits/maps_edits.h"
+#include "io/table/table_reader.h"
 
 #include <QDialog>
 
@@ -22,7 +22,7 @@ class PasteTableDialog : public QDialog {
 
 public:
     // In place of `rows`; as new maps when there are none. The fractal must hold a plane system.
-    PasteTableDialog(document::Document* document, const Rows& rows, const QString& text,
+    PasteTableDialog(document::Document* document, const document::Rows& rows, const QString& text,
                      QWidget* parent = nullptr);
 
     // Asks what the columns are of a table that has become the current entry, in the order of Fractint.
@@ -42,7 +42,7 @@ private:
     void update();
 
     QString m_text;
-    Rows m_rows;
+    document::Rows m_rows;
     document::EditGesture m_gesture;
     io::Table m_table;
     std::vector<ifs::MapId> m_touched;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/preferences_dialog.h"
 
-#include "room_for_text.h"
+#include "widgets/grow_to_fit.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -37,18 +37,18 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     : QDialog(parent),
       m_spoken(Preferences::stored().language),
       m_language(new QComboBox(this)),
-      m_restart(new QLabel(tr("The language changes when Barycage is started again."), this)),
+      m_restart(new QLabel(tr("The new language takes effect when you restart Barycage."), this)),
       m_theme(new QComboBox(this)),
       m_quality(new QComboBox(this)),
-      m_reopen(new QCheckBox(tr("&Open the files of last time at the start"), this)) {
+      m_reopen(new QCheckBox(tr("&Open the files of the last session at startup"), this)) {
     setWindowTitle(tr("Preferences"));
-    m_language->addItem(tr("That of the desktop"), QString());
+    m_language->addItem(tr("Same as the desktop"), QString());
     for (const auto& [code, name] : languages())
         m_language->addItem(name, code);
     m_language->setAccessibleName(tr("Language"));
     m_language->setWhatsThis(tr("The language of menus and messages. Files and numbers are the same in every "
                                 "language."));
-    m_theme->addItem(tr("As the desktop"), int(Preferences::Theme::Desktop));
+    m_theme->addItem(tr("Same as the desktop"), int(Preferences::Theme::Desktop));
     m_theme->addItem(tr("Light"), int(Preferences::Theme::Light));
     m_theme->addItem(tr("Dark"), int(Preferences::Theme::Dark));
     m_theme->setAccessibleName(tr("Theme"));
@@ -56,12 +56,11 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_quality->addItem(tr("Draft: 50 million points"), quint64(50'000'000));
     m_quality->addItem(tr("Good: 200 million points"), quint64(200'000'000));
     m_quality->addItem(tr("Fine: 1000 million points"), quint64(1'000'000'000));
-    m_quality->setAccessibleName(tr("Picture at rest"));
-    m_quality->setWhatsThis(
-        tr("How many points are drawn while nothing moves. More points make a smoother picture "
-           "and keep the processor busy for longer."));
-    m_reopen->setWhatsThis(
-        tr("When on, Barycage opens the files that were open when it was closed, a window each."));
+    m_quality->setAccessibleName(tr("Picture quality"));
+    m_quality->setWhatsThis(tr("The number of points drawn while nothing moves. More points make a smoother "
+                               "picture and keep the processor busy for longer."));
+    m_reopen->setWhatsThis(tr("When this is on, Barycage reopens the files that were open when you closed "
+                              "it, each in its own window."));
     m_restart->setForegroundRole(QPalette::PlaceholderText);
     m_restart->setWordWrap(true);
 
@@ -71,7 +70,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(tr("&Language:"), m_language);
     form->addRow(QString(), m_restart);
     form->addRow(tr("&Theme:"), m_theme);
-    form->addRow(tr("&Picture at rest:"), m_quality);
+    form->addRow(tr("&Picture quality:"), m_quality);
     form->addRow(QString(), m_reopen);
     form->addRow(buttons);
 
@@ -83,7 +82,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     QPushButton* defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
     defaults->setAutoDefault(false);
     buttons->button(QDialogButtonBox::Close)->setDefault(true);
-    defaults->setWhatsThis(tr("Puts every choice of this dialog back to what it is at first."));
+    defaults->setWhatsThis(tr("Resets every setting in this dialog to its default."));
     connect(defaults, &QPushButton::clicked, this, [this] {
         fill({});
         take();
@@ -99,6 +98,13 @@ void PreferencesDialog::fill(const Preferences& preferences) {
     m_restart->setVisible(preferences.language != m_spoken);
 }
 
+void PreferencesDialog::setUnsaved(const QStringList& names) {
+    m_restart->setText(tr("The new language takes effect when you restart Barycage."));
+    if (!names.isEmpty())
+        m_restart->setText(m_restart->text() + u' ' +
+                           tr("Not saved yet: %1.").arg(names.join(QStringLiteral(", "))));
+}
+
 void PreferencesDialog::take() {
     Preferences chosen;
     chosen.language = m_language->currentData().toString();
@@ -106,7 +112,7 @@ void PreferencesDialog::take() {
     chosen.quality = m_quality->currentData().toULongLong();
     chosen.reopen = m_reopen->isChecked();
     m_restart->setVisible(chosen.language != m_spoken);
-    growForText(*this);
+    growToFit(*this);
     chosen.store();
     emit changed(chosen);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "preferences.h"
+#include "desktop/preferences.h"
 
 #include <QDialog>
 
@@ -18,6 +18,9 @@ class PreferencesDialog : public QDialog {
 
 public:
     explicit PreferencesDialog(QWidget* parent = nullptr);
+
+    // Files with changes that a restart would ask about.
+    void setUnsaved(const QStringList& names);
 
 signals:
     void changed(const view::Preferences& preferences); // they are stored already

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/shortcuts_dialog.h"
 
+#include "widgets/tooltip_text.h"
+
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -29,7 +31,7 @@ QTreeWidgetItem* group(QTreeWidget* tree, const QString& title) {
 
 void addLine(QTreeWidget* tree, const QString& title, const QStringList& line) {
     auto* item = new QTreeWidgetItem(group(tree, title), line);
-    item->setToolTip(0, line.front()); // cut off on a narrow screen
+    item->setToolTip(0, tooltipText(line.front())); // cut off on a narrow screen
 }
 
 void addGestures(QTreeWidget* tree) {
@@ -39,37 +41,37 @@ void addGestures(QTreeWidget* tree) {
          ShortcutsDialog::tr("Ctrl + drag, or the round handle")},
         {ShortcutsDialog::tr("Scale about the pivot"),
          ShortcutsDialog::tr("Alt + drag, or the square handle")},
-        {ShortcutsDialog::tr("Move or scale along one axis, turn in steps of 15°"),
+        {ShortcutsDialog::tr("Move or scale along one axis, rotate in steps of 15°"),
          ShortcutsDialog::tr("Shift while dragging")},
-        {ShortcutsDialog::tr("Take the drag back"), ShortcutsDialog::tr("Esc while dragging")},
+        {ShortcutsDialog::tr("Cancel the drag"), ShortcutsDialog::tr("Esc while dragging")},
         {ShortcutsDialog::tr("Select the maps, or the vertices, in a rectangle"),
          ShortcutsDialog::tr("drag from the empty canvas; Shift adds")},
-        {ShortcutsDialog::tr("Select one more map or vertex, or one less"),
+        {ShortcutsDialog::tr("Add a map or vertex to the selection, or remove it"),
          ShortcutsDialog::tr("Shift or Ctrl + click")},
         {ShortcutsDialog::tr("Select map 1 … 9, all maps"), ShortcutsDialog::tr("Alt + digit, Ctrl+A")},
         {ShortcutsDialog::tr("Delete the selected vertices or maps"),
          QKeySequence(Qt::Key_Delete).toString(QKeySequence::NativeText)},
         {ShortcutsDialog::tr("Insert a vertex on an edge, duplicate the selected maps"),
          QKeySequence(Qt::Key_Insert).toString(QKeySequence::NativeText)},
-        {ShortcutsDialog::tr("Take the last vertex back while a triangle is defined"),
+        {ShortcutsDialog::tr("Remove the last vertex while defining a triangle"),
          ShortcutsDialog::tr("Backspace")},
-        {ShortcutsDialog::tr("A deeper or a larger branch"),
+        {ShortcutsDialog::tr("Select a deeper or a larger branch"),
          ShortcutsDialog::tr("Shift + wheel, Page Down, Page Up")},
         {ShortcutsDialog::tr("Next or previous handle"), ShortcutsDialog::tr("Tab, Shift+Tab")},
         {ShortcutsDialog::tr("Nudge the handle"), ShortcutsDialog::tr("arrow keys; Shift ×10, Alt ×0.1")},
-        {ShortcutsDialog::tr("Leave the canvas"), ShortcutsDialog::tr("F6")},
+        {ShortcutsDialog::tr("Next or previous part of the window"), ShortcutsDialog::tr("F6, Shift+F6")},
         {ShortcutsDialog::tr("Zoom at the pointer"), ShortcutsDialog::tr("wheel")},
         {ShortcutsDialog::tr("Pan"), ShortcutsDialog::tr("middle drag, or Space + drag")},
     };
     const QList<QStringList> onGradient{
-        {ShortcutsDialog::tr("Choose another stop"),
+        {ShortcutsDialog::tr("Select another stop"),
          ShortcutsDialog::tr("Page Up, Page Down, Home, End, or Ctrl + Left, Right")},
         {ShortcutsDialog::tr("Move the stop"), ShortcutsDialog::tr("Left, Right; Shift ×10")},
         {ShortcutsDialog::tr("Add a stop"), ShortcutsDialog::tr("Ins or +, or double-click")},
         {ShortcutsDialog::tr("Delete the stop"), ShortcutsDialog::tr("Del or Backspace")},
         {ShortcutsDialog::tr("Change the colour of the stop"),
          ShortcutsDialog::tr("Enter or Space, or double-click it")},
-        {ShortcutsDialog::tr("Take the change back"), ShortcutsDialog::tr("Esc")},
+        {ShortcutsDialog::tr("Cancel the change"), ShortcutsDialog::tr("Esc")},
     };
     for (const QStringList& line : onCanvas)
         addLine(tree, ShortcutsDialog::tr("On the canvas"), line);
@@ -108,11 +110,11 @@ ShortcutsDialog::ShortcutsDialog(const QList<NamedAction>& actions, QWidget* par
     auto* search = new QLineEdit;
     search->setPlaceholderText(tr("Search"));
     search->setAccessibleName(tr("Search the shortcuts"));
-    search->setWhatsThis(tr("Shows only the lines that have these words."));
+    search->setWhatsThis(tr("Shows only the lines that contain these words."));
     search->setClearButtonEnabled(true);
     auto* tree = new QTreeWidget;
     tree->setAccessibleName(tr("Shortcuts"));
-    tree->setWhatsThis(tr("What every key and every movement of the mouse does."));
+    tree->setWhatsThis(tr("All keys and mouse gestures, and what they do."));
     tree->setColumnCount(2);
     tree->setHeaderLabels({tr("What it does"), tr("How")});
     tree->setRootIsDecorated(false);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/transform_dialog.h"
 
-#include "panels/number_field.h"
+#include "widgets/number_field.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -37,7 +37,7 @@ QWidget* pair(NumberField* x, NumberField* y) {
 
 TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
     : QDialog(parent), m_document(document), m_edit(document) {
-    setWindowTitle(tr("Transform by Numbers"));
+    setWindowTitle(tr("Transform"));
     auto* layout = new QVBoxLayout(this);
     auto* form = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -60,7 +60,7 @@ TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
     form->addRow(tr("Translate:"), pair(addField(ShiftX, tr("Translation in x"), 0, 0.1),
                                         addField(ShiftY, tr("Translation in y"), 0, 0.1)));
 
-    auto* order = new QLabel(tr("Done in this order, from top to bottom."), this);
+    auto* order = new QLabel(tr("Applied in this order, from top to bottom."), this);
     order->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(order);
     m_problem = new QLabel(this);
@@ -71,8 +71,8 @@ TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_ok = buttons->button(QDialogButtonBox::Ok);
-    auto* again = buttons->addButton(tr("Start Again"), QDialogButtonBox::ResetRole);
-    again->setToolTip(tr("All values as they were when the dialog opened"));
+    auto* again = buttons->addButton(tr("Reset"), QDialogButtonBox::ResetRole);
+    again->setToolTip(tr("Reset all values to what they were when the dialog opened"));
     again->setAutoDefault(false);
     connect(again, &QPushButton::clicked, this, &TransformDialog::startAgain);
     connect(buttons, &QDialogButtonBox::accepted, this, &TransformDialog::accept);
@@ -92,7 +92,7 @@ QWidget* TransformDialog::makeMode() {
     layout->setContentsMargins(0, 0, 0, 0);
     m_mode = new QButtonGroup(this);
     auto* place = new QRadioButton(tr("Place the picture"), box);
-    place->setToolTip(tr("The code stays; the cage moves"));
+    place->setToolTip(tr("The cage moves; the code does not change"));
     auto* rewrite = new QRadioButton(tr("Rewrite the code"), box);
     rewrite->setToolTip(tr("Every map w becomes T∘w∘T⁻¹; the cage follows"));
     m_mode->addButton(place, static_cast<int>(Mode::Place));
@@ -111,13 +111,13 @@ QWidget* TransformDialog::makeMode() {
 
 QWidget* TransformDialog::makeAbout() {
     m_about = new QComboBox(this);
-    m_about->setAccessibleName(tr("The point that stays"));
+    m_about->setAccessibleName(tr("Fixed point"));
     m_about->setWhatsThis(
-        tr("About which point the fractal is turned, scaled and reflected: it stays where it is."));
+        tr("The point about which the fractal is rotated, scaled and reflected; it stays where it is."));
     m_about->addItem(tr("the origin"), static_cast<int>(About::Origin));
-    m_about->addItem(tr("the middle of the picture’s box"), static_cast<int>(About::BoxMiddle));
+    m_about->addItem(tr("the centre of the picture’s box"), static_cast<int>(About::BoxMiddle));
     m_about->addItem(tr("the mean of the invariant measure"), static_cast<int>(About::Mean));
-    m_about->addItem(tr("a typed point"), static_cast<int>(About::Typed));
+    m_about->addItem(tr("a point of your choice"), static_cast<int>(About::Typed));
     const bool hasBox = middleOfBox(m_document->fractal()).has_value();
     m_about->setCurrentIndex(hasBox ? 1 : 0);
     connect(m_about, &QComboBox::activated, this, &TransformDialog::chooseAbout);
@@ -128,10 +128,10 @@ QWidget* TransformDialog::makeReflection() {
     auto* box = new QWidget(this);
     auto* layout = new QHBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_reflect = new QCheckBox(tr("in the line at the angle °"), box);
+    m_reflect = new QCheckBox(tr("in the line at the angle (°)"), box);
     m_reflect->setAccessibleName(tr("Reflect"));
     m_reflect->setWhatsThis(
-        tr("Mirrors in a line through the point that stays; the angle is counted from the x axis."));
+        tr("Reflects in a line through the fixed point; the angle is measured from the x axis."));
     NumberField* axis =
         addField(Axis, tr("Angle of the mirror line in degrees: 0 is horizontal, 90 vertical"), 90, 5);
     axis->setEnabled(false);
@@ -194,7 +194,7 @@ void TransformDialog::chooseAbout() {
     showLive();
 }
 
-Transformation TransformDialog::transformation() const {
+document::Transformation TransformDialog::transformation() const {
     const auto value = [this](Value which) { return m_fields[which]->value(); };
     return {m_reflect->isChecked(),
             value(Axis),
@@ -208,11 +208,10 @@ Transformation TransformDialog::transformation() const {
 
 QString TransformDialog::problem() const {
     const document::Fractal& before = m_edit.before();
-    if (document::dimension(before) != 2) return tr("This entry has no maps of the plane.");
+    if (document::dimension(before) != 2) return tr("This entry is not a system in the plane.");
     if (mode() == Mode::Rewrite && !rewritten(before, affineMap(transformation())))
-        return tr("This transformation is too flat to be undone, so it cannot be written into the code. "
-                  "Choose other "
-                  "scales, or place the picture.");
+        return tr("This transformation is too flat to be inverted, so it cannot be written into the code. "
+                  "Choose other scales, or place the picture.");
     return {};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "dialogs/transform_edits.h"
-#include "panels/live_edit.h"
+#include "document/edits/live_edit.h"
+#include "document/edits/transform_edits.h"
 
 #include <QDialog>
 
@@ -36,7 +36,7 @@ public:
     QCheckBox* reflect() const { return m_reflect; }
     QComboBox* about() const { return m_about; }
     QString problem() const; // why the transformation cannot be made; empty when it can
-    Transformation transformation() const;
+    document::Transformation transformation() const;
 
     void accept() override;
     void reject() override;
@@ -51,7 +51,7 @@ private:
     void startAgain();
 
     document::Document* m_document;
-    LiveEdit m_edit;
+    document::LiveEdit m_edit;
     std::array<NumberField*, ValueCount> m_fields{};
     QCheckBox* m_reflect = nullptr;
     QCheckBox* m_sameScale = nullptr;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "frame_request.h"
+
+#include "arguments.h"
+
+#include "io/fractint/entry_writer.h"
+#include "io/palette/palette_stops.h"
+#include "io/text/number.h"
+
+#include <QCryptographicHash>
+
+namespace cli {
+
+namespace {
+
+// Lines "name value"; an option that is not given is absent.
+class CanonicalRequest {
+public:
+    void add(const char* name, const QByteArray& value) { m_text += QByteArray(name) + ' ' + value + '\n'; }
+    void addCount(const char* name, std::uint64_t value) { add(name, QByteArray::number(qulonglong(value))); }
+    void addText(const char* name, const RenderArguments::Text& value) {
+        if (value) add(name, QByteArray::fromStdString(*value));
+    }
+    // Numbers between commas, as doubles.
+    void addNumbers(const char* name, const RenderArguments::Text& value) {
+        if (!value) return;
+        QByteArrayList parts;
+        for (const double number : numbers(QString::fromStdString(*value)))
+            parts << io::formatNumber(number);
+        add(name, parts.join(','));
+    }
+    const QByteArray& text() const { return m_text; }
+
+private:
+    QByteArray m_text;
+};
+
+QByteArray paletteText(const attractor::Palette& palette) {
+    QByteArrayList stops;
+    for (const auto& stop : palette.stops)
+        stops << io::formatNumber(stop.position) + ' ' + io::colourText(stop.colour);
+    return stops.join(", ");
+}
+
+} // namespace
+
+QByteArray requestHash(const document::Fractal& entry, int frame, const RenderArguments& options) {
+    CanonicalRequest request;
+    request.add("barycage", BARYCAGE_VERSION);
+    request.addCount("frame", std::uint64_t(frame));
+    const QSize size = pictureSizeArgument("--size", options.size);
+    request.addCount("width", std::uint64_t(size.width()));
+    request.addCount("height", std::uint64_t(size.height()));
+    request.addCount("seed", wholeArgument("--seed", options.seed));
+    if (options.points) request.addCount("points", countArgument("--points", *options.points, 1, maxPoints));
+    if (options.readPalette) request.add("palette", paletteText(*options.readPalette));
+    request.addText("colour", options.colour);
+    request.addNumbers("gamma", options.gamma);
+    request.addNumbers("brightness", options.brightness);
+    if (options.background)
+        request.add("background", io::colourText(colourArgument("--background", *options.background)));
+    request.addText("supersample", options.supersample);
+    if (is16Bit(options)) request.add("bits", "16");
+    request.addNumbers("dpi", options.dpi);
+    request.addNumbers("view", options.view);
+    request.addNumbers("margin", options.margin);
+    if (options.yDown) request.add("y-down", "");
+    request.addNumbers("orbit", options.orbit);
+    request.addNumbers("perspective", options.perspective);
+    request.addText("look", options.look);
+    request.addNumbers("light", options.light);
+    request.addNumbers("fog", options.fog);
+    request.add("entry", io::writeEntry(entry));
+    return QCryptographicHash::hash(request.text(), QCryptographicHash::Sha256).toHex();
+}
+
+} // namespace cli

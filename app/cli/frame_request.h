@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render_arguments.h"
+
+#include "document/fractal.h"
+
+#include <QByteArray>
+
+namespace cli {
+
+// The keyword of the text in which a frame carries the hash of what was asked for.
+inline constexpr const char* requestKeyword = "barycage:request";
+
+// SHA-256, in hexadecimal digits, of everything that the bytes of a frame depend on: the entry, the frame,
+// the options and the version of the program. The same however an option is spelled, and whatever the threads
+// and the instruction set.
+QByteArray requestHash(const document::Fractal& entry, int frame, const RenderArguments& options);
+
+} // namespace cli

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.h"
+#include "commands.h"
+#include "input.h"
+#include "messages.h"
+#include "output.h"
+#include "progress_bar.h"
+#include "usage_error.h"
+
+#include "animation/moment.h"
+#include "document/edits/morph_edits.h"
+#include "io/fractint/entry_writer.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <memory>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+struct MorphArguments {
+    std::string file;
+    std::string from;
+    std::string to;
+    std::string output;
+    std::string length = "120";
+    std::vector<std::string> pins;
+    Verbosity verbosity;
+};
+
+// "1:3", counted from 1.
+std::vector<animation::Pin> pinsOf(const std::vector<std::string>& texts) {
+    std::vector<animation::Pin> pins;
+    for (const std::string& text : texts) {
+        const QStringList parts = QString::fromStdString(text).split(u':');
+        bool areNumbers[2] = {false, false};
+        int numbers[2] = {0, 0};
+        for (int i = 0; i < 2 && parts.size() == 2; ++i)
+            numbers[i] = parts[i].toInt(&areNumbers[i]);
+        if (!areNumbers[0] || !areNumbers[1] || numbers[0] < 1 || numbers[1] < 1)
+            throw UsageError{tr("--pin “%1” is not valid: it must be the numbers of two maps, such as 1:3.")
+                                 .arg(QString::fromStdString(text))};
+        pins.push_back({std::size_t(numbers[0] - 1), std::size_t(numbers[1] - 1)});
+    }
+    return pins;
+}
+
+const document::Entry* entryNamed(const Input& input, const std::string& name, ExitStatus& status) {
+    const ToDraw found = entriesToDraw(input, {name});
+    status = std::max(status, found.status);
+    if (found.entries.size() > 1)
+        throw UsageError{
+            tr("--from and --to each name one entry, not “%1”.").arg(QString::fromStdString(name))};
+    return found.entries.empty() ? nullptr : found.entries.front();
+}
+
+QString sentence(document::MorphFlaw flaw) {
+    switch (flaw) {
+    case document::MorphFlaw::Measure:
+        return tr("The invariant measure of one of the entries has no covariance, so their maps cannot be "
+                  "compared.");
+    case document::MorphFlaw::TooMany:
+        return tr("A morph is possible between entries of at most 256 maps each.");
+    case document::MorphFlaw::BentCage:
+        return tr("The cage of one of the entries is flat or bends the picture; bake it or put it at rest "
+                  "first.");
+    case document::MorphFlaw::Dimensions:
+        break;
+    }
+    return tr("One of the entries is in the plane and the other in space.");
+}
+
+template <int Dim> std::size_t countOf(const document::Shape<Dim>* shape) {
+    return shape ? shape->system.maps.size() : 0;
+}
+
+std::size_t mapCount(const document::Fractal& fractal) {
+    return countOf(document::plane(fractal)) + countOf(document::space(fractal));
+}
+
+bool hasMovedBranches(const document::Fractal& fractal) {
+    const auto* plane = document::plane(fractal);
+    const auto* space = document::space(fractal);
+    return (plane && !plane->moved.empty()) || (space && !space->moved.empty());
+}
+
+// Only the morph is written, not what else a file holds.
+void checkOutput(const QString& output, const QString& input) {
+    if (isStandardOutput(output)) return;
+    if (QFileInfo(output).suffix().toLower() != QStringLiteral("ifs"))
+        throw UsageError{tr("The morph is written as .ifs, and “%1” is named otherwise.").arg(output)};
+    if (isSameFile(output, input))
+        throw UsageError{tr("“%1” is the file that is read, and the morph alone would replace it. Write to "
+                            "another file.")
+                             .arg(output)};
+}
+
+ExitStatus morph(const MorphArguments& arguments) {
+    applied(arguments.verbosity);
+    checkOutput(fileNameOf(arguments.output), fileNameOf(arguments.file));
+    const int length = integerArgument("--length", arguments.length, 1, animation::maxLength);
+    const std::vector<animation::Pin> pins = pinsOf(arguments.pins);
+    const auto input = readInput(arguments.file);
+    if (!input) return ExitStatus::CannotReadOrWrite;
+    ExitStatus status = ExitStatus::Done;
+    const document::Entry* from = entryNamed(*input, arguments.from, status);
+    const document::Entry* to = entryNamed(*input, arguments.to, status);
+    if (from == nullptr || to == nullptr) return ExitStatus::InputProblems;
+    for (const animation::Pin& pin : pins)
+        if (pin.from >= mapCount(*from->fractal) || pin.to >= mapCount(*to->fractal))
+            throw UsageError{
+                tr("--pin %1:%2 names a map that does not exist.").arg(pin.from + 1).arg(pin.to + 1)};
+    for (const document::Entry* entry : {from, to})
+        if (hasMovedBranches(*entry->fractal))
+            reportWarning(input->name, tr("The moved branches of “%1” are not part of the morph.")
+                                           .arg(printableLine(entry->fractal->name)));
+    const document::MorphOutcome outcome = document::morphed(*from->fractal, *to->fractal, length, pins);
+    if (!outcome.fractal) {
+        reportError(input->name, sentence(outcome.flaw));
+        return ExitStatus::InputProblems;
+    }
+    return std::max(status, writeOutput(fileNameOf(arguments.output), io::writeEntry(*outcome.fractal)));
+}
+
+} // namespace
+
+Command morphCommand(CLI::App& program) {
+    auto arguments = std::make_shared<MorphArguments>();
+    CLI::App* command =
+        program.add_subcommand("morph", "Write an entry whose animation turns one entry into another");
+    command->footer("morph FILE --from A --to B -o OUT.ifs [OPTION]...");
+    const auto add = [&](const char* names, const char* shown, auto& value, const char* description,
+                         const char* group, const char* standard = "") {
+        return command->add_option(names, value, description)
+            ->type_name(shown)
+            ->default_str(standard)
+            ->group(group);
+    };
+    add("FILE", "FILE", arguments->file, "Collection with both entries; - for standard input", "Files")
+        ->required();
+    add("-o,--output", "OUT.ifs", arguments->output, "File to write; - for standard output", "Files")
+        ->required();
+    add("--from", "NAME", arguments->from, "The entry at frame 0: its name, or #NUMBER", "Morph")->required();
+    add("--to", "NAME", arguments->to, "The entry at the last frame", "Morph")->required();
+    add("--length", "FRAMES", arguments->length, "The last frame", "Morph", "120");
+    add("--pin", "I:K", arguments->pins,
+        "Map I of the first becomes map K of the second, as far as their weights allow; may be repeated",
+        "Morph")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+    addVerbosityOptions(*command, arguments->verbosity);
+    return {command, [arguments] { return morph(*arguments); }};
+}
+
+} // namespace cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "output_names.h"
+
+#include <QFileInfo>
+
+namespace cli {
+
+namespace {
+
+// The letters of the placeholders, in order.
+QString letters(const QString& pattern) {
+    QString found;
+    for (qsizetype i = 0; i + 1 < pattern.size(); ++i)
+        if (pattern[i] == u'%') found += pattern[++i];
+    return found;
+}
+
+QString harmless(QString name) {
+    for (QChar& c : name)
+        if (c == u'/' || c == u'\0' || c.category() == QChar::Other_Control) c = u'_';
+    return name.isEmpty() ? QStringLiteral("_") : name;
+}
+
+QString padded(int number, int largest) {
+    return QString::number(number).rightJustified(QString::number(largest).size(), u'0');
+}
+
+} // namespace
+
+bool hasPlaceholders(const QString& pattern) {
+    const QString found = letters(pattern);
+    return found.contains(u'e') || found.contains(u'n') || found.contains(u'f');
+}
+
+bool hasIterations(const QString& pattern) {
+    return letters(pattern).contains(u'i');
+}
+
+QString outputFor(const QString& pattern, const OutputName& name) {
+    QString result;
+    for (qsizetype i = 0; i < pattern.size(); ++i) {
+        const QChar letter = pattern[i] == u'%' && i + 1 < pattern.size() ? pattern[i + 1] : QChar();
+        const QChar known = letter == u'i' && !name.iterations ? QChar() : letter;
+        switch (known.unicode()) {
+        case u'e':
+            result += harmless(name.entry);
+            break;
+        case u'n':
+            result += padded(name.number, name.numbers);
+            break;
+        case u'f':
+            result += harmless(name.file == u"-" ? QStringLiteral("standard-input")
+                                                 : QFileInfo(name.file).completeBaseName());
+            break;
+        case u'i':
+            result += padded(*name.iterations, name.maxIterations);
+            break;
+        case u'%':
+            result += u'%';
+            break;
+        default:
+            result += pattern[i];
+            continue;
+        }
+        ++i;
+    }
+    return result;
+}
+
+} // namespace cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <optional>
+
+// The output of a command that writes several files: %e in it is the name of the entry, %n its number, %f the
+// name of its file without folder and suffix, %i the number of iterations, and %% a per cent sign.
+namespace cli {
+
+struct OutputName {
+    QString entry;
+    int number = 1;  // of the entry in its file
+    int numbers = 1; // there; %n has as many digits for all of them
+    QString file;
+    std::optional<int> iterations;
+    int maxIterations = 0;
+};
+
+bool hasPlaceholders(const QString& pattern); // %e, %n or %f: entries get files of their own
+bool hasIterations(const QString& pattern);   // %i
+
+// What names no folder of its own: slashes and control characters of a name become underscores.
+QString outputFor(const QString& pattern, const OutputName& name);
+
+} // namespace cli

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "picture_parts.h"
+
+#include "arguments.h"
+#include "commands.h"
+#include "input.h"
+#include "interrupt.h"
+#include "messages.h"
+#include "output.h"
+#include "output_names.h"
+#include "progress_bar.h"
+#include "usage_error.h"
+
+#include "io/file/standard_output.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <memory>
+#include <numeric>
+
+namespace cli {
+
+namespace {
+
+constexpr int maxParts = 1'000'000;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+// i of n, from "i/n"; i counts from 0.
+struct Share {
+    int index = 0;
+    int count = 1;
+};
+Share shareArgument(const char* option, const std::string& text) {
+    const QString whole = QString::fromStdString(text);
+    const QStringList numbers = whole.split(u'/');
+    bool isIndex = false;
+    bool isCount = false;
+    const Share share{numbers.value(0).toInt(&isIndex), numbers.value(1).toInt(&isCount)};
+    if (numbers.size() != 2 || !isIndex || !isCount || share.index < 0 || share.index >= share.count ||
+        share.count > maxParts)
+        throw UsageError{
+            tr("%1 “%2” is not valid: write i/n, where n is the number of parts, at most %3, and "
+               "i counts from 0 to n − 1.")
+                .arg(QLatin1String(option), whole)
+                .arg(maxParts)};
+    return share;
+}
+
+attractor::PicturePart partArgument(const RenderArguments& arguments) {
+    const Share share = shareArgument("--part", arguments.part.value_or("0/1"));
+    return {std::uint64_t(share.index), std::uint64_t(share.count)};
+}
+
+// Rows of pixels.
+struct Rows {
+    int first = 0;
+    int end = 0;
+};
+Rows bandArgument(const RenderArguments& arguments, int height) {
+    const Share share = shareArgument("--band", arguments.band.value_or("0/1"));
+    const auto boundary = [&](int number) { return int(std::int64_t(height) * number / share.count); };
+    const Rows rows{boundary(share.index), boundary(share.index + 1)};
+    if (rows.first == rows.end)
+        throw UsageError{tr("--band %1 has no rows: the picture is %2 pixels high.")
+                             .arg(QString::fromStdString(*arguments.band))
+                             .arg(height)};
+    return rows;
+}
+
+bool isDivided(const RenderArguments& arguments) {
+    return arguments.part || arguments.band;
+}
+
+// What the file that is resumed has decided.
+void refuseWhatIsDecided(const RenderArguments& arguments) {
+    const QString reason = tr("the file that --resume names already defines the picture.");
+    refuseIf(!arguments.files.empty(), "FILE", reason);
+    refuseIf(!arguments.entries.empty(), "--entry", reason);
+    const RenderArguments standard;
+    refuseIf(arguments.size != standard.size, "--size", reason);
+    refuseIf(arguments.seed != standard.seed, "--seed", reason);
+    const std::pair<const RenderArguments::Text*, const char*> options[] = {
+        {&arguments.margin, "--margin"},
+        {&arguments.cage, "--cage"},
+        {&arguments.restCage, "--rest-cage"},
+        {&arguments.view, "--view"},
+        {&arguments.palette, "--palette"},
+        {&arguments.colour, "--colour"},
+        {&arguments.gamma, "--gamma"},
+        {&arguments.brightness, "--brightness"},
+        {&arguments.background, "--background"},
+        {&arguments.supersample, "--supersample"},
+        {&arguments.bits, "--bits"},
+        {&arguments.dpi, "--dpi"},
+        {&arguments.orbit, "--orbit"},
+        {&arguments.look, "--look"},
+    };
+    for (const auto& [value, name] : options)
+        refuseIf(value->has_value(), name, reason);
+    refuseIf(arguments.yDown, "--y-down", reason);
+}
+
+// Writes the sums or the picture, as the name of the output asks for.
+ExitStatus write(const io::PictureSums& sums, const QString& output, bool isSum, const Verbosity& verbosity,
+                 const Interrupt& interrupt) {
+    if (!isSum)
+        if (const io::Failure missing = io::incompleteness(sums))
+            throw InputError{QStringLiteral("barycage-cli"), *missing};
+    ProgressBar bar(applied(verbosity));
+    const auto progress = [&](double fraction) { bar.show(fraction); };
+    const QString path = isStandardOutput(output) ? io::standardOutputPath() : output;
+    const io::ExportOutcome outcome = isSum ? io::exportSums(sums, path, progress, interrupt.token())
+                                            : io::exportPicture(sums, path, progress, interrupt.token());
+    bar.clear();
+    if (outcome.stopped) {
+        reportError(QStringLiteral("barycage-cli"),
+                    interrupt.isOutOfTime() ? tr("The time limit has passed; nothing was written.")
+                                            : tr("Interrupted; nothing was written."));
+        return interrupt.status();
+    }
+    if (!outcome.failure) return ExitStatus::Done;
+    reportError(output, *outcome.failure);
+    return ExitStatus::CannotReadOrWrite;
+}
+
+int threadsOf(const std::optional<std::string>& text) {
+    return text ? integerArgument("--threads", *text, 1, 1024) : io::threadsOfThisMachine();
+}
+
+bool isSumFile(const QString& output) {
+    return QFileInfo(output).suffix().compare(u"sum", Qt::CaseInsensitive) == 0;
+}
+
+// Throws InputError where the files are no parts of one picture.
+io::PictureSums readSums(const QStringList& paths, int threads) {
+    const QString program = QStringLiteral("barycage-cli");
+    const auto files = std::make_shared<io::SumFiles>(paths);
+    if (files->failure())
+        throw InputError{program, *files->failure(),
+                         files->isUnreadable() ? ExitStatus::CannotReadOrWrite : ExitStatus::InputProblems};
+    const io::LoadedSums loaded = io::sumsIn(files, threads);
+    if (loaded.failure) throw InputError{program, *loaded.failure};
+    return loaded.sums;
+}
+
+struct MergeArguments {
+    std::vector<std::string> files;
+    std::string output;
+    std::optional<std::string> threads;
+    Verbosity verbosity;
+};
+
+ExitStatus merge(const MergeArguments& arguments) {
+    const QString output = fileNameOf(arguments.output);
+    const bool isSum = isSumFile(output);
+    if (!isSum && QFileInfo(output).suffix().compare(u"png", Qt::CaseInsensitive) != 0)
+        throw UsageError{
+            tr("The parts can be merged to a .png or a .sum file, and “%1” is neither.").arg(output)};
+    QStringList files;
+    for (const std::string& file : arguments.files)
+        files << fileNameOf(file);
+    const io::PictureSums sums = readSums(files, threadsOf(arguments.threads));
+    return write(sums, output, isSum, arguments.verbosity, Interrupt());
+}
+
+} // namespace
+
+void checkParts(const RenderArguments& arguments, Format format) {
+    if (arguments.part) partArgument(arguments);
+    if (arguments.band) shareArgument("--band", *arguments.band);
+    if (arguments.resume) {
+        refuseWhatIsDecided(arguments);
+        if (!arguments.points)
+            throw UsageError{tr("--resume needs --points, the number of points of the whole picture.")};
+        refuseIf(format != Format::Png && format != Format::Sum, "--resume",
+                 tr("it writes .png or .sum files."));
+    } else if (arguments.files.empty()) {
+        throw UsageError{tr("FILE is missing. Usage: barycage-cli %1")
+                             .arg(QStringLiteral("render FILE... -o OUT [OPTION]..."))};
+    }
+    if (isDivided(arguments) && format != Format::Sum)
+        throw UsageError{
+            tr("A part of a picture is written to a .sum file, which barycage-cli merge reads.")};
+    refuseIf(format == Format::Sum && arguments.frame, "--frame", tr("a .sum file is of the entry at rest."));
+    const QString reason = tr("sums are of --algorithm density alone.");
+    refuseIf(format == Format::Sum && arguments.algorithm != "density", "--algorithm", reason);
+}
+
+io::PictureSums partOfPicture(const io::PngExport& picture, const RenderArguments& arguments) {
+    const Rows rows = bandArgument(arguments, picture.request.camera.height);
+    return io::partOf(picture, rows.first, rows.end, partArgument(arguments));
+}
+
+ExitStatus resumePicture(const RenderArguments& arguments) {
+    const Interrupt interrupt(timeLimitOf(arguments));
+    const QString output = fileNameOf(arguments.output);
+    const QString file = fileNameOf(*arguments.resume);
+    io::PictureSums sums = readSums({file}, threadsOf(arguments.threads));
+    const std::uint64_t points = countArgument("--points", *arguments.points, 1, maxPoints);
+    const std::uint64_t there = std::accumulate(sums.passes.begin(), sums.passes.end(), std::uint64_t{0});
+    if (points <= there)
+        throw UsageError{
+            tr("“%1” is of a picture of %2 points already; --points must be more.").arg(file).arg(there)};
+    io::addPass(sums, points - there);
+    if (isDivided(arguments)) {
+        const Rows rows = bandArgument(arguments, sums.picture.request.camera.height);
+        sums.drawn = {{rows.first, rows.end, sums.passes.size() - 1, partArgument(arguments)}};
+        sums.files.reset();
+    }
+    return write(sums, output, isSumFile(output), arguments.verbosity, interrupt);
+}
+
+Command mergeCommand(CLI::App& program) {
+    auto arguments = std::make_shared<MergeArguments>();
+    CLI::App* command = program.add_subcommand("merge", "Put the parts of a picture together");
+    command->footer("merge FILE... -o OUT [OPTION]...");
+    command->add_option("FILE", arguments->files, "Parts of one picture, written by render or merge")
+        ->type_name("FILE...")
+        ->group("Files")
+        ->required();
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "Picture to write (.png) once all parts are there, or their sum (.sum)")
+        ->type_name("OUT")
+        ->group("Files")
+        ->required();
+    command->add_option("-j,--threads", arguments->threads, "Threads, 1 to 1024; never changes the picture")
+        ->type_name("N")
+        ->default_str("all cores")
+        ->group("Algorithm");
+    addVerbosityOptions(*command, arguments->verbosity);
+    return {command, [arguments] { return merge(*arguments); }};
+}
+
+} // namespace cli

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+#include "render_arguments.h"
+
+#include "arguments.h"
+#include "input.h"
+#include "output.h"
+#include "output_names.h"
+#include "usage_error.h"
+
+#include "attractor/kernels/kernels.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+// All steps in one picture.
+bool isStrip(const RenderArguments& arguments) {
+    return arguments.steps.first < arguments.steps.last && !hasIterations(fileNameOf(arguments.output));
+}
+
+Format formatOf(const RenderArguments& arguments) {
+    if (!arguments.format.empty()) choiceArgument("--to", arguments.format, {"png", "svg", "pdf"});
+    const QString suffix = arguments.format.empty()
+                               ? QFileInfo(fileNameOf(arguments.output)).suffix().toLower()
+                               : QString::fromStdString(arguments.format);
+    if (suffix == u"png") return Format::Png;
+    if (suffix == u"svg") return Format::Svg;
+    if (suffix == u"pdf") return Format::Pdf;
+    if (suffix == u"sum") return Format::Sum;
+    if (isStandardOutput(fileNameOf(arguments.output)))
+        throw UsageError{tr("Give the format for standard output with --to: png, svg or pdf.")};
+    throw UsageError{tr("The picture can be written as .png, .svg, .pdf or .sum, and “%1” is none of them.")
+                         .arg(fileNameOf(arguments.output))};
+}
+
+io::ShapeStyle styleOf(const RenderArguments& arguments) {
+    const std::string style =
+        choiceArgument("--svg", arguments.svg.value_or("structured"), {"structured", "outline", "points"});
+    return style == "outline"  ? io::ShapeStyle::Outline
+           : style == "points" ? io::ShapeStyle::Points
+                               : io::ShapeStyle::Structured;
+}
+
+// "6", or "0-6" for all from 0 to 6.
+Steps stepsOf(const std::string& text) {
+    constexpr int maxSteps = 1000;
+    const std::size_t dash = text.find('-', 1);
+    const auto number = [&](const std::string& part) {
+        return integerArgument("--iterations", part, 0, maxInt);
+    };
+    if (dash == std::string::npos) return {number(text), number(text)};
+    const Steps steps{number(text.substr(0, dash)), number(text.substr(dash + 1))};
+    if (steps.last < steps.first || steps.last - steps.first >= maxSteps)
+        throw UsageError{
+            tr("--iterations “%1” is not valid: a range such as 0-6 must rise and have at most %2 numbers.")
+                .arg(QString::fromStdString(text))
+                .arg(maxSteps)};
+    return steps;
+}
+
+void selectInstructions(const std::string& name) {
+    if (attractor::selectSimd(name)) return;
+    QStringList here;
+    for (const std::string& possible : attractor::simdNames())
+        here << QString::fromStdString(possible);
+    throw UsageError{tr("--simd “%1” is not available here; this machine has %2.")
+                         .arg(QString::fromStdString(name), here.join(QStringLiteral(", ")))};
+}
+
+} // namespace
+
+void refuseIf(bool given, const char* option, const QString& reason) {
+    if (given) throw UsageError{tr("%1 cannot be used here: %2").arg(QLatin1String(option), reason)};
+}
+
+attractor::Algorithm algorithmOf(const std::string& text) {
+    const std::string name = choiceArgument("--algorithm", text, {"density", "chaos-game", "deterministic"});
+    return name == "density"      ? attractor::Algorithm::Density
+           : name == "chaos-game" ? attractor::Algorithm::ChaosGame
+                                  : attractor::Algorithm::Deterministic;
+}
+
+io::SvgFormat shapesOf(const RenderArguments& arguments) {
+    io::SvgFormat format;
+    if (arguments.depth) format.depth = integerArgument("--depth", *arguments.depth, 0, maxInt);
+    format.style = styleOf(arguments);
+    format.seed = wholeArgument("--seed", arguments.seed);
+    if (arguments.points)
+        format.points = countArgument("--points", *arguments.points, 1, io::SvgFormat::maxPoints);
+    return format;
+}
+
+void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments) {
+    if (arguments.colour) appearance.colourBy = colourByArgument("--colour", *arguments.colour);
+    if (arguments.readPalette) appearance.palette = *arguments.readPalette;
+    if (arguments.gamma) appearance.gamma = positiveArgument("--gamma", *arguments.gamma);
+    if (arguments.brightness) appearance.brightness = positiveArgument("--brightness", *arguments.brightness);
+    if (arguments.background) {
+        putOn(appearance, colourArgument("--background", *arguments.background));
+    }
+    if (arguments.supersample)
+        appearance.supersample = integerArgument("--supersample", *arguments.supersample, 1, 4);
+}
+
+bool is16Bit(const RenderArguments& arguments) {
+    return arguments.bits && choiceArgument("--bits", *arguments.bits, {"8", "16"}) == "16";
+}
+
+std::optional<double> dotsPerInch(const RenderArguments& arguments) {
+    if (!arguments.dpi) return std::nullopt;
+    constexpr double most = 100'000;
+    const double dots = positiveArgument("--dpi", *arguments.dpi);
+    if (dots < 1 || dots > most) throw UsageError{tr("--dpi must be a number from 1 to 100000.")};
+    return dots;
+}
+
+std::optional<std::chrono::duration<double>> timeLimitOf(const RenderArguments& arguments) {
+    if (!arguments.timeLimit) return std::nullopt;
+    return std::chrono::duration<double>(secondsArgument("--time-limit", *arguments.timeLimit));
+}
+
+std::optional<std::uint64_t> memoryLimitOf(const RenderArguments& arguments) {
+    constexpr int least = 64, most = 1'000'000;
+    if (!arguments.memoryLimit) return std::nullopt;
+    return std::uint64_t(integerArgument("--memory-limit", *arguments.memoryLimit, least, most)) << 20;
+}
+
+namespace {
+
+// What this version cannot do, and what makes no sense for the format. Nothing is ignored silently.
+void refuseUnsupported(const RenderArguments& arguments, Format format) {
+    if (format == Format::Svg || format == Format::Pdf) {
+        const QString reason = tr("vector graphics are made of shapes.");
+        refuseIf(arguments.points && styleOf(arguments) != io::ShapeStyle::Points, "--points",
+                 tr("vector graphics are made of copies; to draw points, use --svg points."));
+        refuseIf(arguments.depth && styleOf(arguments) == io::ShapeStyle::Points, "--depth",
+                 tr("points have no levels of copies."));
+        refuseIf(arguments.algorithm != "density", "--algorithm", reason);
+        refuseIf(arguments.iterations.has_value(), "--iterations", tr("for vector graphics, use --depth."));
+        refuseIf(arguments.gamma.has_value(), "--gamma", reason);
+        refuseIf(arguments.brightness.has_value(), "--brightness", reason);
+        refuseIf(arguments.supersample.has_value(), "--supersample", reason);
+        refuseIf(arguments.bits.has_value(), "--bits", reason);
+        refuseIf(arguments.dpi.has_value(), "--dpi", tr("vector graphics have no resolution."));
+    } else {
+        const QString reason = tr("it applies only to vector graphics (.svg and .pdf).");
+        refuseIf(arguments.svg.has_value(), "--svg", reason);
+        refuseIf(arguments.depth.has_value(), "--depth", reason);
+    }
+    const bool deterministic = arguments.algorithm == "deterministic";
+    refuseIf(arguments.iterations && !deterministic, "--iterations",
+             tr("it applies only to --algorithm deterministic."));
+    refuseIf(arguments.points && deterministic, "--points", tr("--algorithm deterministic has no points."));
+}
+
+} // namespace
+
+// What only entries in space understand; which the entry is, is not known yet.
+bool isViewInSpace(const std::string& text) {
+    return std::ranges::count(text, ',') == 3;
+}
+bool isColourOfSolids(const RenderArguments& arguments) {
+    return arguments.colour == "height" || arguments.colour == "depth";
+}
+
+// Every value is looked at before a file is read.
+Format checked(RenderArguments& arguments) {
+    if (arguments.palette) arguments.readPalette = paletteArgument("--palette", *arguments.palette);
+    if (arguments.iterations) arguments.steps = stepsOf(*arguments.iterations);
+    const Format format = formatOf(arguments);
+    const bool isShapes = format == Format::Svg || format == Format::Pdf;
+    refuseUnsupported(arguments, format);
+    attractor::Appearance appearance;
+    if (!isColourOfSolids(arguments)) applyAppearance(appearance, arguments);
+    const bool isOpen = pictureSizeArgument("--size", arguments.size).isEmpty();
+    if (arguments.view) {
+        if (!isViewInSpace(*arguments.view)) viewArgument("--view", *arguments.view);
+        refuseIf(arguments.margin.has_value(), "--margin", tr("--view already defines the view."));
+        refuseIf(isOpen, "--size with one side", tr("--view has no proportions; give both sides."));
+    }
+    if (arguments.margin) marginArgument("--margin", *arguments.margin);
+    if (arguments.threads) integerArgument("--threads", *arguments.threads, 1, 1024);
+    if (arguments.points && !isShapes) countArgument("--points", *arguments.points, 1, maxPoints);
+    if (isShapes) shapesOf(arguments);
+    wholeArgument("--seed", arguments.seed);
+    if (arguments.frame) momentArgument("--frame", *arguments.frame);
+    refuseIf(is16Bit(arguments) && isStrip(arguments), "--bits 16",
+             tr("a strip of steps has 8 bits per channel."));
+    dotsPerInch(arguments);
+    if (algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic && !arguments.iterations)
+        throw UsageError{tr("--algorithm deterministic needs --iterations.")};
+    if (arguments.simd) selectInstructions(*arguments.simd);
+    return format;
+}
+
+namespace {
+
+// An option of the help's group: its names, what stands for its value, where the value goes, what it means
+// and its default.
+struct OptionGroup {
+    CLI::App& command;
+    const char* name;
+
+    template <class Value>
+    void add(const char* names, const char* shown, Value& value, const char* description,
+             const char* standard = "") const {
+        command.add_option(names, value, description)->type_name(shown)->default_str(standard)->group(name);
+    }
+};
+
+void addColourOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup colours{command, "Colours"};
+    colours.add("--palette", "PALETTE", arguments.palette,
+                "Palette: a built-in name, or the name of a .gpl, .ugr or .map file",
+                "stored in the entry, else Maple");
+    colours.add("--colour,--color", "BY", arguments.colour,
+                "Colour by density, map, address or none; a solid by map, height, depth or none",
+                "stored in the entry, else density");
+    colours.add("--gamma", "G", arguments.gamma, "Gamma of the tone curve", "stored in the entry, else 2.2");
+    colours.add("--brightness", "B", arguments.brightness, "Brightness of the tone curve",
+                "stored in the entry, else 20");
+    colours.add("--background", "COLOUR", arguments.background,
+                "transparent, a name such as white, #rrggbb, or #rrggbbaa with opacity",
+                "stored in the entry, else #0d1017");
+}
+
+void addShapeOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup file{command, "File"};
+    file.add("--to", "FORMAT", arguments.format, "png, svg or pdf", "as the name of the output shows");
+    file.add("--svg", "KIND", arguments.svg, "Kind of vector graphics: structured, outline or points",
+             "structured");
+    file.add("--depth", "N", arguments.depth, "Levels of copies in vector graphics",
+             "as many as the pixels need");
+}
+
+void addPixelOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup file{command, "File"};
+    file.add("--bits", "8|16", arguments.bits, "Bits per channel in the PNG", "8");
+    file.add("--dpi", "D", arguments.dpi, "Resolution stored in the PNG, in dots per inch, 1 to 100000");
+}
+
+void addAlgorithmOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup group{command, "Algorithm"};
+    group.add("--algorithm", "NAME", arguments.algorithm, "density, chaos-game or deterministic", "density");
+    group.add(
+        "--iterations", "N|M-N", arguments.iterations,
+        "Iterations of the deterministic algorithm; 0-6 draws all from 0 to 6, side by side, or to files of "
+        "their own where the output has %i");
+}
+
+void addSampleOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup group{command, "Algorithm"};
+    group.add("--points", "N", arguments.points,
+              "Samples (density), or points plotted (chaos-game, points in SVG), such as 250000, 1e9 or 2G",
+              "100 or 2 per pixel, at least 1M");
+    group.add("--supersample", "K", arguments.supersample, "Cells along each side of a pixel, 1 to 4",
+              "stored in the entry, else 1");
+    group.add("--seed", "S", arguments.seed, "Seed of the random numbers", "1");
+    group.add("-j,--threads", "N", arguments.threads, "Threads, 1 to 1024; never changes the picture",
+              "all cores");
+    group.add("--simd", "SET", arguments.simd,
+              "Instruction set: scalar, sse4, avx2, avx512 or neon; never changes the picture",
+              "the fastest");
+}
+
+void addViewOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup group{command, "View and cage"};
+    group.add("--size", "WxH", arguments.size,
+              "Width and height in pixels; 1200x or x900 keeps the proportions of the fractal", "1200x900");
+    group.add("--margin", "PERCENT", arguments.margin, "Margin around the picture, 0 to less than 50", "5");
+    group.add("--view", "CX,CY,HEIGHT", arguments.view,
+              "Centre and height of the view; in space \"tx,ty,tz,height\"", "all of the fractal");
+    command.add_flag("--y-down", arguments.yDown, "The y axis points down")->group("View and cage");
+}
+
+void addCageOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup group{command, "View and cage"};
+    group.add("--cage", "CORNERS", arguments.cage,
+              "Current corners of the cage: \"x,y x,y x,y\", up to 64; more than three bend the picture");
+    group.add("--rest-cage", "CORNERS", arguments.restCage,
+              "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N");
+    group.add("--frame", "F", arguments.frame,
+              "The moment of an animation in frames from 0 on, such as 12, 12.5 or 25/2; the view is that of "
+              "all frames",
+              "the entry at rest");
+}
+
+void addPartOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup group{command, "Several machines or runs"};
+    group.add("--part", "I/N", arguments.part,
+              "Draw only part I of N, counting from 0, into a .sum file for merge");
+    group.add("--band", "J/M", arguments.band,
+              "Draw only band J of M bands of rows, counting from 0, into a .sum file for merge");
+    group.add("--resume", "FILE", arguments.resume,
+              "Add points to the picture in a .sum file, up to --points in all");
+}
+
+void addLimitOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup group{command, "Limits"};
+    group.add("--time-limit", "SECONDS", arguments.timeLimit,
+              "Stop, with exit status 3, when the pictures are not finished by then", "no limit");
+    group.add("--memory-limit", "MB", arguments.memoryLimit,
+              "Stop, with exit status 3, rather than take more memory; 64 to 1000000", "no limit");
+}
+
+void addSpaceOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup group{command, "In space"};
+    group.add("--orbit", "AZ,EL[,ROLL]", arguments.orbit,
+              "Azimuth, elevation and roll of the camera, in degrees", "30,20");
+    group.add("--perspective", "FOV", arguments.perspective, "Vertical angle of view, in degrees",
+              "orthographic");
+    group.add("--look", "NAME", arguments.look,
+              "stone, ink (on white), cloud (density), depth (16-bit grey) or normals", "stone");
+    group.add("--light", "AZ,EL", arguments.light,
+              "Azimuth and elevation of the key light from the line of sight, in degrees", "-40,40");
+    group.add("--fog", "F", arguments.fog, "How fast colours fade with depth, 0 to 100", "0");
+}
+
+} // namespace
+
+void addFrameOptions(CLI::App& command, RenderArguments& arguments) {
+    addViewOptions(command, arguments);
+    addSpaceOptions(command, arguments);
+    addSampleOptions(command, arguments);
+    addColourOptions(command, arguments);
+    addPixelOptions(command, arguments);
+}
+
+void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
+    command
+        .add_option("FILE", arguments.files,
+                    "Collections, or pictures with an embedded system; - for standard input")
+        ->type_name("FILE...")
+        ->group("Files");
+    command
+        .add_option("-o,--output", arguments.output,
+                    "Picture to write: .png, .svg or .pdf, or its sums: .sum; - for standard output; for "
+                    "several, %e is the "
+                    "name of the entry, %n its number, %f its file, %i the number of iterations")
+        ->type_name("OUT")
+        ->group("Files")
+        ->required();
+    addEntriesOption(command, arguments.entries, "the first that can be read");
+    addFrameOptions(command, arguments);
+    addCageOptions(command, arguments);
+    addAlgorithmOptions(command, arguments);
+    addPartOptions(command, arguments);
+    addLimitOptions(command, arguments);
+    addShapeOptions(command, arguments);
+    command.add_flag("--list-palettes", arguments.listPalettes, "List the palettes and do nothing else")
+        ->group("Colours");
+    addVerbosityOptions(command, arguments.verbosity);
+}
+
+} // namespace cli

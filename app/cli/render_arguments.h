@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "progress_bar.h"
+
+#include "attractor/request/appearance.h"
+#include "attractor/request/render_request.h"
+#include "io/picture/svg_writer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+// The options of barycage-cli render. What makes no sense throws UsageError with a sentence that names the
+// option.
+namespace cli {
+
+constexpr int maxInt = std::numeric_limits<int>::max();
+constexpr std::uint64_t maxPoints = std::numeric_limits<std::uint64_t>::max();
+
+enum class Format { Png, Svg, Pdf, Sum };
+
+// Numbers of iterations, from the first to the last.
+struct Steps {
+    int first = 0;
+    int last = 0;
+};
+
+struct RenderArguments {
+    using Text = std::optional<std::string>;
+
+    std::vector<std::string> files;
+    std::vector<std::string> entries;
+    std::string output;
+    std::string format;
+    std::string size = "1200x900";
+    std::string seed = "1";
+    Text points, margin, cage, restCage, view, palette, colour, gamma, brightness, background, dpi, simd, svg;
+    Text part, band, resume;
+    Text orbit, perspective, look, light, fog; // in space only
+    Text frame;                                // of an animation
+    std::string algorithm = "density";
+    Text iterations, supersample, threads, depth, bits;
+    Text timeLimit, memoryLimit;
+    bool yDown = false;
+    bool listPalettes = false;
+    Verbosity verbosity;
+
+    std::optional<attractor::Palette> readPalette; // that `palette` names
+    Steps steps;                                   // that `iterations` asks for
+};
+
+void addRenderOptions(CLI::App& command, RenderArguments& arguments);
+// Those that animate has as well: view, space, samples, colours, bits and resolution.
+void addFrameOptions(CLI::App& command, RenderArguments& arguments);
+
+// Looks at every value before a file is read, and reads the palette.
+Format checked(RenderArguments& arguments);
+
+void refuseIf(bool given, const char* option, const QString& reason);
+attractor::Algorithm algorithmOf(const std::string& text);
+io::SvgFormat shapesOf(const RenderArguments& arguments);
+void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);
+bool is16Bit(const RenderArguments& arguments);
+std::optional<double> dotsPerInch(const RenderArguments& arguments);
+std::optional<std::chrono::duration<double>> timeLimitOf(const RenderArguments& arguments);
+std::optional<std::uint64_t> memoryLimitOf(const RenderArguments& arguments); // in bytes
+
+} // namespace cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "render_note.h"
+
+#include "messages.h"
+
+#include <QCoreApplication>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+} // namespace
+
+void reportNote(attractor::RenderNote note, const QString& fileName) {
+    switch (note) {
+    case attractor::RenderNote::None:
+    case attractor::RenderNote::NoMaps:
+        break;
+    case attractor::RenderNote::NoAttractor:
+        return reportWarning(fileName, tr("The system has no attractor: some word of maps does not contract. "
+                                          "The picture shows where points go before they escape."));
+    case attractor::RenderNote::Undecided:
+        return reportWarning(fileName, tr("Whether the system has an attractor could not be decided."));
+    case attractor::RenderNote::TooDeep:
+        return reportWarning(fileName, tr("The view is smaller than numerical precision can resolve."));
+    case attractor::RenderNote::FewerIterations:
+        return reportWarning(fileName, tr("There would be more copies than can be drawn after so many "
+                                          "iterations; fewer iterations were made."));
+    case attractor::RenderNote::Degenerate:
+        return reportWarning(fileName, tr("The cage is flat, and so is the picture."));
+    }
+}
+
+bool hasMaps(const document::Fractal& fractal, const QString& fileName) {
+    const auto* plane = document::system2(fractal);
+    const auto* space = document::system3(fractal);
+    if (plane != nullptr ? ifs::countActive(*plane) > 0 : space != nullptr && ifs::countActive(*space) > 0)
+        return true;
+    reportError(fileName, tr("“%1” has no active map, so there is nothing to draw.").arg(fractal.name));
+    return false;
+}
+
+} // namespace cli

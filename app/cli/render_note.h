@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/render_request.h"
+#include "document/fractal.h"
+
+#include <QString>
+
+// What is said about a picture.
+namespace cli {
+
+void reportNote(attractor::RenderNote note, const QString& fileName);
+
+// Says so when not.
+bool hasMaps(const document::Fractal& fractal, const QString& fileName);
+
+} // namespace cli

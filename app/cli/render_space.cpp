@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "render_space.h"
+
+#include "arguments.h"
+#include "input.h"
+#include "messages.h"
+#include "output.h"
+#include "solid_options.h"
+#include "usage_error.h"
+
+#include "attractor/samples/prepared_space.h"
+#include "ifs/extent/extent.h"
+#include "io/picture/space_export.h"
+#include "io/text/number.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+using Corners = std::vector<ifs::Vector<3>>;
+
+constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+QString quoted(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+io::SpaceLook lookOf(const RenderArguments& options) {
+    const std::string look = options.look.value_or("stone");
+    if (solidLook(look)) return io::SpaceLook::Solid;
+    if (look == "cloud") return io::SpaceLook::Cloud;
+    if (look == "depth") return io::SpaceLook::Depth;
+    throw UsageError{tr("--look must be stone, ink, cloud, depth or normals, not “%1”.").arg(quoted(look))};
+}
+
+void refuseUnsupported(const RenderArguments& options, io::SpaceLook look) {
+    const QString plane = tr("it applies only to entries in the plane.");
+    refuseIf(options.yDown, "--y-down", plane);
+    refuseIf(options.algorithm != "density", "--algorithm", plane);
+    refuseIf(options.iterations.has_value(), "--iterations", plane);
+    refuseIf(options.svg.has_value(), "--svg", plane);
+    refuseIf(options.depth.has_value(), "--depth", plane);
+    if (look == io::SpaceLook::Solid) return;
+    refuseLight(options, tr("it applies only to solids: --look stone or ink."));
+    if (look != io::SpaceLook::Depth) return;
+    const QString reason = tr("--look depth shows depths, without samples and colours.");
+    refuseIf(options.points.has_value(), "--points", reason);
+    refuseIf(options.palette.has_value(), "--palette", reason);
+    refuseIf(options.colour.has_value(), "--colour", reason);
+    refuseIf(options.gamma.has_value(), "--gamma", reason);
+    refuseIf(options.brightness.has_value(), "--brightness", reason);
+    refuseIf(options.background.has_value(), "--background", reason);
+    refuseIf(options.supersample.has_value(), "--supersample", reason);
+    refuseIf(options.bits && !is16Bit(options), "--bits", tr("--look depth has 16 bits."));
+}
+
+void requirePng(const RenderArguments& options) {
+    const QString output = fileNameOf(options.output);
+    const QString suffix =
+        options.format.empty() ? QFileInfo(output).suffix().toLower() : quoted(options.format);
+    if (suffix == u"png") return;
+    if (options.format.empty() && isStandardOutput(output))
+        throw UsageError{tr("Give the format for standard output with --to: png.")};
+    throw UsageError{tr("A system in space can be drawn only as .png, and “%1” is not.").arg(output)};
+}
+
+attractor::Orientation orientationOf(const RenderArguments& options) {
+    if (!options.orbit) return attractor::orbit(30, 20);
+    const auto angles = numbers(quoted(*options.orbit));
+    if (angles.size() != 2 && angles.size() != 3)
+        throw UsageError{tr("--orbit “%1” is not valid: it must be azimuth, elevation and perhaps roll in "
+                            "degrees, such as 30,20.")
+                             .arg(quoted(*options.orbit))};
+    return attractor::orbit(angles[0], angles[1], angles.size() == 3 ? angles[2] : 0);
+}
+
+Corners cornersArgument(const char* option, const std::string& text) {
+    Corners corners;
+    for (const QString& part : quoted(text).simplified().split(u' ', Qt::SkipEmptyParts)) {
+        const auto xyz = numbers(part);
+        if (xyz.size() != 3) {
+            corners.clear();
+            break;
+        }
+        corners.emplace_back(xyz[0], xyz[1], xyz[2]);
+    }
+    if (corners.size() < 4)
+        throw UsageError{tr("%1 “%2” is not valid: it must be at least four points in space, such as "
+                            "\"0,0,0 1,0,0 0,1,0 0,0,1\".")
+                             .arg(QLatin1String(option), quoted(text))};
+    return corners;
+}
+
+// Corners of the certified box, x changing fastest.
+Corners boxAround(const ifs::SupportFunction<3>& support) {
+    const ifs::BoundingBox<3> box = ifs::boundingBox(support);
+    Corners corners;
+    for (int k = 0; k < 8; ++k)
+        corners.emplace_back((k & 1) != 0 ? box.max.x() : box.min.x(),
+                             (k & 2) != 0 ? box.max.y() : box.min.y(),
+                             (k & 4) != 0 ? box.max.z() : box.min.z());
+    return corners;
+}
+
+Corners restOf(const RenderArguments& options, const ifs::SupportFunction<3>* support) {
+    const std::string text = options.restCage.value_or("canonical");
+    if (text != "canonical" && text != "box") {
+        if (text == "hull" || text.starts_with("hull:"))
+            throw UsageError{
+                tr("--rest-cage in space must be canonical, box or points, not “%1”.").arg(quoted(text))};
+        return cornersArgument("--rest-cage", text);
+    }
+    if (support == nullptr)
+        throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
+                             .arg(quoted(text))};
+    if (text == "box") return boxAround(*support);
+    const auto simplex = ifs::minimalCanonicalSimplex(*support);
+    return {simplex.vertices.begin(), simplex.vertices.end()};
+}
+
+// The stored one where none is asked for. A cage of more than four corners has to be moved by an affine map.
+std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options,
+                                          const std::optional<ifs::ControlCage<3>>& stored,
+                                          const ifs::SupportFunction<3>* support) {
+    if (!options.cage && !options.restCage) return stored;
+    ifs::ControlCage<3> cage;
+    cage.rest = stored && !options.restCage ? stored->rest : restOf(options, support);
+    cage.current = options.cage ? cornersArgument("--cage", *options.cage) : cage.rest;
+    if (cage.current.size() != cage.rest.size())
+        throw UsageError{tr("The cage has %1 corners and the rest cage %2: they must have the same number.")
+                             .arg(cage.current.size())
+                             .arg(cage.rest.size())};
+    if (!ifs::isValid(cage))
+        throw UsageError{tr("The corners of the rest cage are in one plane, so they define no coordinates.")};
+    const ifs::AffineMap<3> map = ifs::displayMap(cage);
+    double miss = 0;
+    double size = 0;
+    for (std::size_t k = 0; k < cage.rest.size(); ++k) {
+        miss = std::max(miss, (map(cage.rest[k]) - cage.current[k]).norm());
+        size = std::max({size, cage.rest[k].norm(), cage.current[k].norm()});
+    }
+    if (cage.rest.size() > 4 && miss > 1e-9 * size)
+        throw UsageError{tr("A cage of more than four corners would have to bend the picture, which is not "
+                            "possible in space; move its corners by an affine map.")};
+    return cage;
+}
+
+// As keys have it, but for what options say.
+attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& options) {
+    attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
+    const QSize size = sizeArgument("--size", options.size);
+    camera.size = {size.width(), size.height()};
+    if (!shown.camera || options.orbit) camera.orientation = orientationOf(options);
+    return animation::orbited(camera, shown.orbit);
+}
+
+attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& options,
+                                const attractor::PreparedSpace& system,
+                                const ifs::SupportFunction<3>* support, const ifs::AffineMap<3>& cage,
+                                const QString& fileName) {
+    attractor::OrbitCamera camera = cameraAtRest(shown, options);
+    if (options.perspective) {
+        camera.projection = attractor::OrbitCamera::Projection::Perspective;
+        camera.fieldOfView = positiveArgument("--perspective", *options.perspective);
+        if (!(camera.fieldOfView < 180))
+            throw UsageError{tr("--perspective must be an angle of view below 180 degrees.")};
+    }
+    if (options.view) {
+        refuseIf(options.margin.has_value(), "--margin", tr("--view already defines the view."));
+        const auto view = numbers(quoted(*options.view));
+        if (view.size() != 4 || !(view[3] > 0))
+            throw UsageError{tr("--view “%1” is not valid: in space it must be the target and a positive "
+                                "height, such as \"0,1.5,0,10\".")
+                                 .arg(quoted(*options.view))};
+        camera.target = {view[0], view[1], view[2]};
+        camera.height = view[3];
+        return camera;
+    }
+    if (shown.camera) return camera;
+    const double margin = options.margin ? marginArgument("--margin", *options.margin) : 0.05;
+    if (shown.support) return attractor::fitted(camera, shown.support, margin);
+    if (support != nullptr) return attractor::fitted(camera, *support, cage, margin);
+    reportWarning(fileName, tr("No box around the picture could be certified; the view is estimated from "
+                               "the points drawn. Set it with --view."));
+    const auto ofBox = [&](const ifs::Vector<3>& u) {
+        const ifs::Vector<3> inner = cage.linear.transpose() * u;
+        return u.dot(cage(system.centre)) + inner.cwiseAbs().dot(system.halfExtent);
+    };
+    return attractor::fitted(camera, ofBox, margin);
+}
+
+} // namespace
+
+void refuseSpaceOptions(const RenderArguments& options) {
+    const QString reason = tr("it applies only to entries in space.");
+    refuseIf(options.orbit.has_value(), "--orbit", reason);
+    refuseIf(options.perspective.has_value(), "--perspective", reason);
+    refuseIf(options.look.has_value(), "--look", reason);
+    refuseLight(options, reason);
+}
+
+io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options, const QString& fileName) {
+    requirePng(options);
+    const document::Fractal& fractal = shown.fractal;
+    io::SpaceExport picture;
+    picture.fractal = fractal;
+    picture.look = lookOf(options);
+    refuseUnsupported(options, picture.look);
+    if (const auto look = solidLook(options.look.value_or("stone"))) {
+        picture.solid = solidAppearance(*look, fractal, options);
+        if (options.supersample)
+            picture.supersample = integerArgument("--supersample", *options.supersample, 1, 4);
+    } else {
+        applyAppearance(picture.fractal.appearance, options);
+    }
+    if (is16Bit(options)) picture.depth = io::PngFormat::Depth::Bits16;
+    picture.dotsPerInch = dotsPerInch(options);
+    attractor::SpaceRequest& request = picture.request;
+    const document::Shape<3>& shape = *document::space(fractal);
+    request.system = shape.system;
+    request.appearance = picture.fractal.appearance;
+    request.seed = wholeArgument("--seed", options.seed);
+    request.threads = options.threads ? integerArgument("--threads", *options.threads, 1, 1024)
+                                      : io::threadsOfThisMachine();
+    const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
+    const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
+    request.cage = cageOf(options, shape.cage, support ? &*support : nullptr);
+    const ifs::AffineMap<3> cage = request.cage ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
+    request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, cage, fileName);
+    if (options.frame) picture.fractal = shown.entry;
+    const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
+    request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
+                                     : std::max<std::uint64_t>(100 * pixels, 1'000'000);
+    if (io::memoryFor(picture) > maxBytes)
+        throw UsageError{tr("--size %1 needs more than 4 GB of memory in space.").arg(quoted(options.size))};
+    return picture;
+}
+
+} // namespace cli

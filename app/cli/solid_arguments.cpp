@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "solid_arguments.h"
+
+#include "arguments.h"
+#include "messages.h"
+#include "render_arguments.h"
+#include "usage_error.h"
+
+#include "document/edits/dimension_edits.h"
+#include "io/text/number.h"
+
+#include <QCoreApplication>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+} // namespace
+
+void addSolidOptions(CLI::App& command, SolidArguments& arguments) {
+    const auto add = [&](const char* name, std::optional<std::string>& value, const char* shown,
+                         const char* description, const char* standard, const char* group) {
+        command.add_option(name, value, description)->type_name(shown)->default_str(standard)->group(group);
+    };
+    add("--voxel", arguments.voxel, "H",
+        "Size of a voxel in mm: the surface lies within √3 H of the attractor", "by --resolution", "Solids");
+    add("--resolution", arguments.resolution, "N", "Voxels along the longest side of the solid", "128",
+        "Solids");
+    add("--wall", arguments.wall, "W", "Smallest thickness in mm; thinner parts are thickened", "one voxel",
+        "Solids");
+    command.add_flag("--fill", arguments.fill, "Fill cavities that are closed off from outside")
+        ->group("Solids");
+    add("--longest", arguments.longest, "MM", "Longest side of the attractor in mm",
+        "1 mm for 1 unit of the system", "Solids");
+    add("--lift", arguments.lift, "S|auto",
+        "Take systems in the plane to space: every map scales z by S; auto: by the square root of |det|", "",
+        "Dimension");
+    add("--flatten", arguments.flatten, "X,Y,Z",
+        "Take systems in space to the plane: the shadow along a direction that every map keeps", "",
+        "Dimension");
+}
+
+bool asksForVoxels(const SolidArguments& arguments) {
+    return arguments.voxel || arguments.resolution;
+}
+
+io::SolidOptions solidOptions(const SolidArguments& arguments, bool isMesh, bool isScad) {
+    const QString reason = tr("it applies only to solids: .stl, .obj, .glb and .ply.");
+    refuseIf(arguments.voxel && !isMesh && !isScad, "--voxel", reason);
+    refuseIf(arguments.resolution && !isMesh, "--resolution", reason);
+    refuseIf(arguments.wall && !isMesh, "--wall", reason);
+    refuseIf(arguments.fill && !isMesh, "--fill", reason);
+    refuseIf(arguments.longest && !isMesh, "--longest", reason);
+    refuseIf(arguments.voxel && arguments.resolution, "--resolution",
+             tr("--voxel already gives the size of the voxels."));
+    io::SolidOptions options;
+    if (arguments.voxel) options.voxel = positiveArgument("--voxel", *arguments.voxel);
+    if (arguments.resolution)
+        options.resolution =
+            integerArgument("--resolution", *arguments.resolution, 1, io::SolidOptions::maxResolution);
+    if (arguments.wall) options.wall = positiveArgument("--wall", *arguments.wall);
+    if (arguments.longest) {
+        constexpr double least = 1e-3, most = 1e6;
+        options.longest = positiveArgument("--longest", *arguments.longest);
+        if (options.longest < least || options.longest > most)
+            throw UsageError{tr("--longest must be from 0.001 to 1000000 mm.")};
+    }
+    options.fillsCavities = arguments.fill;
+    return options;
+}
+
+DimensionChange dimensionChange(const SolidArguments& arguments) {
+    DimensionChange change;
+    change.isLift = arguments.lift.has_value();
+    if (change.isLift && *arguments.lift != "auto") {
+        change.scale = io::parseNumber(QString::fromStdString(*arguments.lift));
+        if (!change.scale)
+            throw UsageError{tr("--lift “%1” is not valid: it must be a factor for z, or auto.")
+                                 .arg(QString::fromStdString(*arguments.lift))};
+    }
+    if (!arguments.flatten) return change;
+    refuseIf(change.isLift, "--flatten", tr("--lift leads the other way."));
+    const auto xyz = numbers(QString::fromStdString(*arguments.flatten));
+    if (xyz.size() != 3 || ifs::Vector<3>(xyz[0], xyz[1], xyz[2]).isZero(0))
+        throw UsageError{tr("--flatten “%1” is not valid: it must be a direction, such as 0,0,1.")
+                             .arg(QString::fromStdString(*arguments.flatten))};
+    change.flatten = ifs::Vector<3>(xyz[0], xyz[1], xyz[2]);
+    return change;
+}
+
+std::optional<QString> changeDimension(document::Entry& entry, const DimensionChange& change) {
+    if (!change.isWanted()) return std::nullopt;
+    const document::Fractal& fractal = *entry.fractal;
+    const QString obstacle =
+        change.isLift ? document::liftObstacle(fractal) : document::flattenObstacle(fractal, *change.flatten);
+    if (!obstacle.isEmpty()) return obstacle;
+    auto changed = change.isLift ? document::lifted(fractal, change.scale)
+                                 : document::flattened(fractal, *change.flatten);
+    entry.fractal = std::make_shared<const document::Fractal>(*std::move(changed));
+    entry.source = nullptr; // its bytes are those of another dimension
+    return std::nullopt;
+}
+
+void sayReport(const QString& lines) {
+    (void)print(printable(lines).toUtf8());
+}
+
+} // namespace cli

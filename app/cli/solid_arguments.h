@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal_file.h"
+#include "io/solid/printable_solid.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+// The options of `convert` that make solids of systems in space, and those that lead into space and out of
+// it.
+namespace cli {
+
+struct SolidArguments {
+    std::optional<std::string> voxel, resolution, wall, longest, lift, flatten;
+    bool fill = false;
+};
+
+void addSolidOptions(CLI::App& command, SolidArguments& arguments);
+
+bool asksForVoxels(const SolidArguments& arguments);
+
+// Throws UsageError, also for options that the format does not have: an OpenSCAD file has only --voxel.
+io::SolidOptions solidOptions(const SolidArguments& arguments, bool isMesh, bool isScad);
+
+struct DimensionChange {
+    bool isLift = false;
+    std::optional<double> scale; // of z
+    std::optional<ifs::Vector<3>> flatten;
+
+    bool isWanted() const { return isLift || flatten.has_value(); }
+};
+DimensionChange dimensionChange(const SolidArguments& arguments); // throws UsageError
+
+// The entry after the change, or why there is none.
+std::optional<QString> changeDimension(document::Entry& entry, const DimensionChange& change);
+
+void sayReport(const QString& lines); // on standard output
+
+} // namespace cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "action_details.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <string_view>
+
+namespace {
+
+struct Details {
+    Q_DECLARE_TR_FUNCTIONS(ActionDetails)
+};
+
+struct Detail {
+    std::string_view icon;
+    const char* text;
+};
+
+constexpr Detail details[] = {
+    {"cage", QT_TRANSLATE_NOOP(
+                 "ActionDetails",
+                 "Drag an edge to move both its ends, the inside to move the whole cage. Ctrl rotates, Alt "
+                 "scales, Shift keeps directions. The fractal follows at once, and each drag is one step "
+                 "of the history.")},
+    {"maps", QT_TRANSLATE_NOOP(
+                 "ActionDetails",
+                 "Each map is shown as the image of the cage in its colour. A corner changes one map; the "
+                 "inside moves all selected maps. A drag stops where the attractor would be lost.")},
+    {"branch",
+     QT_TRANSLATE_NOOP(
+         "ActionDetails",
+         "Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag "
+         "changes: a new map for this branch, the last map of its address, or only this branch.")},
+    {"define",
+     QT_TRANSLATE_NOOP(
+         "ActionDetails",
+         "The picture stays where it is: it is held by the new triangle from now on. Backspace takes "
+         "the last corner back, Esc cancels.")},
+    {"fit-simplex",
+     QT_TRANSLATE_NOOP(
+         "ActionDetails",
+         "The picture stays where it is. Every point of the fractal then has barycentric coordinates "
+         "that are not negative.")},
+    {"reset", QT_TRANSLATE_NOOP(
+                  "ActionDetails",
+                  "The coefficients do not change. To keep the picture as it is and change the coefficients "
+                  "instead, use Bake.")},
+    {"bake", QT_TRANSLATE_NOOP(
+                 "ActionDetails",
+                 "Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at "
+                 "rest afterwards. A cage that is flat or bends the picture cannot be baked.")},
+    {"place", QT_TRANSLATE_NOOP(
+                  "ActionDetails",
+                  "The table of maps keeps its numbers, and Bake writes the placement into them later.")},
+    {"rewrite", QT_TRANSLATE_NOOP(
+                    "ActionDetails",
+                    "The table of maps shows the new numbers during the drag, and the cage is at rest again "
+                    "afterwards.")},
+    {"fit", QT_TRANSLATE_NOOP(
+                "ActionDetails",
+                "The cage is included where that costs little room. The fractal itself does not change.")},
+    {"grid", QT_TRANSLATE_NOOP(
+                 "ActionDetails",
+                 "The distance of its lines follows the zoom. Vertices snap to it if this is chosen under "
+                 "View › Snap To.")},
+    {"y-axis",
+     QT_TRANSLATE_NOOP("ActionDetails",
+                       "Only the view is turned over: coefficients and coordinates do not change.")},
+    {"hide",
+     QT_TRANSLATE_NOOP("ActionDetails",
+                       "Cage, handles, grid, axes and outlines come back when you press the key again.")},
+    {"arising", QT_TRANSLATE_NOOP(
+                    "ActionDetails",
+                    "A bar appears under the canvas: choose the number of steps, or let the chaos game run "
+                    "point by point at any speed.")},
+    {"transform",
+     QT_TRANSLATE_NOOP("ActionDetails",
+                       "As placement, the coefficients stay; as code, they become those of the transformed "
+                       "fractal. The canvas shows the result before you accept it.")},
+    {"paste", QT_TRANSLATE_NOOP(
+                  "ActionDetails",
+                  "Where a table does not say what its columns are, you are asked. In the Maps panel, Paste "
+                  "replaces the selected maps instead.")},
+    {"settings",
+     QT_TRANSLATE_NOOP(
+         "ActionDetails",
+         "A new language takes effect at the next start; everything else at once, in all windows.")},
+};
+
+} // namespace
+
+QString actionDetails(const char* icon) {
+    if (!icon) return {};
+    const auto* found = std::ranges::find(details, std::string_view(icon), &Detail::icon);
+    return found == std::end(details) ? QString() : Details::tr(found->text);
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "edit_menu.h"
+
+#include "desktop/theme.h"
+#include "dialogs/preferences_dialog.h"
+#include "dialogs/transform_dialog.h"
+#include "document/edits/cage_edits.h"
+#include "panels/entries/entries_panel.h"
+#include "session.h"
+#include "widgets/icon.h"
+#include "widgets/tooltip_text.h"
+
+EditMenu::EditMenu(const MenuContext& context) : ActionMenu(context, tr("&Edit")) {
+    addHistory();
+    addSeparator();
+    addFractals();
+    addSeparator();
+    addToggle({nullptr,
+               tr("Allow Systems &without an Attractor"),
+               {},
+               tr("Let a drag of maps continue where an attractor is no longer guaranteed"),
+               "edit/allowNoAttractor"},
+              [canvas = context.canvas](bool on) { canvas->tools().setAllowsNoAttractor(on); });
+    add({"settings", tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
+         tr("Language, theme, picture quality, and what opens at startup")},
+        [this] { showPreferences(); });
+}
+
+void EditMenu::addHistory() {
+    QUndoStack* stack = context().document->undoStack();
+    QAction* undo = stack->createUndoAction(context().window, tr("&Undo"));
+    undo->setIconText(tr("&Undo").remove(u'&')); // whatever step it takes back
+    undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
+    undo->setIcon(view::icon(QStringLiteral("undo")));
+    undo->setStatusTip(tr("Undo the last edit"));
+    QAction* redo = stack->createRedoAction(context().window, tr("&Redo"));
+    redo->setIconText(tr("&Redo").remove(u'&'));
+    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    redo->setIcon(view::icon(QStringLiteral("redo")));
+    redo->setStatusTip(tr("Redo the last edit that was undone"));
+    addShared(undo);
+    addShared(redo);
+    // Steps may be named after entries, which a tool tip would take for markup.
+    const auto showStep = [](QAction* action, const QString& step) {
+        action->setToolTip(view::tooltipText((action->iconText() + u' ' + step).trimmed()));
+    };
+    connect(stack, &QUndoStack::undoTextChanged, undo,
+            [undo, showStep](const QString& step) { showStep(undo, step); });
+    connect(stack, &QUndoStack::redoTextChanged, redo,
+            [redo, showStep](const QString& step) { showStep(redo, step); });
+    addToolBarGroup({undo, redo});
+}
+
+void EditMenu::addFractals() {
+    add({"paste", tr("P&aste"), QKeySequence::Paste,
+         tr("Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of "
+            "numbers")},
+        [this] { context().window->findChild<view::EntriesPanel*>()->paste(); });
+    QAction* transform = add({"transform", tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
+                              tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
+                             [this] { openTransform(); });
+    QAction* mutate = add({nullptr, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
+                           tr("Pick one of many variations of this fractal")},
+                          [this] { openMutate(view::MutateDialog::Source::Current); });
+    disableWhen(transform, &document::planeObstacle);
+    disableWhen(mutate, &document::planeObstacle);
+    add({nullptr, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
+         tr("Choose from a sheet of random fractals and add one to the file")},
+        [this] { addRandom(); });
+}
+
+void EditMenu::openTransform() {
+    auto* dialog = new view::TransformDialog(context().document, context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open(); // modal: another edit would end the preview
+}
+
+void EditMenu::openMutate(view::MutateDialog::Source source) {
+    auto* dialog = new view::MutateDialog(context().document, source, context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void EditMenu::addRandom() {
+    openMutate(view::MutateDialog::Source::Chance);
+}
+
+void EditMenu::showPreferences() {
+    auto* dialog = new view::PreferencesDialog(context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QStringList unsaved;
+    for (const SessionWindow* window : session::windows())
+        if (window->isWindowModified())
+            unsaved << QString(window->windowTitle()).remove(QStringLiteral("[*]"));
+    dialog->setUnsaved(unsaved);
+    connect(dialog, &view::PreferencesDialog::changed, dialog, [](const view::Preferences& preferences) {
+        view::applyTheme(preferences.theme);
+        for (SessionWindow* window : session::windows())
+            window->setQuality(preferences.quality);
+    });
+    dialog->show();
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "action_menu.h"
+#include "dialogs/mutate_dialog.h"
+
+class EditMenu : public ActionMenu {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    explicit EditMenu(const MenuContext& context);
+
+    void addRandom(); // a fractal that the user picks out of many
+
+private:
+    void addHistory();
+    void addFractals();
+    void openTransform();
+    void openMutate(view::MutateDialog::Source source);
+    void showPreferences();
+};

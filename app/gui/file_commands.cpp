@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "file_commands.h"
+
+#include "widgets/file_dialogs.h"
+
+#include <QAbstractButton>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace {
+
+QString fileFilter() {
+    return FileCommands::tr(
+        "Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv "
+        "*.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)");
+}
+
+} // namespace
+
+FileCommands::FileCommands(const MenuContext& context, OpenFile* file)
+    : QObject(context.window), m_context(context), m_file(file) {}
+
+bool FileCommands::maybeSave() {
+    m_context.canvas->cancelGesture();
+    if (!m_context.document->isModified()) return true;
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
+                    tr("“%1” has unsaved changes.").arg(m_file->name()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_context.window);
+    box.setInformativeText(tr("Do you want to save them?"));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool FileCommands::open(const QString& path) {
+    if (const io::Failure failure = m_file->open(path)) {
+        m_context.messages->fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
+        return false;
+    }
+    reportOpened();
+    return true;
+}
+
+void FileCommands::reportOpened() {
+    const document::FractalFile& file = m_context.document->file();
+    qsizetype broken = 0;
+    qsizetype bent = 0;
+    for (const document::Entry& entry : file.entries) {
+        if (document::dimension(*entry.fractal) == 0)
+            ++broken;
+        else if (!entry.problems.isEmpty())
+            ++bent;
+    }
+    QString sentence = tr("%n entries", nullptr, int(file.entries.size()));
+    if (broken > 0)
+        sentence += tr(", %n of them could not be read and are kept unchanged", nullptr, int(broken));
+    if (bent > 0) sentence += tr(", %n read with warnings", nullptr, int(bent));
+    m_context.messages->say(sentence + u'.');
+}
+
+void FileCommands::startNew() {
+    if (!maybeSave()) return;
+    m_file->startNew();
+    m_context.canvas->fit();
+}
+
+void FileCommands::chooseAndOpen() {
+    if (!maybeSave()) return;
+    const QString folder = m_file->path().isEmpty() ? QString() : QFileInfo(m_file->path()).path();
+    const QString path = view::chooseFileToOpen(m_context.window, tr("Open"), fileFilter(), folder);
+    if (!path.isEmpty()) open(path);
+}
+
+void FileCommands::openRecent(const QString& path) {
+    if (maybeSave()) open(path);
+}
+
+// Another program has changed the file, or taken it away.
+FileCommands::Answer FileCommands::askAboutDisk(OpenFile::OnDisk found) {
+    const bool isGone = found == OpenFile::OnDisk::Gone;
+    QMessageBox box(
+        QMessageBox::Warning, isGone ? tr("Missing on disk") : tr("Changed on disk"),
+        isGone ? tr("“%1” has been deleted, renamed or moved since you opened it.").arg(m_file->name())
+               : tr("Another program has changed “%1” since you opened it.").arg(m_file->name()),
+        QMessageBox::Cancel, m_context.window);
+    box.setInformativeText(isGone ? tr("Saving creates it again at its old place.")
+                                  : tr("Saving overwrites the changes made by the other program."));
+    const QPushButton* here = isGone ? box.addButton(QMessageBox::Save)
+                                     : box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    const QPushButton* elsewhere = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
+    box.exec();
+    const QAbstractButton* clicked = box.clickedButton();
+    return clicked == here ? Answer::Save : clicked == elsewhere ? Answer::SaveAs : Answer::Cancel;
+}
+
+bool FileCommands::save() {
+    if (m_file->path().isEmpty()) return saveAs();
+    const std::optional<OpenFile::OnDisk> found = m_file->onDisk();
+    if (!found) return false;
+    const Answer answer = *found == OpenFile::OnDisk::Same ? Answer::Save : askAboutDisk(*found);
+    if (answer == Answer::SaveAs) return saveAs();
+    if (answer == Answer::Cancel) return false;
+    if (const io::Failure failure = m_file->save()) {
+        m_context.messages->fail(tr("%1 was not saved").arg(m_file->name()), *failure);
+        return false;
+    }
+    reportSaved();
+    return true;
+}
+
+void FileCommands::reportSaved() {
+    QString sentence = tr("Saved %1.").arg(m_file->name());
+    if (m_file->otherNames() > 0)
+        sentence += u' ' + tr("Other names of the file (hard links) keep the old contents.");
+    m_context.messages->say(sentence);
+}
+
+bool FileCommands::saveAs() {
+    const QString suggestion =
+        m_file->path().isEmpty()
+            ? document::uniqueName({}, m_context.document->fractal().name) + QStringLiteral(".ifs")
+            : m_file->path();
+    const QString path = view::chooseFileToSave(m_context.window, tr("Save As"), suggestion,
+                                                tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
+    if (path.isEmpty()) return false;
+    if (const io::Failure failure = m_file->saveAs(path)) {
+        m_context.messages->fail(tr("%1 was not saved").arg(QFileInfo(path).fileName()), *failure);
+        return false;
+    }
+    reportSaved();
+    return true;
+}
+
+void FileCommands::revert() {
+    if (m_context.document->isModified()) {
+        const auto answer = QMessageBox::question(
+            m_context.window, tr("Revert"),
+            tr("Revert to “%1” as it is on disk? Your changes since then will be lost.").arg(m_file->name()),
+            QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
+        if (answer != QMessageBox::Discard) return;
+    }
+    if (const io::Failure failure = m_file->revert())
+        m_context.messages->fail(tr("%1 could not be reloaded").arg(m_file->name()), *failure);
+}

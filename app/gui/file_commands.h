@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "action_menu.h"
+#include "open_file.h"
+
+// Opens and saves the file of a window, with the dialogs that this takes. Shares the translations of the main
+// window.
+class FileCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    FileCommands(const MenuContext& context, OpenFile* file);
+
+    bool maybeSave();               // asks about unsaved changes; false: the user cancelled
+    bool open(const QString& path); // reports what was read, or what failed
+    // These ask about unsaved changes first.
+    void startNew();
+    void chooseAndOpen();
+    void openRecent(const QString& path);
+
+    bool save();
+    bool saveAs();
+    void revert();
+
+private:
+    enum class Answer { Save, SaveAs, Cancel };
+    Answer askAboutDisk(OpenFile::OnDisk found);
+    void reportOpened();
+    void reportSaved();
+
+    MenuContext m_context;
+    OpenFile* m_file;
+};

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "file_menu.h"
+
+#include "dialogs/export/copy_picture.h"
+#include "dialogs/export/export_data_dialog.h"
+#include "dialogs/export/export_dialog.h"
+#include "dialogs/export/print_fractal.h"
+#include "document/edits/cage_edits.h"
+#include "file_commands.h"
+#include "io/file/slow_disk.h"
+#include "open_file.h"
+#include "recent_files.h"
+#include "session.h"
+#include "stage.h"
+#include "widgets/tooltip_text.h"
+
+#include <QFileInfo>
+#include <QPointer>
+
+FileMenu::FileMenu(const MenuContext& context, FileCommands* commands, const OpenFile* file,
+                   const std::function<void()>& openWindow)
+    : ActionMenu(context, tr("&File")), m_commands(commands), m_file(file) {
+    addOpening(openWindow);
+    addSeparator();
+    addSaving();
+    addSeparator();
+    addPictures();
+    addSeparator();
+    add({"close", tr("C&lose"), QKeySequence::Close, tr("Close this window")},
+        [this] { this->context().window->close(); });
+    add({nullptr, tr("&Quit"), QKeySequence::Quit, tr("Close all windows")}, &session::quit);
+    addToolBarGroup({m_open, m_save, m_export});
+}
+
+void FileMenu::addOpening(const std::function<void()>& openWindow) {
+    add({"new", tr("&New"), QKeySequence::New, tr("Start with a Sierpiński triangle")},
+        [this] { m_commands->startNew(); });
+    add({nullptr, tr("New &Window"), QKeySequence(tr("Ctrl+Shift+N")), tr("Open another window")},
+        openWindow);
+    m_open = add({"open", tr("&Open…"), QKeySequence::Open, tr("Open a collection of fractals")},
+                 [this] { m_commands->chooseAndOpen(); });
+    m_recent = addMenu(tr("Open &Recent"));
+    connect(m_recent, &QMenu::aboutToShow, this, &FileMenu::fillRecent);
+}
+
+void FileMenu::addSaving() {
+    m_save = add({"save", tr("&Save"), QKeySequence::Save,
+                  tr("Save the file; entries that you did not edit stay unchanged to the byte")},
+                 [this] { m_commands->save(); });
+    add({"save-as", tr("Save &As…"), QKeySequence(tr("Ctrl+Shift+S")),
+         tr("Save the file under another name")},
+        [this] { m_commands->saveAs(); });
+    QAction* revert =
+        add({nullptr, tr("Re&vert"), {}, tr("Discard your changes and reload the file from disk")},
+            [this] { m_commands->revert(); });
+    revert->setEnabled(false);
+    connect(m_file, &OpenFile::pathChanged, revert,
+            [this, revert] { revert->setEnabled(!m_file->path().isEmpty()); });
+}
+
+void FileMenu::addPictures() {
+    m_export = add({"export", tr("&Export Picture…"), QKeySequence(tr("Ctrl+E")),
+                    tr("Export the picture as PNG, SVG or PDF, framed as on the screen")},
+                   [this] { exportPicture(); });
+    add({nullptr, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
+         tr("Export the maps or points as a flame, for IFStile, as a table or a point cloud")},
+        [this] { exportData(); });
+    QAction* copy = add({"copy", tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
+                         tr("Copy the picture to the clipboard")},
+                        [this] { copyPicture(); });
+    QAction* print = add(
+        {"print", tr("&Print…"), QKeySequence::Print, tr("Print the picture, its name and its coefficients")},
+        [this] { view::printFractal(context().document, context().canvas->camera(), context().window); });
+    for (QAction* action : {m_export, copy, print})
+        disableWhen(action, &document::planeObstacle);
+}
+
+void FileMenu::fillRecent() {
+    m_recent->clear();
+    for (const QString& path : recent_files::list()) {
+        QAction* action = m_recent->addAction(QFileInfo(path).fileName().replace(u'&', QLatin1String("&&")),
+                                              this, [this, path] { m_commands->openRecent(path); });
+        action->setStatusTip(path);
+        action->setToolTip(view::tooltipText(path)); // else it would be the name of the file
+        action->setWhatsThis(action->toolTip());
+    }
+    if (m_recent->isEmpty()) m_recent->addAction(tr("No recent files"))->setEnabled(false);
+    m_recent->addSeparator();
+    m_recent->addAction(tr("Clear this list"), this, [] { recent_files::clear(); });
+}
+
+void FileMenu::exportPicture() {
+    auto* dialog = new view::ExportDialog(context().document, context().canvas->camera(), context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (context().canvas->navigation().isFitted()) dialog->setSection(view::ExportDialog::Section::Attractor);
+    const QString folder = QFileInfo(m_file->path()).absolutePath();
+    const auto isWritable = [folder] { return QFileInfo(folder).isWritable(); };
+    if (!m_file->path().isEmpty() && io::answerSoon(isWritable).value_or(false)) dialog->setFolder(folder);
+    dialog->show();
+}
+
+void FileMenu::exportData() {
+    auto* dialog = new view::ExportDataDialog(context().document, context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void FileMenu::copyPicture() {
+    const attractor::Camera camera = context().canvas->camera();
+    const auto picture = context().stage->picture();
+    const QPointer<FileMenu> self(this); // the window may be closed while the lines are written
+    view::copyPicture(context().document, camera, picture, context().window);
+    if (self) context().messages->say(tr("The picture was copied to the clipboard."));
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "action_menu.h"
+#include "document/edits/maps_arrange.h"
+
+// What can be done with the selected maps.
+class MapsMenu : public ActionMenu {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    explicit MapsMenu(const MenuContext& context);
+
+private:
+    void addList();
+    void addArrangement(ActionMenu* menu, document::MapsArrangement arrangement, const QString& text,
+                        const QString& tip);
+};

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QFrame>
+#include <QTimer>
+
+class QBoxLayout;
+class QLabel;
+class QMainWindow;
+
+// A message over the canvas, by default in its lower left corner, which blocks nothing. Esc closes it; it
+// deletes itself when closed.
+class MessageBanner : public QFrame {
+    Q_OBJECT
+
+public:
+    static constexpr int maxWidth = 340;
+    static constexpr int margin = 16;     // inside, and from the edge of the canvas
+    static constexpr int hintHeight = 56; // kept free at the bottom of the canvas, for its hints
+
+    explicit MessageBanner(QMainWindow* host);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+    QLabel* createTitle();
+    QBoxLayout* createButtons();  // a row, or a column where a row is too wide
+    void follow(QWidget* widget); // updates the geometry when the widget moves or is resized
+    void unfollow(QWidget* widget);
+    // Shows the banner, once panels and bars are laid out, and has screen readers announce it.
+    void appear(const QString& announcement);
+    QMainWindow* host() const { return m_host; }
+    QRect canvasRect() const; // in coordinates of the window
+    virtual QPoint topLeft(); // of the banner, in coordinates of the window
+
+private:
+    void layOut();
+
+    QMainWindow* m_host;
+    QBoxLayout* m_buttons = nullptr;
+    QTimer m_geometryTimer;
+};

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_view.h"
+#include "space/space_view.h"
+
+#include <QStackedWidget>
+
+// The middle of the window: the canvas of the plane, or the window into space for an entry in space.
+class Stage : public QStackedWidget {
+    Q_OBJECT
+
+public:
+    Stage(document::Document* document, view::RenderBridge* render, view::SolidBridge* solid,
+          QWidget* parent = nullptr);
+
+    view::CanvasView* plane() { return m_plane; }
+    view::SpaceView* space() { return m_space; }
+    bool showsSpace() const { return currentWidget() == m_space; }
+
+    // Of the one that is shown:
+    void fit();
+    void zoomBy(double factor);
+    void resetZoom();
+    QImage picture() const;
+    bool cancelGesture();
+    void takeFocus(Qt::FocusReason reason = Qt::OtherFocusReason);
+
+signals:
+    void switched(); // from the plane to space, or back
+
+private:
+    void follow(const document::Document& document);
+
+    view::CanvasView* m_plane;
+    view::SpaceView* m_space;
+};

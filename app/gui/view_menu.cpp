@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "view_menu.h"
+
+#include "document/edits/cage_edits.h"
+#include "document/space_geometry.h"
+#include "stage.h"
+#include "widgets/icon.h"
+
+namespace {
+
+constexpr double zoomStep = 1.25;
+
+} // namespace
+
+ViewMenu::ViewMenu(const MenuContext& context, const std::function<void(bool)>& present)
+    : ActionMenu(context, tr("&View")) {
+    addZoom();
+    addCamera();
+    addSeparator();
+    addOverlays();
+    addSnapping();
+    addSeparator();
+    m_panels = addMenu(tr("&Panels"));
+    addScreens(present);
+}
+
+void ViewMenu::addZoom() {
+    Stage* stage = context().stage;
+    QAction* fit = add({"fit", tr("&Fit"), QKeySequence(tr("F")), tr("Show the whole fractal")},
+                       [stage] { stage->fit(); });
+    QAction* in = add({"zoom-in", tr("Zoom &In"), QKeySequence::ZoomIn, tr("Zoom in")},
+                      [stage] { stage->zoomBy(zoomStep); });
+    QAction* out = add({"zoom-out", tr("Zoom &Out"), QKeySequence::ZoomOut, tr("Zoom out")},
+                       [stage] { stage->zoomBy(1 / zoomStep); });
+    add({"zoom-reset", tr("&100 %"), QKeySequence(tr("1")), tr("Show one unit as one hundred pixels")},
+        [stage] { stage->resetZoom(); });
+    addToolBarGroup({fit, in, out});
+}
+
+void ViewMenu::addCamera() {
+    auto* menu = new ActionMenu(context(), tr("Ca&mera"));
+    addMenu(menu);
+    view::SpaceNavigation& space = context().stage->space()->navigation();
+    const struct {
+        QString text;
+        QString tip;
+        view::AxisBall::Direction direction;
+    } views[] = {
+        {tr("&Front"), tr("Look along the z axis (1 on the keypad)"), view::AxisBall::towards({2, true})},
+        {tr("&Back"), tr("Look along the z axis from behind (Ctrl+1 on the keypad)"),
+         view::AxisBall::towards({2, false})},
+        {tr("&Right"), tr("Look along the x axis (3 on the keypad)"), view::AxisBall::towards({0, true})},
+        {tr("&Left"), tr("Look along the x axis from behind (Ctrl+3 on the keypad)"),
+         view::AxisBall::towards({0, false})},
+        {tr("&Top"), tr("Look down (7 on the keypad)"), view::AxisBall::towards({1, true})},
+        {tr("B&ottom"), tr("Look up (Ctrl+7 on the keypad)"), view::AxisBall::towards({1, false})},
+        {tr("&Isometric"), tr("Look from a corner (Home)"), view::AxisBall::isometric},
+    };
+    for (const auto& view : views)
+        disableWhen(menu->add({nullptr, view.text, {}, view.tip},
+                              [&space, to = view.direction] { space.lookFrom(to); }),
+                    &document::spaceObstacle);
+    menu->addSeparator();
+    QAction* perspective = menu->addToggle({nullptr,
+                                            tr("&Perspective"),
+                                            {},
+                                            tr("Show what is far away smaller (5 on the keypad)"),
+                                            "space/perspective",
+                                            false},
+                                           [&space](bool on) { space.setPerspective(on); });
+    connect(&space, &view::SpaceNavigation::perspectiveChanged, perspective, &QAction::setChecked);
+    disableWhen(perspective, &document::spaceObstacle);
+}
+
+void ViewMenu::addOverlays() {
+    view::CanvasView* canvas = context().canvas;
+    QAction* grid =
+        addToggle({"grid", tr("&Grid"), QKeySequence(tr("G")), tr("Show the grid"), "canvas/grid", true},
+                  [canvas](bool on) { canvas->options().setGridVisible(on); });
+    connect(&canvas->options(), &view::CanvasOptions::gridVisibleChanged, grid, &QAction::setChecked);
+    QAction* axes =
+        addToggle({"axes", tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"), "canvas/axes", true},
+                  [canvas](bool on) { canvas->options().setAxesVisible(on); });
+    connect(&canvas->options(), &view::CanvasOptions::axesVisibleChanged, axes, &QAction::setChecked);
+    QAction* downwards =
+        addToggle({"y-axis", tr("&Y Axis Down"), QKeySequence(tr("Y")),
+                   tr("Point the y axis down, as in window coordinates")},
+                  [canvas](bool on) {
+                      canvas->navigation().setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
+                  });
+    for (QAction* ofThePlane : {grid, axes, downwards})
+        disableWhen(ofThePlane, &document::planeObstacle);
+    QAction* hide = addToggle({"hide", tr("Only the Pi&cture"), QKeySequence(tr("H")),
+                               tr("Hide everything on the canvas except the picture")},
+                              [canvas](bool on) { canvas->options().setOverlaysVisible(!on); });
+    connect(&canvas->options(), &view::CanvasOptions::overlaysVisibleChanged, hide,
+            [hide](bool on) { hide->setChecked(!on); });
+}
+
+void ViewMenu::addSnapping() {
+    auto* menu = new ActionMenu(context(), tr("&Snap To"));
+    menu->setIcon(view::icon(QStringLiteral("snap")));
+    addMenu(menu);
+    const std::tuple<view::SnapTo, QString, const char*> targets[] = {
+        {view::SnapTo::Grid, tr("&Grid"), "canvas/snap/grid"},
+        {view::SnapTo::Vertices, tr("&Vertices"), "canvas/snap/vertices"},
+        {view::SnapTo::Axes, tr("&Axes"), "canvas/snap/axes"},
+    };
+    for (const auto& [target, text, setting] : targets)
+        menu->addToggle({nullptr, text, {}, tr("Make dragged vertices snap to this"), setting},
+                        [canvas = context().canvas, target = target](bool on) {
+                            canvas->options().setSnapping(canvas->options().snapping().setFlag(target, on));
+                        });
+}
+
+void ViewMenu::addScreens(const std::function<void(bool)>& present) {
+    m_fullScreen =
+        addToggle({nullptr, tr("F&ull Screen"), QKeySequence(tr("F11")), tr("Fill the whole screen")},
+                  [window = context().window](bool on) {
+                      window->setWindowState(window->windowState().setFlag(Qt::WindowFullScreen, on));
+                  });
+    m_presentation =
+        addToggle({nullptr, tr("P&resentation"), QKeySequence(tr("Shift+F11")),
+                   tr("Show only the canvas, on the whole screen, as for a projector; press Esc to return")},
+                  present);
+}

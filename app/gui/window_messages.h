@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+class QMainWindow;
+class QMessageBox;
+
+// What a window tells its user.
+class WindowMessages : public QObject {
+    Q_OBJECT
+
+public:
+    explicit WindowMessages(QMainWindow* window);
+
+    void say(const QString& sentence);                        // in the status bar, for a few seconds
+    void fail(const QString& title, const QString& sentence); // in a message box; does not wait for it
+
+private:
+    QMainWindow* m_window;
+    QList<QMessageBox*> m_failures; // only the first one is open
+};

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "animation/animation.h"
+
+#include "ifs/system/map_interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace animation {
+
+namespace {
+
+template <int Dim> const MapTrack<Dim>* trackOf(const Animation<Dim>& animation, ifs::MapId map) {
+    const auto found = std::ranges::find(animation.maps, map, &MapTrack<Dim>::map);
+    return found == animation.maps.end() ? nullptr : &*found;
+}
+
+template <int Dim> ifs::Vector<Dim> referenceOf(const Animation<Dim>& animation, const Pose<Dim>& still) {
+    if (animation.reference) return *animation.reference;
+    ifs::Vector<Dim> sum = ifs::Vector<Dim>::Zero();
+    if (still.cage && !still.cage->rest.empty()) {
+        for (const auto& vertex : still.cage->rest)
+            sum += vertex;
+        return sum / double(still.cage->rest.size());
+    }
+    int count = 0;
+    for (const auto& map : still.system.maps)
+        if (const auto fixed = ifs::fixedPoint<Dim>(map.map)) {
+            sum += *fixed;
+            ++count;
+        }
+    return count > 0 ? ifs::Vector<Dim>(sum / count) : sum;
+}
+
+// What a branch is about: the image of the reference under the maps of its address, as they stand still.
+template <int Dim>
+ifs::Vector<Dim> centreOf(const std::vector<ifs::MapId>& word, const ifs::IteratedFunctionSystem<Dim>& system,
+                          ifs::Vector<Dim> reference) {
+    for (auto id = word.rbegin(); id != word.rend(); ++id) {
+        const auto map = std::ranges::find(system.maps, *id, &ifs::WeightedMap<Dim>::id);
+        if (map != system.maps.end()) reference = map->map(reference);
+    }
+    return reference;
+}
+
+// One moment of one animation.
+template <int Dim> class Evaluation {
+public:
+    Evaluation(const Animation<Dim>& animation, const Moment& moment, Pose<Dim> still)
+        : m_animation(animation),
+          m_clock{folded(moment, animation.loop, animation.length), animation.loop, animation.length},
+          m_pose(std::move(still)),
+          m_reference(referenceOf(animation, m_pose)) {}
+
+    Pose<Dim> pose() && {
+        moveBranches(); // about the places of the code at rest
+        moveMaps();
+        moveCage();
+        if (!m_animation.look.empty()) {
+            const auto [from, to, share] = segmentAt(m_animation.look, m_clock);
+            m_pose.appearance = withLook(std::move(m_pose.appearance), between(from, to, share));
+        }
+        if (!m_animation.camera.empty()) {
+            const auto [from, to, share] = segmentAt(m_animation.camera, m_clock);
+            m_pose.camera = between(from, to, share);
+        }
+        for (const Motion<Dim>& motion : m_animation.motions)
+            apply(motion);
+        return std::move(m_pose);
+    }
+
+private:
+    void moveMaps() {
+        if (m_animation.maps.empty()) return;
+        const CommonNorm<Dim> norm = commonNorm(m_animation, m_pose.system).value_or(CommonNorm<Dim>());
+        for (const MapTrack<Dim>& track : m_animation.maps) {
+            const auto map = std::ranges::find(m_pose.system.maps, track.map, &ifs::WeightedMap<Dim>::id);
+            if (map == m_pose.system.maps.end() || track.keys.empty()) continue;
+            const auto [from, to, share] = segmentAt(track.keys, m_clock);
+            const MapPose<Dim> pose = between<Dim>(from, to, share, m_reference, norm);
+            map->map = pose.map;
+            map->weight = pose.weight;
+        }
+    }
+
+    void moveBranches() {
+        for (const BranchTrack<Dim>& track : m_animation.branches) {
+            if (track.keys.empty()) continue;
+            const auto [from, to, share] = segmentAt(track.keys, m_clock);
+            const auto change = ifs::interpolated<Dim>(from, to, share,
+                                                       centreOf<Dim>(track.word, m_pose.system, m_reference));
+            const auto known = std::ranges::find(m_pose.moved, track.word, &BranchPose<Dim>::word);
+            if (known != m_pose.moved.end())
+                known->change = change;
+            else
+                m_pose.moved.push_back({track.word, change});
+        }
+    }
+
+    void moveCage() {
+        if (m_animation.cage.empty() || !m_pose.cage) return;
+        const auto [from, to, share] = segmentAt(m_animation.cage, m_clock);
+        const std::size_t vertices = m_pose.cage->rest.size();
+        if (from.size() == vertices && to.size() == vertices)
+            m_pose.cage->current = between<Dim>(*m_pose.cage, from, to, share);
+    }
+
+    void apply(const Motion<Dim>& motion) {
+        animation::moveMaps<Dim>(motion, m_clock.moment, m_clock.length, m_pose.system);
+        const double angle = orbitAngle<Dim>(motion, m_clock.moment, m_clock.length);
+        m_pose.orbit += angle;
+        if constexpr (Dim == 2)
+            if (angle != 0 && m_pose.cage) turnCage(*m_pose.cage, std::get<Orbit<2>>(motion).centre, angle);
+        if (const auto* cycle = std::get_if<PaletteCycle>(&motion))
+            m_pose.appearance.palette =
+                cycled(m_pose.appearance.palette, phase(m_clock.moment, m_clock.length, cycle->cycles));
+    }
+
+    const Animation<Dim>& m_animation;
+    Clock m_clock;
+    Pose<Dim> m_pose;
+    ifs::Vector<Dim> m_reference;
+};
+
+bool isPositive(double number) {
+    return number > 0 && std::isfinite(number);
+}
+
+bool isValid(const attractor::View& view) {
+    return view.centre.allFinite() && isPositive(view.height);
+}
+bool isValid(const attractor::OrbitCamera& camera) {
+    return camera.target.allFinite() && isPositive(camera.height) && camera.fieldOfView > 0 &&
+           camera.fieldOfView < 180 && std::abs(camera.orientation.norm() - 1) <= 1e-9;
+}
+bool isValid(const Look& look) {
+    const auto& stops = look.palette.stops;
+    return isPositive(look.brightness) && isPositive(look.gamma) && stops.size() >= 2 &&
+           stops.front().position == 0 && stops.back().position == 1 &&
+           std::ranges::is_sorted(stops, {}, &attractor::Palette::Stop::position);
+}
+template <int Dim> bool isValid(const ifs::AffineMap<Dim>& map) {
+    return ifs::isFinite<Dim>(map);
+}
+template <int Dim> bool isValid(const MapPose<Dim>& pose) {
+    return ifs::isFinite<Dim>(pose.map) && (!pose.weight || std::isfinite(*pose.weight));
+}
+template <int Dim> bool isValid(const CagePose<Dim>& vertices) {
+    return std::ranges::all_of(vertices, [](const auto& vertex) { return vertex.allFinite(); });
+}
+
+template <int Dim, class Value> bool areValid(const Keys<Value>& keys, int length) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const bool isInOrder = i == 0 ? keys[i].frame >= 0 : keys[i].frame > keys[i - 1].frame;
+        if (!isInOrder || keys[i].frame > length || !isValid(keys[i].ease)) return false;
+        if constexpr (std::is_same_v<Value, CagePose<Dim>>) {
+            if (!isValid<Dim>(keys[i].value) || keys[i].value.size() != keys[0].value.size()) return false;
+        } else {
+            if (!isValid(keys[i].value)) return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+template <int Dim> Pose<Dim> Animation<Dim>::at(const Moment& moment, Pose<Dim> still) const {
+    return Evaluation<Dim>(*this, moment, std::move(still)).pose();
+}
+
+template <int Dim> int trackCount(const Animation<Dim>& animation) {
+    const auto one = [](const auto& keys) { return keys.empty() ? 0 : 1; };
+    return one(animation.cage) + one(animation.look) + one(animation.camera) + int(animation.maps.size()) +
+           int(animation.branches.size());
+}
+
+template <int Dim> bool isValid(const Animation<Dim>& animation) {
+    const int length = animation.length;
+    if (length < 1 || length > maxLength || animation.rate.frames < 1 || animation.rate.seconds < 1)
+        return false;
+    if (animation.reference && !animation.reference->allFinite()) return false;
+    std::set<std::vector<ifs::MapId>> known;
+    for (const auto& track : animation.maps)
+        if (track.keys.empty() || !known.insert({track.map}).second || !areValid<Dim>(track.keys, length))
+            return false;
+    known.clear();
+    for (const auto& track : animation.branches)
+        if (track.keys.empty() || track.word.empty() || !known.insert(track.word).second ||
+            !areValid<Dim>(track.keys, length))
+            return false;
+    return areValid<Dim>(animation.cage, length) && areValid<Dim>(animation.look, length) &&
+           areValid<Dim>(animation.camera, length) &&
+           std::ranges::all_of(animation.motions,
+                               [](const Motion<Dim>& motion) { return animation::isValid<Dim>(motion); });
+}
+
+template <int Dim>
+std::optional<CommonNorm<Dim>> commonNorm(const Animation<Dim>& animation,
+                                          const ifs::IteratedFunctionSystem<Dim>& still) {
+    std::vector<ifs::AffineMap<Dim>> maps;
+    const std::vector<double> probabilities = ifs::probabilities(still);
+    for (std::size_t i = 0; i < still.maps.size(); ++i) {
+        if (const auto* track = trackOf(animation, still.maps[i].id))
+            for (const auto& key : track->keys)
+                maps.push_back(key.value.map);
+        else if (probabilities[i] > 0)
+            maps.push_back(still.maps[i].map);
+    }
+    return commonNorm<Dim>(maps);
+}
+
+#define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template struct Animation<Dim>;                                                                          \
+    template int trackCount<Dim>(const Animation<Dim>&);                                                     \
+    template bool isValid<Dim>(const Animation<Dim>&);                                                       \
+    template std::optional<CommonNorm<Dim>> commonNorm<Dim>(const Animation<Dim>&,                           \
+                                                            const ifs::IteratedFunctionSystem<Dim>&);
+BARYCAGE_INSTANTIATE(2)
+BARYCAGE_INSTANTIATE(3)
+#undef BARYCAGE_INSTANTIATE
+
+} // namespace animation

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "animation/cage_path.h"
+#include "animation/camera_path.h"
+#include "animation/keys.h"
+#include "animation/look_path.h"
+#include "animation/map_path.h"
+#include "animation/motion.h"
+
+#include <optional>
+#include <vector>
+
+// Fractals that move. An animation is a value, and so is what it gives at a moment: whoever draws, exports or
+// analyses a picture need not know that it is one of many. docs/mathematics.md, "Animation".
+namespace animation {
+
+// A branch, by the ids of the maps of its address, that is shown elsewhere.
+template <int Dim> struct BranchPose {
+    std::vector<ifs::MapId> word;
+    ifs::AffineMap<Dim> change;
+
+    friend bool operator==(const BranchPose&, const BranchPose&) = default;
+};
+
+// Everything that an animation can move, at one moment or, before it has moved anything, as it stands still.
+template <int Dim> struct Pose {
+    ifs::IteratedFunctionSystem<Dim> system;
+    std::optional<ifs::ControlCage<Dim>> cage{};
+    std::vector<BranchPose<Dim>> moved{};
+    attractor::Appearance appearance{};
+    std::optional<CameraPose<Dim>> camera{}; // nullopt: no key says
+    double orbit = 0;                        // degrees by which a camera in space has gone round: orbited()
+};
+
+template <int Dim> struct MapTrack {
+    ifs::MapId map = ifs::MapId::None;
+    Keys<MapPose<Dim>> keys;
+
+    friend bool operator==(const MapTrack&, const MapTrack&) = default;
+};
+
+template <int Dim> struct BranchTrack {
+    std::vector<ifs::MapId> word;
+    Keys<ifs::AffineMap<Dim>> keys;
+
+    friend bool operator==(const BranchTrack&, const BranchTrack&) = default;
+};
+
+struct FrameRate {
+    int frames = 24;
+    int seconds = 1;
+
+    friend bool operator==(const FrameRate&, const FrameRate&) = default;
+};
+
+template <int Dim> struct Animation {
+    FrameRate rate;
+    int length = 48; // frames, 1 … maxLength; keys lie at 0 … length
+    Loop loop = Loop::Off;
+    // Its images under the maps move straight. nullopt: the centre of the cage at rest, else of the fixed
+    // points.
+    std::optional<ifs::Vector<Dim>> reference{};
+    // The tracks. One without keys is still, and not listed.
+    Keys<CagePose<Dim>> cage{}; // positions of as many vertices as the cage has
+    std::vector<MapTrack<Dim>> maps{};
+    std::vector<BranchTrack<Dim>> branches{};
+    Keys<Look> look{};
+    Keys<CameraPose<Dim>> camera{};
+    std::vector<Motion<Dim>> motions{}; // after the keys, in their order
+
+    // What is seen at a moment, where `still` is what is not moved. First the keys, then the motions. Keys of
+    // maps that the system does not have, and of a cage with another number of vertices, move nothing.
+    Pose<Dim> at(const Moment& moment, Pose<Dim> still) const;
+
+    friend bool operator==(const Animation&, const Animation&) = default;
+};
+
+template <int Dim> int trackCount(const Animation<Dim>& animation);
+
+// Whether every number is finite and in its range, keys are in order and within the length, no track is empty
+// or there twice.
+template <int Dim> bool isValid(const Animation<Dim>& animation);
+
+// The norm in which all codes along the keys contract, together with the maps that stay; nullopt where none
+// is known: then some moment in between may have no attractor.
+template <int Dim>
+std::optional<CommonNorm<Dim>> commonNorm(const Animation<Dim>& animation,
+                                          const ifs::IteratedFunctionSystem<Dim>& still);
+
+} // namespace animation

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "animation/common_norm.h"
+
+#include "ifs/existence/invariant_form.h"
+#include "ifs/existence/norm_descent.h"
+#include "ifs/existence/symmetric_square.h"
+#include "ifs/system/eigenvalues.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace animation {
+
+namespace {
+
+constexpr double safety = 1e-12; // by which a norm has to be below 1
+
+template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
+    return map.linear.squaredNorm() < 1 - safety || ifs::spectralNorm<Dim>(map.linear) < 1 - safety;
+}
+
+// The norm √(xᵀPx), if all maps contract there.
+template <int Dim>
+std::optional<CommonNorm<Dim>> tried(const ifs::Matrix<Dim>& form,
+                                     std::span<const ifs::AffineMap<Dim>> maps) {
+    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<Dim>> solver((form + form.transpose()) / 2);
+    if (!(solver.eigenvalues().minCoeff() > 1e-12 * solver.eigenvalues().maxCoeff())) return std::nullopt;
+    const CommonNorm<Dim> norm{solver.operatorSqrt(), solver.operatorInverseSqrt(), false};
+    const bool serves = std::ranges::all_of(maps, [&](const ifs::AffineMap<Dim>& map) {
+        return ifs::spectralNorm<Dim>(norm.root * map.linear * norm.inverse) < 1 - safety;
+    });
+    return serves ? std::optional(norm) : std::nullopt;
+}
+
+// P = I + Σ AᵀPA, where the sum of all products converges.
+template <int Dim> std::optional<ifs::Matrix<Dim>> sumOfProducts(std::span<const ifs::AffineMap<Dim>> maps) {
+    using Operator = ifs::SymmetricOperator<Dim>;
+    Operator transfer = Operator::Zero();
+    for (const auto& map : maps)
+        transfer += ifs::symmetricSquare<Dim>(map.linear.transpose());
+    if (!transfer.allFinite() || !(ifs::largestEigenvalueModulus(transfer) < 1 - safety)) return std::nullopt;
+    const Eigen::MatrixXd inverse = Eigen::MatrixXd(Operator::Identity() - transfer).inverse();
+    const ifs::SymmetricVector<Dim> form = inverse * ifs::upperTriangle<Dim>(ifs::Matrix<Dim>::Identity());
+    return ifs::symmetricMatrix<Dim>(form);
+}
+
+// From the coordinates of an invariant form on, those in which the longest map is as short as it gets.
+template <int Dim>
+std::optional<CommonNorm<Dim>> descended(const ifs::Matrix<Dim>& form,
+                                         std::span<const ifs::AffineMap<Dim>> maps) {
+    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<Dim>> solver(form);
+    if (!(solver.eigenvalues().minCoeff() > 1e-12 * solver.eigenvalues().maxCoeff())) return std::nullopt;
+    const ifs::Matrix<Dim> root = solver.operatorSqrt(), inverse = solver.operatorInverseSqrt();
+    ifs::Coordinates<Dim> best{root, 0};
+    for (const auto& map : maps)
+        best.longest = std::max(best.longest, ifs::spectralNorm<Dim>(root * map.linear * inverse));
+    ifs::descend<Dim>(best, maps);
+    return tried<Dim>(best.root.transpose() * best.root, maps);
+}
+
+} // namespace
+
+template <int Dim> std::optional<CommonNorm<Dim>> commonNorm(std::span<const ifs::AffineMap<Dim>> maps) {
+    if (std::ranges::all_of(maps, contracts<Dim>)) return CommonNorm<Dim>{};
+    if (!std::ranges::all_of(maps, ifs::isFinite<Dim>)) return std::nullopt;
+    // Where some map alone contracts in no norm, no norm is common.
+    for (const auto& map : maps)
+        if (!(ifs::spectralRadius<Dim>(map.linear) < 1)) return std::nullopt;
+    if (const auto form = sumOfProducts(maps))
+        if (auto norm = tried<Dim>(*form, maps)) return norm;
+    for (const double emphasis : {0.0, 2.0, 8.0}) {
+        const auto form = ifs::invariantForm<Dim>(maps, emphasis);
+        if (!form) continue;
+        if (auto norm = tried<Dim>(*form, maps)) return norm;
+        if (auto norm = descended<Dim>(*form, maps)) return norm;
+    }
+    return std::nullopt;
+}
+
+template std::optional<CommonNorm<2>> commonNorm(std::span<const ifs::AffineMap<2>>);
+template std::optional<CommonNorm<3>> commonNorm(std::span<const ifs::AffineMap<3>>);
+
+} // namespace animation

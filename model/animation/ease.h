@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// How a value gets from one key to the next.
+namespace animation {
+
+constexpr double maxSlope = 20; // of a custom curve
+
+struct Ease {
+    enum class Kind {
+        Hold, // stays until the next key
+        Linear,
+        In,    // starts slowly
+        Out,   // ends slowly
+        Both,  // starts and ends slowly
+        Cubic, // the Bézier curve from (0, 0) by (x1, y1) and (x2, y2) to (1, 1)
+    };
+    Kind kind = Kind::Linear;
+    double x1 = 0, y1 = 0, x2 = 1, y2 = 1; // of Cubic
+
+    friend bool operator==(const Ease&, const Ease&) = default;
+};
+
+// The share of the way after the share `u` of the time: from exactly 0 at u ≤ 0 to exactly 1 at u ≥ 1, and
+// always between the two. Needs a valid ease; then |e(u + δ) − e(u)| ≤ maxSlope·δ unless it is Hold.
+double eased(const Ease& ease, double u);
+
+// Of a curve: every number is from 0 to 1, so that x grows and nothing overshoots, and no slope is above
+// maxSlope.
+bool isValid(const Ease& ease);
+
+// The curve through these handles; where it would be too steep, they are drawn towards the straight line as
+// little as makes it valid. Numbers outside of 0 … 1 are taken to the nearer end.
+Ease cubicEase(double x1, double y1, double x2, double y2);
+
+} // namespace animation

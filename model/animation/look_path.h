@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/appearance.h"
+
+namespace animation {
+
+// What of an appearance a key holds: everything but the colours of single maps and the supersampling.
+struct Look {
+    attractor::ColourBy colourBy = attractor::ColourBy::Density;
+    attractor::Palette palette;
+    attractor::Rgba plain;
+    attractor::Rgba background;
+    double brightness = 20; // > 0
+    double gamma = 2.2;     // > 0
+
+    friend bool operator==(const Look&, const Look&) = default;
+};
+
+Look lookOf(const attractor::Appearance& appearance);
+attractor::Appearance withLook(attractor::Appearance appearance, const Look& look);
+
+// Between two looks, exact at both ends: colours in Oklab, those of palettes at every position where one of
+// them has a stop; brightness and gamma by constant factors; what the colours stand for changes at the end.
+Look between(const Look& from, const Look& to, double share);
+
+// The palette gone round by a share of a cycle, 0 ≤ … < 1: once to its end and back, so that no colour meets
+// another one at a seam.
+attractor::Palette cycled(const attractor::Palette& palette, double share);
+
+} // namespace animation

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+// Time, counted in frames: frame 0 is the start.
+namespace animation {
+
+constexpr int maxLength = 1'000'000;                   // frames
+constexpr std::int64_t maxDenominator = 1'000'000'000; // of a fraction of a frame
+constexpr int maxCycles = 1000;                        // of a motion, in the length of an animation
+
+// A frame or a fraction of one, in lowest terms with a positive denominator.
+struct Moment {
+    std::int64_t numerator = 0;
+    std::int64_t denominator = 1;
+
+    friend bool operator==(const Moment&, const Moment&) = default;
+};
+
+// In lowest terms; the denominator is not 0.
+Moment moment(std::int64_t numerator, std::int64_t denominator = 1);
+// "12", "12.25" or "49/4"; nullopt for anything else, for a negative one, and beyond maxLength or
+// maxDenominator.
+std::optional<Moment> parseMoment(std::string_view text);
+bool isAfter(const Moment& moment, std::int64_t frame);
+
+// What comes after the last frame.
+enum class Loop {
+    Off,          // it stays
+    Cycle,        // frame 0: the last frame shows what the first one does, and is not drawn
+    ThereAndBack, // all frames backwards
+};
+
+// The frames to draw: length + 1 without a loop, `length` in a cycle, 2·length there and back.
+int frameCount(Loop loop, int length);
+int lastFrame(Loop loop, int length); // the last one that can be asked for: `length`, or 2·length
+
+// The moment from 0 to `length` that is shown at this one.
+Moment folded(const Moment& moment, Loop loop, int length);
+
+// The share of a cycle, 0 ≤ … < 1, that a motion of `cycles` in the length is at. Reduced in integers: at
+// `length` it is exactly 0 again. The moment is folded.
+double phase(const Moment& moment, int length, int cycles);
+
+} // namespace animation

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace animation {
+
+struct Shipment {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    double amount = 0; // above 0
+
+    friend bool operator==(const Shipment&, const Shipment&) = default;
+};
+
+// The cheapest way to ship `supply` to `demand`, both positive with the same sum, where a unit from i to k
+// costs cost(i, k): a vertex of the transport polytope, so at most one shipment fewer than there are places,
+// by place of origin and then by destination. The network simplex on the spanning trees of the places.
+std::vector<Shipment> transport(const std::vector<double>& supply, const std::vector<double>& demand,
+                                const Eigen::MatrixXd& cost);
+
+} // namespace animation

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/colour/palette.h"
+
+#include <cstddef>
+
+// What a gradient editor does. Every palette has at least two stops; the first and the last stay at 0 and 1.
+namespace attractor {
+
+// A new stop with the colour that is there already; returns its index, between the first and the last stop.
+std::size_t addStop(Palette& palette, double position);
+bool canMove(const Palette& palette, std::size_t stop);             // the same stops can be removed
+void moveStop(Palette& palette, std::size_t stop, double position); // up to its neighbours
+void removeStop(Palette& palette, std::size_t stop);
+void reverse(Palette& palette);
+void distribute(Palette& palette); // stops at equal distances
+
+} // namespace attractor

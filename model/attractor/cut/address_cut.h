@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/cut/bend_table.h"
+#include "attractor/kernels/word.h"
+#include "attractor/request/camera.h"
+#include "attractor/samples/prepared_system.h"
+#include "ifs/cage/control_cage.h"
+
+#include <cstdint>
+#include <memory_resource>
+#include <stop_token>
+#include <vector>
+
+namespace attractor {
+
+// A rectangle of square cells that counts samples; cell (0, 0) at the top left.
+struct GridSize {
+    int width = 0;
+    int height = 0;
+};
+
+// camera · cage: world coordinates of the code → cells. Kept in parts, because far inside the attractor the
+// offset from the camera's centre has to be formed before it is scaled.
+struct Projection {
+    ifs::Matrix<2> scale = ifs::Matrix<2>::Identity(); // world units → cells, with the y direction
+    ifs::Placement cage;
+    ifs::Vector<2> centre = ifs::Vector<2>::Zero(); // world point shown in the middle
+    GridSize grid;
+    int cellsPerPixel = 1;
+
+    ifs::Vector<2> cell(const ifs::Vector<2>& displayed) const {
+        const ifs::Vector<2> offset = displayed - centre;
+        return {scale(0, 0) * offset.x() + grid.width / 2.0, scale(1, 1) * offset.y() + grid.height / 2.0};
+    }
+};
+Projection projection(const Camera& camera, const ifs::Placement& cage, int cellsPerPixel);
+
+// How far a word of a cage that bends may be off.
+constexpr double maxBendError = 0.25; // pixels
+
+struct CutSettings {
+    int words = 1024;                // no word has more than 1/words of the measure in view
+    int minDepth = 0;                // no word is shorter, so that its first maps are known
+    int maxDepth = 1 << 30;          // no word is longer
+    std::uint64_t seed = 1;          // decides which words stand for others where there are too many
+    std::size_t maxLooks = 1U << 25; // words looked at; then those that are open stay as they are
+    double samples = 0; // in view; a bend is not followed into words that would get fewer than 32
+};
+
+// Words of the address tree that meet the grid: A ∩ view = ∪ w_σ(A) ∩ view.
+struct AddressCut {
+    std::vector<Word> words;
+    // The words from `firstCurved` to before `firstExact` have these curves. From `firstExact` on, samples
+    // are taken through these maps from box coordinates to the code's, and then through the cage one by one.
+    std::size_t firstCurved = 0;
+    std::vector<Curve> curves;
+    std::size_t firstExact = 0;
+    std::vector<ifs::AffineMap<2>> exact;
+    const Curve* curveOf(std::size_t word) const { // nullptr where there is none
+        return word >= firstCurved && word < firstExact ? &curves[word - firstCurved] : nullptr;
+    }
+    ShownWord shown(std::size_t word) const { return {words[word], curveOf(word)}; } // before firstExact
+    bool isThinned = false; // words stand for others; another seed chooses others
+    double probability = 0; // Σ p_σ: an unbiased estimate of the measure of the words that meet the view
+};
+
+// What one cut can leave to the next: memory, and what is known of a cage that bends. Never changes a word.
+struct CutMemory {
+    BendTable bends;
+    std::pmr::unsynchronized_pool_resource nodes{std::pmr::pool_options{1, 1U << 22}};
+};
+
+// Empty when stopped.
+AddressCut addressCut(const PreparedSystem& system, const Projection& projection, const CutSettings& settings,
+                      std::stop_token stop = {}, CutMemory* kept = nullptr);
+
+} // namespace attractor

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/cut/space_cut.h"
+
+#include "attractor/arithmetic/arithmetic.h"
+#include "attractor/cut/thinning.h"
+#include "attractor/kernels/sample_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace attractor {
+
+namespace {
+
+struct Node {
+    ifs::AffineMap<3> word; // box → SpaceView::toPixels
+    SeenWord seen;
+    double probability = 1;
+    double address = 0; // Σ σ_k N^−k
+    double step = 1;    // N^−|σ|
+    std::uint64_t key = 0;
+    std::uint32_t firstMap = 0;
+    int depth = 0;
+};
+
+class Tree {
+public:
+    Tree(const PreparedSpace& system, const SpaceView& view, const SpaceCutSettings& settings)
+        : m_system(system), m_view(view), m_settings(settings) {
+        for (const ifs::AffineMap<3>& map : system.maps)
+            m_maps.push_back(system.inBox(map));
+    }
+
+    SpaceCut cut(const std::stop_token& stop) {
+        // First the measure in view, coarsely; then the cut, whose threshold is a power of two so that words
+        // keep their identity while the view moves a little.
+        double visible = 0;
+        for (const Node& node : leaves(16.0 / m_settings.words, stop))
+            visible += node.probability;
+        double threshold = 1;
+        while (threshold > 0 && threshold > visible / m_settings.words)
+            threshold /= 2;
+        m_enough = m_settings.samples > 0 ? minSamples / m_settings.samples * visible : 0;
+        m_followsBend = true;
+        m_thinnings = 0;
+        SpaceCut result = words(leaves(threshold, stop));
+        result.isThinned = m_thinnings > 0;
+        return stop.stop_requested() ? SpaceCut{} : result;
+    }
+
+private:
+    static constexpr std::size_t maxWords = 1U << 16;
+    static constexpr std::size_t maxLooks = 1U << 22;
+    static constexpr double maxBend = 0.25; // cells
+    static constexpr double minSize = 0.25; // cells; below, splitting shows nothing new
+    static constexpr double minSamples = 32;
+
+    Node root() const {
+        Node node;
+        node.word = m_view.toPixels * m_system.fromBox();
+        node.seen = seen(node.word, m_view);
+        return node;
+    }
+
+    Node child(const Node& node, std::size_t i) const {
+        Node result;
+        result.word = node.word * m_maps[i];
+        result.seen = seen(result.word, m_view);
+        result.probability = node.probability * m_system.probabilities[i];
+        result.step = node.step / static_cast<double>(m_maps.size());
+        result.address = node.address + static_cast<double>(i) * result.step;
+        result.key = mixed(node.key + i + 1);
+        result.firstMap = node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap;
+        result.depth = node.depth + 1;
+        return result;
+    }
+
+    bool isBent(const Node& node) const {
+        return m_followsBend && !(node.seen.miss <= maxBend && !node.seen.reachesEye);
+    }
+
+    bool isLeaf(const Node& node, double threshold) const {
+        if (node.depth < m_settings.minDepth) return false;
+        if (!m_system.contracts) return true;
+        const double size = 2 * std::max(node.seen.half.x(), node.seen.half.y());
+        const double most = 2.0 * std::max(m_view.size.width, m_view.size.height);
+        const bool isSmall = node.probability <= threshold && size <= most;
+        return (isSmall || size <= minSize) && (!isBent(node) || node.probability <= m_enough);
+    }
+
+    // Level by level.
+    std::vector<Node> leaves(double threshold, const std::stop_token& stop) {
+        std::vector<Node> done;
+        std::vector<Node> open{root()};
+        std::vector<Node> next;
+        std::size_t looks = 0;
+        if (!open.front().seen.meets(m_view.size)) open.clear();
+        while (!open.empty()) {
+            std::erase_if(open, [&](const Node& node) {
+                if (!isLeaf(node, threshold)) return false;
+                done.push_back(node);
+                return true;
+            });
+            if (open.size() * m_maps.size() + done.size() > 4 * maxWords)
+                thinOut(open, std::max<std::size_t>(64, maxWords / m_maps.size()));
+            next.clear();
+            for (const Node& node : open)
+                for (std::size_t i = 0; i < m_maps.size(); ++i) {
+                    if (++looks % 4096 == 0 && stop.stop_requested()) return {};
+                    const Node candidate = child(node, i);
+                    if (candidate.seen.meets(m_view.size)) next.push_back(candidate);
+                }
+            open.swap(next);
+            if (looks > maxLooks) break;
+        }
+        done.insert(done.end(), open.begin(), open.end());
+        return done;
+    }
+
+    void thinOut(std::vector<Node>& nodes, std::size_t wanted) {
+        if (nodes.size() <= wanted) return;
+        attractor::thinOut(nodes, wanted, m_settings.seed + nodes.size() + (m_thinnings++ << 32));
+    }
+
+    SpaceCut words(const std::vector<Node>& nodes) const {
+        SpaceCut result;
+        for (const Node& node : nodes)
+            if (!isBent(node)) add(node, result);
+        result.firstExact = result.words.size();
+        for (const Node& node : nodes)
+            if (isBent(node)) {
+                add(node, result);
+                result.exact.push_back(node.word);
+            }
+        return result;
+    }
+
+    static void add(const Node& node, SpaceCut& cut) {
+        const ifs::AffineMap<3>& map = node.seen.onScreen;
+        SpaceWord word;
+        for (int k = 0; k < 3; ++k) {
+            word.shown.column[static_cast<std::size_t>(k)] = static_cast<float>(map.linear(0, k));
+            word.shown.row[static_cast<std::size_t>(k)] = static_cast<float>(map.linear(1, k));
+        }
+        word.shown.x = static_cast<float>(map.translation.x());
+        word.shown.y = static_cast<float>(map.translation.y());
+        word.halfX = static_cast<float>(node.seen.half.x());
+        word.halfY = static_cast<float>(node.seen.half.y());
+        word.firstMap = node.firstMap;
+        // Runs begin at multiples of the widest vector.
+        word.offset = static_cast<std::uint32_t>(node.key % (SampleSet::size / 16)) * 16;
+        word.probability = node.probability;
+        word.addressCoordinate = node.address + node.step / 2;
+        cut.words.push_back(word);
+        cut.probability += node.probability;
+    }
+
+    const PreparedSpace& m_system;
+    const SpaceView& m_view;
+    SpaceCutSettings m_settings;
+    std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
+    bool m_followsBend = false;
+    double m_enough = 0; // probability below which samples are projected one by one
+    std::uint64_t m_thinnings = 0;
+};
+
+} // namespace
+
+SpaceCut spaceCut(const PreparedSpace& system, const SpaceView& view, const SpaceCutSettings& settings,
+                  const std::stop_token& stop) {
+    if (system.maps.empty()) return {};
+    return Tree(system, view, settings).cut(stop);
+}
+
+} // namespace attractor

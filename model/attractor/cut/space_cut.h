@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/cloud_kernels.h"
+#include "attractor/samples/prepared_space.h"
+#include "attractor/solid/space_view.h"
+
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+namespace attractor {
+
+// One word of a cut in space, and the box that it is seen in, in cells.
+struct SpaceWord {
+    kernels::CloudWord shown;
+    float halfX = 0, halfY = 0;
+    std::uint32_t firstMap = 0;   // outermost, among the maps that take part
+    std::uint32_t offset = 0;     // where its run of samples begins; depends on the address alone
+    double probability = 0;       // p_σ
+    double addressCoordinate = 0; // middle of the interval Σ σ_k N^−k … + N^−|σ|
+};
+
+// Words of the address tree that meet the view. From `firstExact` on, a perspective bends a word too much for
+// its share of the samples: they are taken through these maps, from box coordinates to those of
+// SpaceView::toPixels, and projected one by one.
+struct SpaceCut {
+    std::vector<SpaceWord> words;
+    std::size_t firstExact = 0;
+    std::vector<ifs::AffineMap<3>> exact;
+    bool isThinned = false; // words stand for others; another seed chooses others
+    double probability = 0; // Σ p_σ
+};
+
+struct SpaceCutSettings {
+    int words = 1024;       // no word has more than 1/words of the measure in view
+    int minDepth = 0;       // no word is shorter, so that its first maps are known
+    double samples = 0;     // in view; a word that gets fewer than 32 is not divided because it bends
+    std::uint64_t seed = 1; // decides which words stand for others where there are too many
+};
+
+// The size of the view is counted in cells. Empty when stopped.
+SpaceCut spaceCut(const PreparedSpace& system, const SpaceView& view, const SpaceCutSettings& settings,
+                  const std::stop_token& stop = {});
+
+} // namespace attractor

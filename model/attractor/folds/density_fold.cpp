@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/folds/density_fold.h"
+
+#include "attractor/arithmetic/arithmetic.h"
+#include "attractor/cells/splat.h"
+#include "attractor/samples/chaos_game.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace attractor {
+
+namespace {
+
+constexpr std::uint64_t maxPerSampleSet = 1U << 24;           // more samples are drawn from a fresh set
+constexpr std::uint64_t maxUninstanced = 2 * SampleSet::size; // the same where there is but one word
+constexpr std::uint64_t samplesPerJob = 1U << 16;             // between two looks at the stop token
+
+double unitInterval(std::uint64_t random) {
+    return static_cast<double>(random >> 11) * 0x1p-53;
+}
+
+std::uint64_t maxPerSet(const PreparedSystem& system) {
+    return system.meanLogarithm < 0 ? maxPerSampleSet : maxUninstanced;
+}
+
+} // namespace
+
+int wordsFor(std::uint64_t samples) {
+    return static_cast<int>(std::clamp<std::uint64_t>(samples / SampleSet::size, 128, 4096));
+}
+
+std::uint64_t sampleSetsFor(std::uint64_t samples, const PreparedSystem& system) {
+    return samples / maxPerSet(system) + (samples % maxPerSet(system) > 0 ? 1 : 0);
+}
+
+void DensityFold::start(Workers& workers) {
+    SumFold::start(workers);
+    m_cut.reset();
+}
+
+void DensityFold::rewind(const CellWindow& window) {
+    SumFold::rewind(window);
+    m_jobs.clear();
+    m_shares.clear();
+    m_sampleSets = 0;
+    m_overAttractor = 0;
+    m_part = {};
+}
+
+bool DensityFold::complete(const std::stop_token& stop) {
+    if (!m_cut && !makeCut(stop)) return false;
+    while (true) {
+        m_shares.run(workers(), stop,
+                     [this](std::size_t job, std::size_t thread) { runJob(m_jobs[job], thread); });
+        if (m_shares.left()) return false;
+        if (remaining() == 0) return true;
+        if (!makeCut(stop)) return false;
+        if (m_cut->words.empty()) {
+            settle(remaining(), 0);
+            return true;
+        }
+        planSampleSet();
+    }
+}
+
+CutSettings DensityFold::cutSettings() const {
+    const RenderRequest& request = prepared().request();
+    const PreparedSystem& system = prepared().system();
+    CutSettings settings;
+    settings.words = wordsFor(request.samples);
+    settings.seed = m_sampleSets == 0 ? request.seed : mixed(request.seed) + m_sampleSets;
+    settings.samples = static_cast<double>(request.samples);
+    if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
+    if (request.appearance.colourBy == ColourBy::Address)
+        for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
+            ++settings.minDepth;
+    if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;
+    // Without an attractor there are words of every length that grow, and none is ever small enough.
+    if (system.note != RenderNote::None) settings.maxLooks = 1U << 20;
+    return settings;
+}
+
+// For the next sample set. Words that stand for others are chosen anew, so that all get their turn.
+bool DensityFold::makeCut(const std::stop_token& stop) {
+    if (m_cut && (!m_cut->isThinned || m_cutOfSet == m_sampleSets)) return true;
+    AddressCut fresh =
+        addressCut(prepared().system(), prepared().projection(), cutSettings(), stop, &m_cutMemory);
+    if (stop.stop_requested()) return false;
+    // A map that does not contract may lead to words so deep that their measure is 0 to the arithmetic.
+    if (fresh.probability < std::numeric_limits<double>::min()) fresh = {};
+    m_cut = std::move(fresh);
+    m_cutOfSet = m_sampleSets;
+    return true;
+}
+
+// Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
+// exact.
+void DensityFold::planSampleSet() {
+    const PreparedSystem& system = prepared().system();
+    const std::uint64_t seed = prepared().request().seed;
+    const std::uint64_t number = std::min(remaining(), maxPerSet(system));
+    makeRoomFor(number);
+    const std::uint64_t firstUnit = m_sampleSets * PicturePart::unitsPerSet;
+    const bool isInPart = m_part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet);
+    if (isInPart) drawSamples(system, seed, m_sampleSets, m_samples);
+    const double perMeasure = static_cast<double>(number) / m_cut->probability;
+    double sum = unitInterval(mixed(mixed(seed) ^ m_sampleSets));
+    std::uint64_t before = 0;
+    m_counts.clear();
+    const CellWindow& window = sums().window();
+    const bool whole = window.firstRow <= 0 && window.endRow >= prepared().projection().grid.height;
+    for (std::size_t k = 0; k < m_cut->words.size(); ++k) {
+        sum += m_cut->words[k].probability * perMeasure;
+        const auto after = static_cast<std::uint64_t>(sum);
+        const std::uint64_t unit = firstUnit + k * PicturePart::unitsPerSet / m_cut->words.size();
+        // Where samples that go through the cage one by one may fall, the word does not tell.
+        const auto isMet = [&] {
+            return whole || k >= m_cut->firstExact || meets(m_cut->shown(k), m_samples, window);
+        };
+        m_counts.push_back(isInPart && m_part.holds(unit) && isMet() ? after - before : 0);
+        counted(m_counts.back());
+        before = after;
+    }
+    planJobs();
+    m_overAttractor += perMeasure;
+    settle(number, before);
+    ++m_sampleSets;
+}
+
+void DensityFold::planJobs() {
+    m_jobs.clear();
+    Job job;
+    std::uint64_t planned = 0;
+    const auto close = [&](std::size_t end) {
+        job.endWord = static_cast<std::uint32_t>(end);
+        if (job.endWord > job.firstWord) m_jobs.push_back(job);
+        job.firstWord = job.endWord;
+        planned = 0;
+    };
+    for (std::size_t k = 0; k < m_counts.size(); ++k) {
+        if (m_counts[k] > samplesPerJob) {
+            close(k);
+            for (std::uint64_t rest = m_counts[k]; rest > 0; rest -= std::min(rest, samplesPerJob))
+                m_jobs.push_back({job.firstWord, job.firstWord + 1, std::min(rest, samplesPerJob)});
+            ++job.firstWord;
+            continue;
+        }
+        planned += m_counts[k];
+        if (planned >= samplesPerJob) close(k + 1);
+    }
+    close(m_counts.size());
+    m_shares.reset(m_jobs.size(), workers());
+}
+
+void DensityFold::runJob(const Job& job, std::size_t thread) {
+    const CellWindow& window = sums().window();
+    for (std::uint32_t k = job.firstWord; k < job.endWord; ++k) {
+        const std::uint64_t count = job.part > 0 ? job.part : m_counts[k];
+        if (k >= m_cut->firstExact) {
+            plotExactly(k, count, thread);
+            continue;
+        }
+        const ShownWord shown = m_cut->shown(k);
+        const CellRegion cells = reachedCells(shown, m_samples, window);
+        if (!prepared().coloured()) {
+            splat(shown, m_samples, count, window, sums().counts(thread, cells));
+            continue;
+        }
+        const Word& word = shown.word;
+        const ColourCell& colour = prepared().colourOf(word.firstMap, word.addressCoordinate);
+        if (splat(shown, m_samples, count, window, colour, sums().colours(thread, cells)))
+            sums().carryOverColours(thread);
+    }
+}
+
+// The samples of a word that bends too much for a second-order map, in coordinates of the code.
+void DensityFold::plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread) {
+    const Word& word = m_cut->words[k];
+    const ifs::AffineMap<2>& map = m_cut->exact[k - m_cut->firstExact];
+    const ColourCell* colour =
+        prepared().coloured() ? &prepared().colourOf(word.firstMap, word.addressCoordinate) : nullptr;
+    for (std::uint64_t n = 0; n < count; ++n) {
+        const std::size_t at = word.offset + static_cast<std::size_t>(n % SampleSet::size);
+        plot(map({m_samples.x[at], m_samples.y[at]}), colour, thread);
+    }
+}
+
+} // namespace attractor

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/cut/address_cut.h"
+#include "attractor/folds/picture_part.h"
+#include "attractor/folds/sum_fold.h"
+#include "attractor/kernels/sample_set.h"
+#include "attractor/threads/job_shares.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace attractor {
+
+// Words of the cut for a pass of so many samples: none takes more of a sample set than there is.
+int wordsFor(std::uint64_t samples);
+
+// Into how many sample sets a pass of so many samples is divided.
+std::uint64_t sampleSetsFor(std::uint64_t samples, const PreparedSystem& system);
+
+// Algorithm::Density: every word of the cut takes its part of sample sets of the invariant measure.
+class DensityFold : public SumFold {
+public:
+    explicit DensityFold(const PreparedRequest& prepared) : SumFold(prepared) {}
+
+    void start(Workers& workers) override;
+    void rewind(const CellWindow& window) override;
+    bool complete(const std::stop_token& stop) override;
+    bool interrupted() const override { return SumFold::interrupted() || m_shares.left(); }
+    bool finished() const override { return m_cut && m_cut->words.empty(); }
+    double samplesOverAttractor() const override { return m_overAttractor; }
+    const std::optional<AddressCut>& cut() const { return m_cut; } // of the newest sample set
+
+    // From the next sample set on, only the units of the part are gathered. All else is as for the whole
+    // picture: samples(), samplesOverAttractor(), exposure(). rewind() makes it whole again.
+    void setPart(const PicturePart& part) { m_part = part; }
+    using SumFold::sums; // what other parts have gathered may be added
+    double measure() const override { return m_cut ? m_cut->probability : 1; }
+
+private:
+    // A run of words, or a part of a single word with very many samples.
+    struct Job {
+        std::uint32_t firstWord = 0;
+        std::uint32_t endWord = 0;
+        std::uint64_t part = 0; // > 0: that many samples of the first word
+    };
+
+    CutSettings cutSettings() const;
+    bool makeCut(const std::stop_token& stop);
+    void planSampleSet();
+    void planJobs();
+    void runJob(const Job& job, std::size_t thread);
+    void plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread);
+
+    std::optional<AddressCut> m_cut;
+    std::uint64_t m_cutOfSet = 0; // the sample set that m_cut was made for
+    CutMemory m_cutMemory;
+    SampleSet m_samples;
+    std::uint64_t m_sampleSets = 0;      // drawn so far
+    std::vector<std::uint64_t> m_counts; // samples of every word
+    std::vector<Job> m_jobs;
+    JobShares m_shares;
+    double m_overAttractor = 0;
+    PicturePart m_part;
+};
+
+} // namespace attractor

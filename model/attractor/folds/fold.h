@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/folds/prepared_request.h"
+#include "attractor/kernels/cells.h"
+#include "attractor/light/tone_map.h"
+#include "attractor/light/tone_map16.h"
+#include "attractor/request/render_request.h"
+#include "attractor/threads/workers.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stop_token>
+
+namespace attractor {
+
+// picture = fold(⊕, camera · cage · w_σ · sample): a commutative, associative ⊕ gathers what falls into each
+// cell, so that neither order nor threads change a byte, and what has been gathered becomes light. A picture
+// is drawn in passes, each of which may be stopped and completed later. Not thread-safe; uses a team of
+// workers.
+class Fold {
+public:
+    Fold() = default;
+    Fold(const Fold&) = delete;
+    Fold& operator=(const Fold&) = delete;
+    virtual ~Fold() = default;
+
+    // For the prepared request as it is now. Memory of an earlier one is kept; rewind() comes next.
+    virtual void start(Workers& workers) = 0;
+    // Nothing drawn yet; from now on what falls into the window is gathered.
+    virtual void rewind(const CellWindow& window) = 0;
+
+    // The next pass, of so many samples; the one before is complete.
+    virtual void begin(std::uint64_t samples) = 0;
+    // The rest of the pass. False when stopped, within milliseconds.
+    virtual bool complete(const std::stop_token& stop) = 0;
+    virtual bool interrupted() const = 0; // a pass has begun and is not complete
+    virtual bool finished() const = 0;    // nothing more to gain
+
+    virtual std::uint64_t samples() const = 0; // drawn since rewind()
+    // Samples as they would be if those outside the view were drawn as well.
+    virtual double samplesOverAttractor() const = 0;
+    // Of the words that meet the view, estimated.
+    virtual double measure() const { return 1; }
+    virtual int iterations() const { return 0; } // drawn, where Wⁿ is
+    // What it had to leave out.
+    virtual RenderNote note() const { return RenderNote::None; }
+
+    // Whether exposure() is the same for all that can be drawn, and nothing need be drawn to know it.
+    virtual bool hasFixedExposure() const { return false; }
+    // Measured once and kept for the passes to come. nullopt when stopped.
+    virtual std::optional<Exposure> exposure(const std::stop_token& stop) = 0;
+    virtual Occupancy
+    occupancy(double share) const = 0; // of the pixels of the window; see attractor::occupancy
+
+    // The pixels of the window. False when stopped, within milliseconds: then of some of its rows.
+    virtual bool tone(const Exposure& exposure, std::span<std::uint32_t> pixels,
+                      const std::stop_token& stop) const = 0;
+    virtual bool tone(const Exposure& exposure, std::span<Rgba16> pixels,
+                      const std::stop_token& stop) const = 0;
+};
+
+} // namespace attractor

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/cut/address_cut.h"
+#include "attractor/folds/sample_colours.h"
+#include "attractor/request/render_request.h"
+#include "attractor/samples/prepared_system.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace attractor {
+
+// A request and what follows from it before the first sample: camera · cage, the maps that take part, the
+// colours of samples.
+class PreparedRequest {
+public:
+    // What is known of a system or of a cage at rest that stays the same is kept.
+    void set(RenderRequest request);
+
+    const RenderRequest& request() const { return m_request; } // with threads and supersample in their ranges
+    const PreparedSystem& system() const { return m_system; }
+    const Projection& projection() const { return m_projection; }
+    int cellsPerPixel() const { return m_request.appearance.supersample; } // a side
+
+    bool isDrawable() const; // there is something to draw and something to draw on
+    // What keeps this view of the system from being exact: None, Degenerate or TooDeep.
+    RenderNote viewNote() const;
+
+    bool coloured() const { return coloursSamples(m_request.appearance.colourBy); }
+    // Of a coloured sample; its map is counted among those that take part.
+    const ColourCell& colourOf(std::uint32_t map, double addressCoordinate) const {
+        return m_colours.of(map, addressCoordinate);
+    }
+
+private:
+    ifs::Placement placement();
+    void makeColours();
+
+    RenderRequest m_request;
+    PreparedSystem m_system;
+    Projection m_projection;
+    SampleColours m_colours;
+    std::vector<ifs::Vector<2>> m_bent; // rest of a cage that bends, for which the coordinates were chosen
+    ifs::Coordinates m_coordinates = ifs::Coordinates::MeanValue;
+};
+
+} // namespace attractor

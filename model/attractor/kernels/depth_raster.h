@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace attractor {
+
+// What a solid shows in every pixel, rows from the top: the smallest key of all points that fall into it.
+// Depth in the upper 24 bits, linear from 0 at `near` to 0xFFFFFE at `far`; in the lower 8 a colour, the
+// first map of the point's address, modulo 256. `near` and `far` are depths along the view away from the eye,
+// in units of the system, 0 in the plane of the target.
+struct DepthRaster {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint32_t> keys;
+    double near = 0;
+    double far = 0;
+};
+
+constexpr std::uint32_t emptyKey = 0xFFFFFFFF; // nothing there
+constexpr std::uint32_t maxDepthCode = 0xFFFFFE;
+
+// Of a key that is not empty.
+inline std::uint32_t depthCode(std::uint32_t key) {
+    return key >> 8;
+}
+inline std::uint8_t colourIndex(std::uint32_t key) {
+    return static_cast<std::uint8_t>(key & 0xFF);
+}
+inline double depthOf(const DepthRaster& raster, std::uint32_t key) {
+    return raster.near + (raster.far - raster.near) * depthCode(key) / maxDepthCode;
+}
+
+} // namespace attractor

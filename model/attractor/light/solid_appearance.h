@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/colour/palette.h"
+#include "attractor/request/orbit_camera.h"
+
+#include <limits>
+#include <vector>
+
+namespace attractor {
+
+enum class Look {
+    Stone,   // lit from the upper left, cool in the shade
+    Ink,     // dark creases on a light ground, for print
+    Depth,   // near white, far black
+    Normals, // red to the right, green up, blue towards the eye; (n + 1)/2 of the full scale
+};
+
+enum class SolidColour {
+    Plain,
+    Map,    // the colour of the key
+    Height, // the palette along the scene's upward direction
+    Depth,  // the palette from `near` to `far`
+};
+
+// A unit vector in the camera's axes: to the right, up, towards the eye.
+struct ViewVector {
+    float right = 0;
+    float up = 0;
+    float towards = 1;
+
+    friend bool operator==(const ViewVector&, const ViewVector&) = default;
+};
+
+// The direction in which one finds what stands at these angles from the line of sight, in degrees: azimuth to
+// the right, elevation up; (0, 0) is the eye itself. The same bits on every machine.
+ViewVector lampAt(double azimuth, double elevation);
+
+// How a solid becomes a picture.
+struct SolidAppearance {
+    Look look = Look::Stone;
+    SolidColour colourBy = SolidColour::Plain;
+    Palette palette = builtInPalettes().front();
+    std::vector<Rgba> mapColours;     // of map 0, 1, 2 …; the others take categoricalColour()
+    Rgba plain{226, 214, 196, 255};   // alpha is ignored
+    Rgba background{13, 16, 23, 255}; // alpha 0: transparent
+    ViewVector keyLight = lampAt(-40, 40);
+    double fog = 0; // ≥ 0; what lies at `far` keeps exp(−fog) of its colour
+
+    friend bool operator==(const SolidAppearance&, const SolidAppearance&) = default;
+};
+
+// A look as it is when one chooses it: Ink with a white ground and a dark plain colour.
+SolidAppearance appearanceOf(Look look);
+
+// What the light has to know of the camera.
+struct SolidView {
+    double unitsPerPixel = 1;                                     // at the target
+    ViewVector upward{0, 1, 0};                                   // of the scene
+    double eyeDistance = std::numeric_limits<double>::infinity(); // from the target; infinite: orthographic
+    double lowest = -1; // heights over the target, in units of the system, between which the palette runs
+    double highest = 1;
+};
+
+// Of a camera in a world whose y points up, the palette running between these values of y.
+SolidView solidView(const OrbitCamera& camera, double lowest, double highest);
+
+} // namespace attractor

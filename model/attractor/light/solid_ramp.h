@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/light/solid_appearance.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace attractor {
+
+constexpr int tintCount = 256; // of a solid that is not plain
+
+// The colours of a solid from shade to light, for each of its tints.
+struct SolidRamp {
+    int levels = 1; // of light, for each tint; the first is darkness, the last 1
+    std::vector<LinearColour> tints;
+    std::vector<std::uint32_t> pixels; // 0xFFRRGGBB, levels of the first tint, then of the second …
+};
+
+SolidRamp solidRamp(const SolidAppearance& appearance);
+
+// What Stone and Ink make of a tint in that light, 0 … 1.
+LinearColour litColour(Look look, const LinearColour& tint, double light);
+
+} // namespace attractor

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/depth_raster.h"
+#include "attractor/light/light_kernels.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace attractor {
+
+// How dark creases become.
+struct Occlusion {
+    static constexpr std::array<int, kernels::occlusionRadii> radii{1, 3, 9}; // pixels
+    double strength = 1;                                                      // κ, 0 … 4
+    double saturation = 2; // pixels of depth for each pixel of radius, > 0
+    std::array<double, kernels::occlusionRadii> shares{1.0 / 3, 1.0 / 3, 1.0 / 3}; // their sum is 1
+};
+
+// What is at the surface in the pixels of one row, [first, end); the others are empty. Pointers are valid up
+// to the next row.
+struct SurfaceRow {
+    int first = 0;
+    int end = 0;
+    const std::int32_t* codes = nullptr; // kernels::emptyDepth where there is nothing
+    const float* shade = nullptr;        // exp(−κ · response); 1: nothing nearer around
+    const float* right = nullptr;        // slope of the surface, away from the eye per pixel to the right
+    const float* up = nullptr;           // and per pixel up
+};
+
+// Walks down the rows of a raster and keeps of them what the light at one row depends on: those up to 13
+// away. The larger radii look at the nearest depth within 3 × 3 and 9 × 9 pixels around each neighbour.
+// docs/mathematics.md, "Light on a solid".
+class SurfaceRows {
+public:
+    // The first next() gives row `firstRow`. `unitsPerPixel` is a length in space, that of a pixel at the
+    // target.
+    SurfaceRows(const DepthRaster& raster, double unitsPerPixel, const Occlusion& occlusion, int firstRow);
+
+    // Within the raster.
+    SurfaceRow next();
+
+private:
+    // Rows of which the last `Kept` can be read, with margins in which nothing is.
+    template <std::size_t Kept> class Ring {
+    public:
+        void resize(std::size_t stride) {
+            m_stride = stride;
+            m_cells.assign(stride * Kept, kernels::emptyDepth);
+        }
+        std::int32_t* row(int y) {
+            return m_cells.data() + (static_cast<std::size_t>(y) & (Kept - 1)) * m_stride;
+        }
+
+    private:
+        static_assert((Kept & (Kept - 1)) == 0);
+        std::size_t m_stride = 0;
+        std::vector<std::int32_t> m_cells;
+    };
+
+    void load(int y);
+    kernels::Neighbours around(std::size_t radius, int y);
+
+    const DepthRaster& m_raster;
+    float m_pixelsPerCode = 0;
+    std::array<kernels::OcclusionRadius, kernels::occlusionRadii> m_radii;
+    int m_row;                                  // the next to be given
+    int m_loaded;                               // the next to be loaded
+    int m_first, m_end;                         // columns, in which all that has been loaded lies
+    std::array<kernels::Margins, 16> m_margins; // of the rows in m_codes
+    Ring<16> m_codes;
+    Ring<4> m_three;   // minima of 3 in a row
+    Ring<16> m_square; // of 3 × 3
+    Ring<8> m_nine;    // of 9 × 3
+    Ring<32> m_large;  // of 9 × 9
+    std::vector<float> m_shade, m_right, m_up;
+};
+
+} // namespace attractor

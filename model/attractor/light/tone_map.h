@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/cells/cell_sums.h"
+#include "attractor/request/render_request.h"
+#include "attractor/threads/workers.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace attractor {
+
+// v = [ln(1 + κρ) / ln(1 + κρ_w)]^(1/γ), clamped to [0, 1].
+double tone(double density, double brightness, double whitePoint, double gamma);
+
+// Mean density over the occupied pixels of a picture whose cells have been filled with `samples` samples over
+// the whole attractor, and for every value that `kept` does not give, white point and gain. Independent of
+// the number of samples but for noise. docs/mathematics.md, "Density to colour".
+Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, double samples,
+                          const std::optional<Exposure>& kept, Workers& workers,
+                          const std::stop_token& stop = {});
+
+// Samples in the pixels of some rows, and how many of these pixels would be occupied if only `share` of the
+// samples had been drawn; sums add up over rows.
+struct Occupancy {
+    double samples = 0;
+    double occupied = 0;
+};
+Occupancy occupancy(const CellSums& sums, int cellsPerPixel, double share, Workers& workers);
+// The share of the samples at which occupancy is compared.
+double referenceShare(double pixels, double samples);
+
+struct ToneSettings {
+    Appearance appearance;
+    int cellsPerPixel = 1;       // a side
+    double densityPerSample = 0; // ρ of a cell that holds one sample
+    double whitePoint = 1;
+    double gain = 1;
+};
+
+// Cells → pixels.
+class ToneMap {
+public:
+    // No cell may hold more than `maxSamples`.
+    ToneMap(const ToneSettings& settings, std::uint64_t maxSamples);
+
+    // Rows [firstRow, endRow) of the pixels, counted from the first row of the sums. Different rows may be
+    // made by different threads.
+    void apply(const CellSums& sums, int firstRow, int endRow, std::span<std::uint32_t> pixels) const;
+
+private:
+    struct Entry {       // what a cell of tone v contributes
+        float alpha = 0; // v
+        float light = 0; // the same as linear light
+        float red = 0;   // colour, linear light
+        float green = 0;
+        float blue = 0;
+    };
+    struct Light { // of one pixel
+        double weight = 0;
+        double red = 0;
+        double green = 0;
+        double blue = 0;
+        float alpha = 0; // of the last cell
+    };
+    double toneOf(double samples) const;
+    Entry entry(double v) const;
+    std::uint32_t pixel(double alpha, double red, double green, double blue) const;
+    std::uint32_t pixel(const Light& light) const;
+    void applyTable(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const;
+    // False where the row is empty.
+    bool addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const;
+    bool addColours(const CellSums& sums, int row, std::vector<Light>& lights) const;
+
+    ToneSettings m_settings;
+    bool m_ownColours; // the sums carry colours
+    std::uint64_t m_maxSamples;
+    std::vector<Rgba> m_ramp; // the palette, or the plain colour
+    std::vector<Entry> m_entries;
+    std::vector<std::uint32_t> m_pixels; // of a cell without colours that fills its pixel
+};
+
+} // namespace attractor

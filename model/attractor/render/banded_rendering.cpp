@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/render/banded_rendering.h"
+
+#include "attractor/arithmetic/arithmetic.h"
+#include "attractor/folds/density_fold.h"
+#include "attractor/render/render_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace attractor {
+
+namespace {
+
+using Progress = BandedRendering::Progress;
+
+constexpr double shareOfMeasuring = 0.1; // of the progress of the first band
+
+void tell(const Progress& progress, double fraction) {
+    if (progress) progress(fraction);
+}
+
+} // namespace
+
+struct BandedRendering::State {
+    RenderState render;
+    std::optional<Exposure> exposure; // of the whole picture
+    std::optional<DividedPicture> divided;
+
+    bool drawPass(std::uint64_t number, const std::stop_token& stop, const Progress& progress);
+    bool draw(int firstRow, int rows, std::uint64_t number, const std::stop_token& stop);
+    bool drawAll(int firstRow, int rows, const std::stop_token& stop, const Progress& progress);
+    std::optional<double> measureSmall(const std::stop_token& stop);
+    bool measureStrips(double inView, const std::stop_token& stop);
+    bool measure(const std::stop_token& stop);
+    template <class Pixel>
+    bool band(int firstRow, int rows, std::span<Pixel> pixels, const std::stop_token& stop,
+              const Progress& progress);
+};
+
+bool BandedRendering::State::drawPass(std::uint64_t number, const std::stop_token& stop,
+                                      const Progress& progress) {
+    constexpr std::uint64_t slice = std::uint64_t{1} << 26; // whole sample sets
+    for (std::uint64_t done = 0; done < number; done += std::min(slice, number - done)) {
+        tell(progress, static_cast<double>(done) / static_cast<double>(number));
+        render.fold().begin(std::min(slice, number - done));
+        if (!render.complete(stop)) return false;
+        if (render.finished()) return true;
+    }
+    return true;
+}
+
+// The first `number` samples of the picture, those that fall into the rows.
+bool BandedRendering::State::draw(int firstRow, int rows, std::uint64_t number, const std::stop_token& stop) {
+    render.rewind(firstRow, firstRow + rows);
+    return drawPass(number, stop, {});
+}
+
+// What the picture has in the rows.
+bool BandedRendering::State::drawAll(int firstRow, int rows, const std::stop_token& stop,
+                                     const Progress& progress) {
+    render.rewind(firstRow, firstRow + rows);
+    if (!divided) return drawPass(render.request().samples, stop, progress);
+    auto& fold = dynamic_cast<DensityFold&>(render.fold());
+    const double share = 1 / static_cast<double>(divided->passes.size());
+    double before = 0;
+    for (const DividedPicture::Pass& pass : divided->passes) {
+        fold.setPart(pass.part);
+        const auto told = [&](double fraction) { tell(progress, before + share * fraction); };
+        if (!drawPass(pass.samples, stop, told)) return false;
+        before += share;
+    }
+    return !divided->others || divided->others(fold.sums());
+}
+
+// White point and gain, from a small picture of the same view. Returns the share of the samples that fall
+// into the view; nullopt when stopped.
+std::optional<double> BandedRendering::State::measureSmall(const std::stop_token& stop) {
+    RenderRequest job = render.request();
+    const int side = job.appearance.supersample;
+    const double smallPixels = std::min(1e6, 4e6 / (side * side));
+    if (coloursSamples(job.appearance.colourBy)) job.appearance.colourBy = ColourBy::Plain;
+    const double pixels = static_cast<double>(job.camera.width) * job.camera.height;
+    const double scale = std::min(1.0, std::sqrt(smallPixels / pixels));
+    job.camera.width = std::max(1, static_cast<int>(job.camera.width * scale));
+    job.camera.height = std::max(1, static_cast<int>(job.camera.height * scale));
+    job.camera.pixelsPerUnit *= scale;
+    job.samples = std::min<std::uint64_t>(job.samples, 8'000'000);
+    RenderState small;
+    small.start(std::move(job));
+    small.rewind(0, small.request().camera.height);
+    small.fold().begin(small.request().samples);
+    if (!small.complete(stop)) return std::nullopt;
+    exposure = small.fold().exposure({});
+    const double drawnSamples = small.fold().samplesOverAttractor();
+    return drawnSamples > 0 ? small.fold().occupancy(1).samples / drawnSamples : 0;
+}
+
+// The mean density comes from some strips of the large picture itself: how many of its pixels are occupied
+// depends on their size. Two samples a pixel tell it as well as many.
+bool BandedRendering::State::measureStrips(double inView, const std::stop_token& stop) {
+    constexpr int strips = 16;
+    const Camera& camera = render.request().camera;
+    const Fold& fold = render.fold();
+    const double pixels = static_cast<double>(camera.width) * camera.height;
+    const auto number = std::min(render.request().samples,
+                                 std::max<std::uint64_t>(1'000'000, static_cast<std::uint64_t>(2 * pixels)));
+    const int pitch = std::max(1, camera.height / strips);
+    const int height = std::clamp(100'000 / camera.width, 1, pitch);
+    Occupancy whole;
+    for (int strip = 0; strip * pitch + height <= camera.height; ++strip) {
+        const auto room = static_cast<std::uint64_t>(pitch - height) + 1;
+        const int jitter = static_cast<int>(mixed(static_cast<std::uint64_t>(strip)) % room);
+        if (!draw(std::min(strip * pitch + jitter, camera.height - height), height, number, stop))
+            return false;
+        const double share = referenceShare(pixels, inView * fold.samplesOverAttractor());
+        const Occupancy part = fold.occupancy(share);
+        whole.samples += part.samples;
+        whole.occupied += part.occupied;
+    }
+    exposure->meanDensity =
+        whole.occupied > 0 ? whole.samples / whole.occupied / fold.samplesOverAttractor() : 1;
+    return true;
+}
+
+// False when stopped: there is no exposure then.
+bool BandedRendering::State::measure(const std::stop_token& stop) {
+    if (!render.isDrawable() || render.fold().hasFixedExposure()) {
+        exposure = render.fold().exposure({});
+        return true;
+    }
+    const std::optional<double> inView = measureSmall(stop);
+    if (inView && measureStrips(*inView, stop)) return true;
+    exposure.reset();
+    return false;
+}
+
+template <class Pixel>
+bool BandedRendering::State::band(int firstRow, int rows, std::span<Pixel> pixels,
+                                  const std::stop_token& stop, const Progress& progress) {
+    if (pixels.empty()) return true;
+    const double begin = exposure ? 0 : shareOfMeasuring;
+    if (!exposure && !measure(stop)) return false;
+    const auto drawing = [&](double fraction) { tell(progress, begin + (1 - begin) * fraction); };
+    if (!drawAll(firstRow, rows, stop, drawing)) return false;
+    if (!render.fold().tone(*exposure, pixels, stop)) return false;
+    tell(progress, 1);
+    return true;
+}
+
+BandedRendering::BandedRendering(RenderRequest request) : m_state(std::make_unique<State>()) {
+    m_state->render.start(std::move(request));
+    m_state->render.rewind(0, 0);
+}
+
+BandedRendering::~BandedRendering() = default;
+BandedRendering::BandedRendering(BandedRendering&&) noexcept = default;
+BandedRendering& BandedRendering::operator=(BandedRendering&&) noexcept = default;
+
+std::size_t BandedRendering::bytesPerRow(const RenderRequest& request) {
+    const auto side = static_cast<std::size_t>(std::clamp(request.appearance.supersample, 1, 4));
+    const auto threads = static_cast<std::size_t>(std::clamp(request.threads, 1, 256));
+    // The 64-bit sums into which full counters are carried over are counted as well.
+    const std::size_t cell = coloursSamples(request.appearance.colourBy)
+                                 ? threads * (sizeof(ColourCell) + sizeof(CellSums::Sum))
+                                 : threads * sizeof(std::uint32_t) + sizeof(std::uint64_t);
+    return static_cast<std::size_t>(std::max(1, request.camera.width)) * side * side * cell;
+}
+
+int BandedRendering::rowsWithin(const RenderRequest& request, std::size_t bytes) {
+    constexpr std::size_t maxCells = std::size_t{1} << 30; // cells are numbered with 32 bits
+    const auto side = static_cast<std::size_t>(std::clamp(request.appearance.supersample, 1, 4));
+    const auto width = static_cast<std::size_t>(std::max(1, request.camera.width));
+    const auto height = static_cast<std::size_t>(std::max(1, request.camera.height));
+    return static_cast<int>(std::clamp<std::size_t>(
+        std::min(bytes / bytesPerRow(request), maxCells / (width * side * side)), 1, height));
+}
+
+bool BandedRendering::band(int firstRow, int rows, std::span<std::uint32_t> pixels,
+                           const std::stop_token& stop, const Progress& progress) {
+    return m_state->band(firstRow, rows, pixels, stop, progress);
+}
+
+bool BandedRendering::band(int firstRow, int rows, std::span<Rgba16> pixels, const std::stop_token& stop,
+                           const Progress& progress) {
+    return m_state->band(firstRow, rows, pixels, stop, progress);
+}
+
+void BandedRendering::divide(DividedPicture picture) {
+    m_state->divided = std::move(picture);
+}
+
+std::uint64_t BandedRendering::units(std::span<const std::uint64_t> samples) const {
+    std::uint64_t sets = 0;
+    for (const std::uint64_t pass : samples)
+        sets += sampleSetsFor(pass, m_state->render.prepared().system());
+    return sets * PicturePart::unitsPerSet;
+}
+
+const CellSums* BandedRendering::sums(int firstRow, int rows, const std::stop_token& stop,
+                                      const Progress& progress) {
+    if (!m_state->drawAll(firstRow, rows, stop, progress)) return nullptr;
+    return &dynamic_cast<const DensityFold&>(m_state->render.fold()).sums();
+}
+
+Exposure BandedRendering::exposure() const {
+    return m_state->exposure.value_or(Exposure{});
+}
+
+RenderNote BandedRendering::note() const {
+    return m_state->render.note();
+}
+
+} // namespace attractor

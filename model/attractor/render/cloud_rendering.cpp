@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/render/cloud_rendering.h"
+
+#include "attractor/arithmetic/arithmetic.h"
+#include "attractor/cells/cell_sums.h"
+#include "attractor/cut/space_cut.h"
+#include "attractor/folds/sample_colours.h"
+#include "attractor/light/tone_map.h"
+#include "attractor/samples/space_samples.h"
+#include "attractor/threads/job_shares.h"
+#include "attractor/threads/workers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+
+namespace attractor {
+
+namespace {
+
+constexpr std::uint64_t maxPerSampleSet = 1U << 24; // more samples are drawn from a fresh set
+constexpr std::size_t wordsPerJob = 64;             // between two looks at the stop token
+
+// Where a word is seen, with room for rounding; empty where it is not.
+CellRegion reachedCells(const SpaceWord& word, float reach, const CellWindow& window) {
+    constexpr float room = 1.0F / 64;
+    const auto within = [](float value, int first, int end) {
+        if (!(value > static_cast<float>(first))) return first;
+        return value < static_cast<float>(end) ? static_cast<int>(value) : end;
+    };
+    const kernels::CloudWord& shown = word.shown;
+    return {within(shown.x - reach * word.halfX - room, 0, window.width),
+            std::min(window.width, within(shown.x + reach * word.halfX + room, 0, window.width) + 1),
+            within(shown.y - reach * word.halfY - room, window.firstRow, window.endRow),
+            std::min(window.endRow,
+                     within(shown.y + reach * word.halfY + room, window.firstRow, window.endRow) + 1)};
+}
+
+bool isInside(const SpaceWord& word, float reach, const CellWindow& window) {
+    return word.shown.x - reach * word.halfX >= 1 &&
+           word.shown.x + reach * word.halfX <= static_cast<float>(window.width - 1) &&
+           word.shown.y - reach * word.halfY >= 1 &&
+           word.shown.y + reach * word.halfY <= static_cast<float>(window.endRow - 1);
+}
+
+} // namespace
+
+struct CloudRendering::State {
+    SpaceRequest request;
+    PreparedSpace system;
+    SpaceView view; // in cells
+    SampleColours colours;
+    RenderNote note = RenderNote::None;
+    std::unique_ptr<Workers> workers;
+    CellSums sums;
+    std::optional<SpaceCut> cut;
+    SpaceSamples sampleSet;
+    std::vector<std::uint64_t> counts; // samples of every word
+    std::uint64_t sampleSets = 0;
+    std::uint64_t drawn = 0;
+    std::uint64_t sinceCarry = 0;
+    double overAttractor = 0; // samples, as if those outside the view were drawn as well
+    std::optional<Exposure> exposure;
+
+    bool coloured() const { return coloursSamples(request.appearance.colourBy); }
+    bool isDrawable() const { return !system.maps.empty() && isUsable(request.camera); }
+    void start(SpaceRequest newRequest);
+    bool makeCut(std::uint64_t samples, const std::stop_token& stop);
+    void plan(std::uint64_t samples);
+    void drawWord(std::size_t k, std::size_t thread);
+    void plotExactly(std::size_t k, std::uint64_t count, const ColourCell* colour, std::size_t thread);
+    bool pass(std::uint64_t samples, const std::stop_token& stop);
+    ToneSettings toneSettings(const Exposure& shown) const;
+    template <class Tones, class Pixel>
+    bool toneRows(const Tones& tones, std::span<Pixel> pixels, const std::stop_token& stop) const;
+};
+
+void CloudRendering::State::start(SpaceRequest newRequest) {
+    const bool sameSystem = !system.maps.empty() && newRequest.system == request.system;
+    request = std::move(newRequest);
+    request.appearance.supersample = std::clamp(request.appearance.supersample, 1, 4);
+    if (!sameSystem) system = preparedSpace(request.system);
+    const int side = request.appearance.supersample;
+    OrbitCamera camera = request.camera;
+    camera.size.width = std::max(0, camera.size.width) * side;
+    camera.size.height = std::max(0, camera.size.height) * side;
+    const bool isPlaced = request.cage && ifs::isValid(*request.cage);
+    const ifs::AffineMap<3> cage = isPlaced ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
+    view = spaceView(camera, cage);
+    const ifs::Vector<3> stretch = ifs::singularValues<3>(cage.linear);
+    note = system.note != RenderNote::None     ? system.note
+           : !(stretch[2] > 1e-6 * stretch[0]) ? RenderNote::Degenerate
+                                               : RenderNote::None;
+    std::vector<ifs::MapId> ids;
+    for (const std::size_t index : system.index)
+        ids.push_back(request.system.maps[index].id);
+    colours = SampleColours(request.appearance, ids, system.index);
+    const auto threads = static_cast<std::size_t>(std::clamp(request.threads, 1, 256));
+    if (!workers || workers->size() != threads) workers = std::make_unique<Workers>(threads);
+    sums.reset(coloured() ? CellKind::Colour : CellKind::Count, {view.size.width, 0, view.size.height},
+               workers->size());
+    cut.reset();
+    sampleSets = drawn = sinceCarry = 0;
+    overAttractor = 0;
+    exposure.reset();
+}
+
+// Words that stand for others are chosen anew for every sample set, so that all get their turn.
+bool CloudRendering::State::makeCut(std::uint64_t samples, const std::stop_token& stop) {
+    if (cut && !cut->isThinned) return true;
+    SpaceCutSettings settings;
+    settings.words = static_cast<int>(std::clamp<std::uint64_t>(samples / SampleSet::size, 128, 4096));
+    settings.samples = static_cast<double>(samples);
+    settings.seed = sampleSets == 0 ? request.seed : mixed(request.seed) + sampleSets;
+    if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
+    if (request.appearance.colourBy == ColourBy::Address)
+        for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
+            ++settings.minDepth;
+    cut = spaceCut(system, view, settings, stop);
+    return !stop.stop_requested();
+}
+
+// Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
+// exact.
+void CloudRendering::State::plan(std::uint64_t samples) {
+    drawSamples(system, request.seed, sampleSets, sampleSet);
+    const double perMeasure = static_cast<double>(samples) / cut->probability;
+    double sum = static_cast<double>(mixed(mixed(request.seed) ^ sampleSets) >> 11) * 0x1p-53;
+    std::uint64_t before = 0;
+    counts.clear();
+    for (const SpaceWord& word : cut->words) {
+        sum += word.probability * perMeasure;
+        const auto after = static_cast<std::uint64_t>(sum);
+        counts.push_back(after - before);
+        before = after;
+    }
+    drawn += before;
+    overAttractor += perMeasure;
+    ++sampleSets;
+}
+
+void CloudRendering::State::plotExactly(std::size_t k, std::uint64_t count, const ColourCell* colour,
+                                        std::size_t thread) {
+    const ifs::AffineMap<3>& map = cut->exact[k - cut->firstExact];
+    const CellWindow& window = sums.window();
+    for (std::uint64_t n = 0; n < count; ++n) {
+        const std::size_t i = cut->words[k].offset + static_cast<std::size_t>(n % SampleSet::size);
+        const ifs::Vector<3> at = map({sampleSet.x[i], sampleSet.y[i], sampleSet.z[i]});
+        const double away = view.eyeDistance + at.z();
+        if (!(away >= nearestShare * view.eyeDistance)) continue;
+        const double column = view.size.width / 2.0 + at.x() * view.eyeDistance / away;
+        const double row = view.size.height / 2.0 + at.y() * view.eyeDistance / away;
+        if (!(column >= 0 && column < window.width && row >= 0 && row < window.endRow)) continue;
+        const std::size_t cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(window.width) +
+                                 static_cast<std::size_t>(column);
+        if (colour == nullptr) {
+            ++sums.counts(thread)[cell];
+            continue;
+        }
+        ColourCell& found = sums.colours(thread)[cell];
+        found.samples += colour->samples;
+        found.red += colour->red;
+        found.green += colour->green;
+        found.blue += colour->blue;
+        if ((found.samples | found.red | found.green | found.blue) >> 31 != 0) sums.carryOverColours(thread);
+    }
+}
+
+void CloudRendering::State::drawWord(std::size_t k, std::size_t thread) {
+    const SpaceWord& word = cut->words[k];
+    const ColourCell* colour = coloured() ? &colours.of(word.firstMap, word.addressCoordinate) : nullptr;
+    if (k >= cut->firstExact) return plotExactly(k, counts[k], colour, thread);
+    const CellWindow& window = sums.window();
+    const CellRegion region = reachedCells(word, sampleSet.reach, window);
+    if (region.firstColumn >= region.endColumn || region.firstRow >= region.endRow) return;
+    std::uint32_t seen = 0;
+    for (std::uint64_t left = counts[k]; left > 0;) {
+        const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(left, SampleSet::size));
+        left -= count;
+        const kernels::SpaceRun run{sampleSet.x.data() + word.offset, sampleSet.y.data() + word.offset,
+                                    sampleSet.z.data() + word.offset, count};
+        if (colour == nullptr) {
+            std::uint32_t* cells = sums.counts(thread, region);
+            if (isInside(word, sampleSet.reach, window))
+                kernels::addInside(word.shown, run, window, cells);
+            else
+                kernels::addToCounts(word.shown, run, window, cells);
+            continue;
+        }
+        ColourCell* cells = sums.colours(thread, region);
+        // What falls outside says nothing of how full the cells of the window are.
+        std::fill_n(cells + window.cells(), overflowCells, ColourCell{});
+        seen |= kernels::addToColours(word.shown, run, window, *colour, cells);
+    }
+    if (seen >> 31 != 0) sums.carryOverColours(thread);
+}
+
+bool CloudRendering::State::pass(std::uint64_t samples, const std::stop_token& stop) {
+    while (samples > 0) {
+        const std::uint64_t number = std::min(samples, maxPerSampleSet);
+        if (!makeCut(number, stop)) return false;
+        if (!(cut->probability > 0)) return true;
+        if (!coloured() && sinceCarry + number >= std::uint64_t{1} << 32) {
+            sums.carryOverCounts();
+            sinceCarry = 0;
+        }
+        sinceCarry += number;
+        plan(number);
+        JobShares shares;
+        shares.reset((cut->words.size() + wordsPerJob - 1) / wordsPerJob, *workers);
+        shares.run(*workers, stop, [this](std::size_t job, std::size_t thread) {
+            const std::size_t end = std::min(cut->words.size(), (job + 1) * wordsPerJob);
+            for (std::size_t k = job * wordsPerJob; k < end; ++k)
+                drawWord(k, thread);
+        });
+        if (stop.stop_requested()) return false;
+        samples -= number;
+    }
+    return true;
+}
+
+ToneSettings CloudRendering::State::toneSettings(const Exposure& shown) const {
+    const int side = request.appearance.supersample;
+    const double density = overAttractor > 0 ? side * side / (overAttractor * shown.meanDensity) : 0;
+    return {request.appearance, side, density, shown.whitePoint, shown.gain};
+}
+
+template <class Tones, class Pixel>
+bool CloudRendering::State::toneRows(const Tones& tones, std::span<Pixel> pixels,
+                                     const std::stop_token& stop) const {
+    constexpr int together = 16;
+    const int rows = std::max(0, request.camera.size.height);
+    std::atomic<int> next = 0;
+    workers->run([&](std::size_t) {
+        while (!stop.stop_requested()) {
+            const int row = next.fetch_add(together);
+            if (row >= rows) return;
+            tones.apply(sums, row, std::min(rows, row + together), pixels);
+        }
+    });
+    return !stop.stop_requested();
+}
+
+CloudRendering::CloudRendering(SpaceRequest request) : m_state(std::make_unique<State>()) {
+    restart(std::move(request));
+}
+
+CloudRendering::~CloudRendering() = default;
+CloudRendering::CloudRendering(CloudRendering&&) noexcept = default;
+CloudRendering& CloudRendering::operator=(CloudRendering&&) noexcept = default;
+
+void CloudRendering::restart(SpaceRequest request) {
+    m_state->start(std::move(request));
+}
+
+bool CloudRendering::refine(const std::stop_token& stop, std::uint64_t samples) {
+    State& state = *m_state;
+    if (!state.isDrawable()) return !stop.stop_requested();
+    state.exposure.reset();
+    return state.pass(samples > 0 ? samples : state.request.samples, stop);
+}
+
+Exposure CloudRendering::exposure(const std::stop_token& stop) const {
+    State& state = *m_state;
+    if (!state.exposure)
+        state.exposure = measuredExposure(state.sums, state.request.appearance, state.overAttractor,
+                                          state.request.exposure, *state.workers, stop);
+    return *state.exposure;
+}
+
+bool CloudRendering::tone(std::span<std::uint32_t> pixels, const std::stop_token& stop) const {
+    if (pixels.empty()) return true;
+    const ToneSettings settings = m_state->toneSettings(exposure(stop));
+    return m_state->toneRows(ToneMap(settings, m_state->drawn), pixels, stop);
+}
+
+bool CloudRendering::tone(std::span<Rgba16> pixels, const std::stop_token& stop) const {
+    if (pixels.empty()) return true;
+    const ToneSettings settings = m_state->toneSettings(exposure(stop));
+    return m_state->toneRows(ToneMap16(settings), pixels, stop);
+}
+
+std::uint64_t CloudRendering::samples() const {
+    return m_state->drawn;
+}
+
+RenderNote CloudRendering::note() const {
+    return m_state->note;
+}
+
+} // namespace attractor

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/light/tone_map16.h"
+#include "attractor/request/space_request.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace attractor {
+
+// The density of the invariant measure in space under a camera, as Rendering draws it in the plane: each pass
+// adds samples with streams of its own. Not thread-safe; owns its worker threads.
+class CloudRendering {
+public:
+    explicit CloudRendering(SpaceRequest request);
+    ~CloudRendering();
+    CloudRendering(CloudRendering&&) noexcept;
+    CloudRendering& operator=(CloudRendering&&) noexcept;
+
+    void restart(SpaceRequest request); // as if new, with the memory and the threads there are
+
+    // One more pass of `samples` samples (0: request.samples). False when stopped, within milliseconds; then
+    // the picture is worth nothing until restart().
+    bool refine(const std::stop_token& stop = {}, std::uint64_t samples = 0);
+
+    // The exposure kept by the request, else that of the picture.
+    Exposure exposure(const std::stop_token& stop = {}) const;
+    // The picture so far, size.width × size.height pixels, as in Frame::pixels or with 16 bits a channel.
+    // False when stopped.
+    bool tone(std::span<std::uint32_t> pixels, const std::stop_token& stop = {}) const;
+    bool tone(std::span<Rgba16> pixels, const std::stop_token& stop = {}) const;
+
+    std::uint64_t samples() const; // drawn so far
+    RenderNote note() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace attractor

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/renderer.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace attractor {
+
+// Pictures that may wait, such as thumbnails: one after the other in the order of submission, on a thread of
+// low priority.
+class RenderQueue {
+public:
+    RenderQueue();
+    ~RenderQueue(); // forgets what waits, abandons what is being drawn, joins
+
+    RenderQueue(const RenderQueue&) = delete;
+    RenderQueue& operator=(const RenderQueue&) = delete;
+
+    // Both are called on the queue's thread and may call the queue.
+    struct Job {
+        std::function<std::optional<RenderRequest>()> request; // nullopt: there is nothing to draw
+        // With the frame of one pass, nullptr when there was nothing to draw; not when cancelled.
+        std::function<void(std::shared_ptr<const Frame>)> done;
+    };
+
+    // Any thread. A job under a key that is already waiting takes its place; one that is being drawn under
+    // the same key is abandoned.
+    void submit(std::uint64_t key, Job job);
+    void cancel(std::uint64_t key); // done() may at most be just beginning for it
+    void clear();                   // the same for all
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace attractor

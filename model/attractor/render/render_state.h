@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/folds/fold.h"
+#include "attractor/folds/prepared_request.h"
+#include "attractor/request/render_request.h"
+#include "attractor/threads/workers.h"
+
+#include <memory>
+#include <stop_token>
+
+namespace attractor {
+
+// What Rendering and BandedRendering share: a prepared request, the fold that draws it and the threads that
+// help. Serves one request after the other, with the memory there is. Not thread-safe.
+class RenderState {
+public:
+    void start(RenderRequest request);     // rewind() comes next
+    void rewind(int firstRow, int endRow); // nothing drawn yet; rows [firstRow, endRow) of pixels are drawn
+
+    const PreparedRequest& prepared() const { return m_prepared; }
+    const RenderRequest& request() const { return m_prepared.request(); }
+    bool isDrawable() const { return m_isDrawable; }
+    RenderNote note() const { return m_note; }
+    Fold& fold() { return *m_fold; }
+    const Fold& fold() const { return *m_fold; }
+
+    // As of the fold; where there is nothing to draw, all passes are complete.
+    bool complete(const std::stop_token& stop) { return !m_isDrawable || m_fold->complete(stop); }
+    bool finished() const { return !m_isDrawable || m_fold->finished(); }
+
+private:
+    RenderNote noteOfStart() const;
+
+    PreparedRequest m_prepared;
+    std::unique_ptr<Workers> m_workers;
+    std::unique_ptr<Fold> m_fold;
+    bool m_isDrawable = false;
+    RenderNote m_note = RenderNote::None;
+};
+
+} // namespace attractor

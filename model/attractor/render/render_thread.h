@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/renderer.h"
+
+#include <functional>
+#include <memory>
+
+namespace attractor {
+
+// A worker thread around Rendering: the newest request wins, an older one is abandoned within milliseconds.
+// After the first frame of a request the picture is refined with growing passes until `quality` samples per
+// picture are reached; then the thread sleeps.
+class RenderThread {
+public:
+    enum class Brightness {
+        OfThePicture, // as Rendering gives it
+        Eased,        // goes over to that within a moment, from the frame before
+        Continued,    // the same where the frame before has not got there yet
+    };
+
+    // `frameReady` is called on the worker thread, never again before newestFrame() has been called since.
+    explicit RenderThread(std::function<void()> frameReady);
+    ~RenderThread(); // stops and joins
+
+    RenderThread(const RenderThread&) = delete;
+    RenderThread& operator=(const RenderThread&) = delete;
+
+    // Any thread. Total samples to refine to; the first pass has request.samples.
+    void submit(RenderRequest request, std::uint64_t quality,
+                Brightness brightness = Brightness::OfThePicture);
+    void cancel(); // forget the present request; the newest frame stays
+
+    // Any thread; nullptr before the first frame.
+    std::shared_ptr<const Frame> newestFrame();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace attractor

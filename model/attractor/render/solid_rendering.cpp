@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/render/solid_rendering.h"
+
+#include "attractor/solid/solid_band.h"
+#include "attractor/solid/space_view.h"
+#include "attractor/threads/job_shares.h"
+#include "attractor/threads/workers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace attractor {
+
+namespace {
+
+// Far inside, doubles have lost the digits of a pixel; a placement may be flat.
+RenderNote noteOf(const SolidScene& scene, const ifs::AffineMap<3>& cage) {
+    if (scene.system.note != RenderNote::None) return scene.system.note;
+    const ifs::Vector<3> stretch = ifs::singularValues<3>(cage.linear);
+    if (!(stretch[2] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
+    const ifs::AffineMap<3> root = scene.view.toPixels * scene.system.fromBox();
+    const double reach = root.translation.cwiseAbs().maxCoeff() + root.linear.cwiseAbs().maxCoeff();
+    return scene.range.isClamped || reach * 0x1p-48 > 1 ? RenderNote::TooDeep : RenderNote::None;
+}
+
+} // namespace
+
+struct SolidRendering::State {
+    SpaceRequest request;
+    SolidScene scene;
+    ifs::AffineMap<3> cage;
+    std::unique_ptr<Workers> workers;
+    std::vector<SolidBand> bands; // of every thread
+    DepthRaster raster;
+    RenderNote note = RenderNote::None;
+    Work work;
+
+    bool draw(const std::stop_token& stop);
+};
+
+bool SolidRendering::State::draw(const std::stop_token& stop) {
+    constexpr int rows = kernels::KeyBand::maxRows;
+    const RasterSize size = request.camera.size;
+    work = {};
+    raster.width = std::max(0, size.width);
+    raster.height = std::max(0, size.height);
+    raster.keys.resize(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+    raster.near = 0;
+    raster.far = 1;
+    const bool drawable = !scene.system.maps.empty() && isUsable(request.camera);
+    scene.range = drawable ? depthRange(scene.system, scene.view, stop) : DepthRange{1, 0, false};
+    note = noteOf(scene, cage);
+    if (!(scene.range.near < scene.range.far)) {
+        std::fill(raster.keys.begin(), raster.keys.end(), emptyKey);
+        return !stop.stop_requested();
+    }
+    const double unit = 1 / pixelsPerUnit(request.camera);
+    raster.near = scene.range.near * unit;
+    raster.far = scene.range.far * unit;
+    JobShares shares;
+    shares.reset(static_cast<std::size_t>((size.height + rows - 1) / rows), *workers);
+    bands.resize(workers->size());
+    shares.run(*workers, stop, [&](std::size_t job, std::size_t thread) {
+        const int first = static_cast<int>(job) * rows;
+        bands[thread].draw(scene, first, std::min(rows, size.height - first), raster, stop);
+    });
+    for (SolidBand& band : bands) {
+        const SolidBand::Work done = band.takeWork();
+        work.words += done.words;
+        work.points += done.points;
+        work.isCutShort = work.isCutShort || done.isCutShort;
+    }
+    return !stop.stop_requested();
+}
+
+SolidRendering::SolidRendering(SpaceRequest request) : m_state(std::make_unique<State>()) {
+    restart(std::move(request));
+}
+
+SolidRendering::~SolidRendering() = default;
+SolidRendering::SolidRendering(SolidRendering&&) noexcept = default;
+SolidRendering& SolidRendering::operator=(SolidRendering&&) noexcept = default;
+
+void SolidRendering::restart(SpaceRequest request) {
+    State& state = *m_state;
+    const bool sameSystem = !state.scene.system.maps.empty() && request.system == state.request.system;
+    state.request = std::move(request);
+    if (!sameSystem) state.scene.setSystem(preparedSpace(state.request.system));
+    const auto& cage = state.request.cage;
+    state.cage = cage && ifs::isValid(*cage) ? ifs::displayMap(*cage) : ifs::AffineMap<3>();
+    state.scene.setView(spaceView(state.request.camera, state.cage));
+    const auto threads = static_cast<std::size_t>(std::clamp(state.request.threads, 1, 256));
+    if (!state.workers || state.workers->size() != threads)
+        state.workers = std::make_unique<Workers>(threads);
+}
+
+bool SolidRendering::draw(const std::stop_token& stop) {
+    return m_state->draw(stop);
+}
+
+const DepthRaster& SolidRendering::raster() const {
+    return m_state->raster;
+}
+
+DepthRaster SolidRendering::takeRaster() {
+    return std::exchange(m_state->raster, {});
+}
+
+RenderNote SolidRendering::note() const {
+    return m_state->note;
+}
+
+SolidRendering::Work SolidRendering::work() const {
+    return m_state->work;
+}
+
+} // namespace attractor

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/render/solid_thread.h"
+
+#include "attractor/light/solid_light.h"
+#include "attractor/render/solid_rendering.h"
+#include "attractor/threads/mailbox.h"
+#include "attractor/threads/workers.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace attractor {
+
+namespace {
+
+constexpr int maxStep = 8;
+constexpr double fluid = 16;  // milliseconds for a picture while the hand moves
+constexpr double spare = 0.2; // of them: then four times as many pixels are still fluid
+constexpr double degree = std::numbers::pi / 180;
+constexpr auto rest = std::chrono::milliseconds(100);
+
+// The same view with one pixel for step × step, and enough of them to cover the picture.
+OrbitCamera coarse(OrbitCamera camera, int step) {
+    const RasterSize fine = camera.size;
+    camera.size.width = (fine.width + step - 1) / step;
+    camera.size.height = (fine.height + step - 1) / step;
+    camera.height *= static_cast<double>(camera.size.height) * step / fine.height;
+    if (camera.projection == OrbitCamera::Projection::Perspective) // the eye stays where it is
+        camera.fieldOfView =
+            2 / degree *
+            std::atan(std::tan(camera.fieldOfView / 2 * degree) * camera.size.height * step / fine.height);
+    return camera;
+}
+
+} // namespace
+
+double depthAt(const SolidFrame& frame, const ifs::Vector<2>& pixel) {
+    const DepthRaster& raster = frame.raster;
+    const auto cell = [&](double position, int cells, int pixels) {
+        return std::floor((position - pixels / 2.0) / frame.step + cells / 2.0);
+    };
+    const double column = cell(pixel.x(), raster.width, frame.camera.size.width);
+    const double row = cell(pixel.y(), raster.height, frame.camera.size.height);
+    constexpr double nothing = std::numeric_limits<double>::infinity();
+    if (!(column >= 0 && column < raster.width && row >= 0 && row < raster.height)) return nothing;
+    const std::uint32_t key =
+        raster.keys[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.width) +
+                    static_cast<std::size_t>(column)];
+    return key == emptyKey ? nothing : depthOf(raster, key);
+}
+
+struct SolidThread::State {
+    explicit State(std::function<void()> ready) : frameReady(std::move(ready)), thread([this] { serve(); }) {}
+    ~State() { mailbox.close(); }
+
+    void serve();
+    void work(const Job& job, const std::stop_token& stop);
+    std::optional<double> show(const Job& job, int step, const std::stop_token& stop); // milliseconds
+    void publish(SolidFrame frame, const std::stop_token& stop);
+
+    std::function<void()> frameReady;
+    Mailbox<Job> mailbox;
+    std::mutex mutex; // of the two below
+    std::shared_ptr<const SolidFrame> newest;
+    bool announced = false; // frameReady was called, newestFrame() was not yet
+    // The worker's own:
+    std::optional<SolidRendering> rendering;
+    std::optional<Workers> lamps;
+    int liveStep = 2;    // while the hand moves
+    std::jthread thread; // last: it uses the rest
+};
+
+void SolidThread::State::serve() {
+    while (const auto delivery = mailbox.take())
+        work(delivery->job, delivery->stop);
+}
+
+void SolidThread::State::work(const Job& job, const std::stop_token& stop) {
+    if (job.isLive) {
+        const auto time = show(job, liveStep, stop);
+        if (!time) return;
+        if (*time > fluid)
+            liveStep = std::min(2 * liveStep, maxStep);
+        else if (*time < spare * fluid)
+            liveStep = std::max(liveStep / 2, 1);
+        if (!mailbox.staysIdle(rest, stop)) return;
+    }
+    show(job, 1, stop);
+}
+
+std::optional<double> SolidThread::State::show(const Job& job, int step, const std::stop_token& stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    SpaceRequest request = job.request;
+    request.camera = coarse(request.camera, step);
+    const double reach = request.camera.height / 2;
+    const double middle = request.camera.target.y();
+    const SolidView view = solidView(request.camera, middle - reach, middle + reach);
+    const auto threads = static_cast<std::size_t>(std::max(1, request.threads));
+    if (!lamps || lamps->size() != threads) lamps.emplace(threads);
+    if (rendering)
+        rendering->restart(std::move(request));
+    else
+        rendering.emplace(std::move(request));
+    if (!rendering->draw(stop)) return std::nullopt;
+    SolidFrame frame;
+    frame.revision = job.request.revision;
+    frame.camera = job.request.camera;
+    frame.step = step;
+    frame.note = rendering->note();
+    frame.raster = rendering->takeRaster();
+    frame.pixels = lit(frame.raster, job.appearance, view, *lamps);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+    frame.milliseconds = time.count();
+    publish(std::move(frame), stop);
+    return time.count();
+}
+
+void SolidThread::State::publish(SolidFrame frame, const std::stop_token& stop) {
+    auto shared = std::make_shared<const SolidFrame>(std::move(frame));
+    {
+        const std::lock_guard lock(mutex);
+        if (stop.stop_requested()) return;
+        newest.swap(shared); // what it replaces is let go after the lock
+        if (std::exchange(announced, true)) return;
+    }
+    frameReady();
+}
+
+SolidThread::SolidThread(std::function<void()> frameReady)
+    : m_state(std::make_unique<State>(std::move(frameReady))) {}
+
+SolidThread::~SolidThread() = default;
+
+void SolidThread::submit(Job job) {
+    m_state->mailbox.put(std::move(job));
+}
+
+void SolidThread::cancel() {
+    m_state->mailbox.put(std::nullopt);
+}
+
+std::shared_ptr<const SolidFrame> SolidThread::newestFrame() {
+    const std::lock_guard lock(m_state->mutex);
+    m_state->announced = false;
+    return m_state->newest;
+}
+
+} // namespace attractor

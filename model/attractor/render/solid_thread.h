@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/depth_raster.h"
+#include "attractor/light/solid_appearance.h"
+#include "attractor/request/space_request.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace attractor {
+
+// A finished picture of a solid: an immutable result.
+struct SolidFrame {
+    std::uint64_t revision = 0;
+    OrbitCamera camera; // of the request
+    int step = 1;       // pixels of the request, each way, for one of this picture; their middles coincide
+    DepthRaster raster; // what is seen where
+    std::vector<std::uint32_t> pixels; // 0xAARRGGBB, premultiplied, as many as the raster has
+    RenderNote note = RenderNote::None;
+    double milliseconds = 0; // time it took
+};
+
+// The depth of what a frame shows at a pixel of its request, in units of the system, 0 in the plane of the
+// target; infinite where nothing is seen.
+double depthAt(const SolidFrame& frame, const ifs::Vector<2>& pixel);
+
+// A worker thread around SolidRendering and its light: the newest request wins, an older one is abandoned
+// within milliseconds. While requests come from a hand that moves, pictures are as coarse as keeps them
+// fluid; the exact one follows once it rests.
+class SolidThread {
+public:
+    // `frameReady` is called on the worker thread, never again before newestFrame() has been called since.
+    explicit SolidThread(std::function<void()> frameReady);
+    ~SolidThread(); // stops and joins
+
+    SolidThread(const SolidThread&) = delete;
+    SolidThread& operator=(const SolidThread&) = delete;
+
+    struct Job {
+        SpaceRequest request;
+        SolidAppearance appearance;
+        bool isLive = false; // more of the same is to come
+    };
+    void submit(Job job); // any thread
+    void cancel();        // forget the present request; the newest frame stays
+
+    // Any thread; nullptr before the first frame.
+    std::shared_ptr<const SolidFrame> newestFrame();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace attractor

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/orbit_camera.h"
+
+namespace attractor {
+
+// Ways to move a camera in space. Angles in degrees, y up.
+
+// Turntable: turned about the vertical axis through the pivot, then up or down about its own axis to the
+// right, the pivot staying at its pixel. A positive azimuth moves the eye to the right, a positive elevation
+// up, never past the pole.
+OrbitCamera orbited(OrbitCamera camera, const ifs::Vector<3>& pivot, double azimuth, double elevation);
+
+// Looking at the same target from there.
+OrbitCamera turnedTo(OrbitCamera camera, double azimuth, double elevation);
+
+// What was seen at a pixel in the plane of the target is seen at pixel + delta.
+OrbitCamera panned(OrbitCamera camera, const ifs::Vector<2>& delta);
+
+// Zoomed by `factor`; what is seen at the pixel in the plane of the target stays there.
+OrbitCamera zoomedAt(OrbitCamera camera, const ifs::Vector<2>& pixel, double factor);
+
+// The same view with the target in the depth of `point` and in the middle.
+OrbitCamera centredOn(OrbitCamera camera, const ifs::Vector<3>& point);
+
+// The line of sight through a pixel: origin + t·direction, a unit vector away from the eye.
+struct Ray {
+    ifs::Vector<3> origin = ifs::Vector<3>::Zero();
+    ifs::Vector<3> direction = ifs::Vector<3>::UnitZ();
+};
+Ray rayThrough(const OrbitCamera& camera, const ifs::Vector<2>& pixel);
+
+} // namespace attractor

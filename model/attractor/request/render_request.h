@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/appearance.h"
+#include "attractor/request/camera.h"
+#include "ifs/cage/control_cage.h"
+#include "ifs/system/branch.h"
+#include "ifs/system/iterated_function_system.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+// pixel = camera · cage · w_σ · sample
+namespace attractor {
+
+enum class Algorithm {
+    Density,       // instanced samples of the invariant measure, refined without end
+    ChaosGame,     // the paper's: exactly `samples` points are plotted, after 14 that are not
+    Deterministic, // Wⁿ(rest cage), filled, n = iterations
+};
+
+// What fixes the meaning of brightness: kept from frame to frame during a drag so that nothing flickers.
+struct Exposure {
+    double meanDensity = 0; // of the occupied pixels of the view
+    double whitePoint = 0;  // ρ_w, relative to that mean
+    double gain = 1;        // of light, for what supersampling takes from sets thinner than a pixel
+
+    friend bool operator==(const Exposure&, const Exposure&) = default;
+};
+
+// An immutable job. Same request (revision and threads apart) ⇒ same pixels.
+struct RenderRequest {
+    std::uint64_t revision = 0; // handed through to the frame
+    ifs::IteratedFunctionSystem<2> system;
+    std::optional<ifs::ControlCage<2>> cage; // nullopt: the code is drawn as it is
+    std::vector<ifs::MovedBranch<2>> moved;  // before the cage; words over indices in the system
+    Appearance appearance;
+    Camera camera;
+    Algorithm algorithm = Algorithm::Density;
+    std::uint64_t samples = 10'000'000; // Density: samples in one pass, all spent on words that meet the view
+    std::uint64_t seed = 1;
+    int iterations = 0; // Deterministic
+    int threads = 1;    // ≥ 1; never changes a pixel
+    // White point and gain of an earlier frame, to be kept (during a drag, in an export). The mean density is
+    // that of this picture always, so that neither zoom nor the placement changes its brightness.
+    std::optional<Exposure> exposure;
+};
+
+// Why a picture may not show what the user expects. The sentence for the user is the view's.
+enum class RenderNote {
+    None,
+    NoMaps,          // no map takes part: an empty picture
+    NoAttractor,     // some word expands; points that leave a huge range are dropped
+    Undecided,       // existence not settled; drawn with the same guard
+    TooDeep,         // zoomed beyond the resolution of the arithmetic
+    Degenerate,      // the picture is flat in this placement
+    FewerIterations, // Deterministic: fewer than asked for, Frame::iterations says how many
+};
+
+} // namespace attractor

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/sample_set.h"
+#include "attractor/samples/prepared_system.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace attractor {
+
+// Draws map i with probability p_i from one 32-bit number: its lowest bits choose a slot; the whole, read as
+// a signed number, decides between the map of the slot's number and the slot's alias. A power of two of
+// slots, at least 16.
+class AliasTable {
+public:
+    explicit AliasTable(const std::vector<double>& probabilities);
+
+    std::size_t size() const { return m_alias.size(); }
+    std::uint32_t draw(std::uint32_t random) const {
+        const std::size_t slot = random & (size() - 1);
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(random) < m_threshold[slot]
+                                              ? static_cast<std::int32_t>(slot)
+                                              : m_alias[slot]);
+    }
+    // One entry per slot.
+    const std::vector<std::int32_t>& thresholds() const { return m_threshold; }
+    const std::vector<std::int32_t>& aliases() const { return m_alias; }
+
+private:
+    std::vector<std::int32_t> m_threshold;
+    std::vector<std::int32_t> m_alias;
+};
+
+// 64 orbits that have forgotten their start, with streams of their own for every (seed, pass). The same bits
+// whatever the instruction set. An orbit that escapes begins anew in the middle of the box.
+void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples);
+
+// The seed paper's chaos game: one orbit from a fixed point of the first map (or the origin) of which the
+// first `skipped` points are not plotted. An orbit that escapes begins anew.
+class Orbit {
+public:
+    static constexpr int skipped = 14;
+
+    Orbit(const PreparedSystem& system, std::uint64_t seed);
+
+    struct Point {
+        ifs::Vector<2> x;             // where it is shown
+        std::uint32_t lastMap = 0;    // among the maps that take part
+        double addressCoordinate = 0; // Σ σ_k N^−k, newest map first
+    };
+    Point next(); // the point that is plotted next
+
+private:
+    void step();
+    const ifs::AffineMap<2>& change() const; // of the piece that the point lies in
+
+    const PreparedSystem* m_system; // outlives the orbit
+    AliasTable m_table;
+    std::vector<ifs::MovedBranch<2>> m_pieces;
+    ifs::Word m_address; // of the point, as far as it tells the piece
+    Point m_point;       // where it is
+    double m_farAway = 0;
+    std::uint64_t m_random = 0;
+};
+
+} // namespace attractor

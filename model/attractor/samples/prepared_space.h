@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/render_request.h"
+#include "ifs/system/affine_map.h"
+#include "ifs/system/iterated_function_system.h"
+
+#include <array>
+#include <vector>
+
+namespace attractor {
+
+// The maps of a system in space that take part, and where their attractor lies.
+struct PreparedSpace : ifs::ActiveMaps<3> {
+    // The attractor lies in the box centre ± halfExtent; half extents are positive. A system without an
+    // attractor gets a box in which its orbits spend most of their time.
+    ifs::Vector<3> centre = ifs::Vector<3>::Zero();
+    ifs::Vector<3> halfExtent = ifs::Vector<3>::Ones();
+    bool isCertified = false; // the box is
+    // Composing maps shrinks: an attractor is known, or orbits contract in the mean.
+    bool contracts = true;
+    RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
+
+    // In coordinates in which the box is [−1, 1]³.
+    ifs::AffineMap<3> inBox(const ifs::AffineMap<3>& map) const;
+    ifs::AffineMap<3> fromBox() const; // those coordinates → the code's
+};
+
+PreparedSpace preparedSpace(const ifs::IteratedFunctionSystem<3>& system);
+
+// Maps in box coordinates, one array per coefficient (linear by rows, then the shift), padded with zeros to a
+// multiple of 16.
+struct BoxMaps {
+    explicit BoxMaps(const PreparedSpace& system);
+    std::array<std::vector<float>, 12> coefficients;
+};
+
+} // namespace attractor

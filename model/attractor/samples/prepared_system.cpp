@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/samples/prepared_system.h"
+
+#include "attractor/arithmetic/arithmetic.h"
+#include "attractor/samples/finite_maps.h"
+#include "ifs/existence/attractor_existence.h"
+#include "ifs/extent/extent.h"
+#include "ifs/extent/support_function.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <optional>
+
+namespace attractor {
+
+namespace {
+
+using ifs::Vector;
+
+// Support values of a convex set in 64 directions that run around the square [−1, 1]². In between, the linear
+// interpolation along a side of the square is an upper bound, because support functions are convex.
+class Enclosure {
+public:
+    static constexpr int steps = 16; // per side of the square
+    static constexpr int count = 4 * steps;
+    using Values = std::array<double, count>;
+
+    static Vector<2> direction(int j) {
+        const double along = 2.0 * (j % steps) / steps - 1;
+        switch (j / steps) {
+        case 0:
+            return {1, along};
+        case 1:
+            return {-along, 1};
+        case 2:
+            return {-1, -along};
+        default:
+            return {along, -1};
+        }
+    }
+
+    // Weights of two neighbouring directions whose combination is u.
+    struct Interpolation {
+        int low = 0;
+        int high = 0;
+        double weightLow = 0;
+        double weightHigh = 0;
+    };
+    static Interpolation interpolation(const Vector<2>& u) {
+        const double size = std::max(std::abs(u.x()), std::abs(u.y()));
+        if (!(size > 0)) return {};
+        const bool upright = std::abs(u.y()) > std::abs(u.x());
+        const int side = upright ? (u.y() > 0 ? 1 : 3) : (u.x() > 0 ? 0 : 2);
+        const std::array<double, 4> along{u.y(), -u.x(), -u.y(), u.x()};
+        const double position = (along[static_cast<std::size_t>(side)] / size + 1) / 2 * steps;
+        const int step = std::clamp(static_cast<int>(position), 0, steps - 1);
+        const double f = position - step;
+        const int low = side * steps + step;
+        return {low, (low + 1) % count, size * (1 - f), size * f};
+    }
+};
+
+struct SupportStep { // one term ⟨u_j, d_i⟩ + h(A_iᵀ u_j)
+    double offset = 0;
+    Enclosure::Interpolation inner;
+};
+
+std::vector<SupportStep> supportSteps(const std::vector<ifs::AffineMap<2>>& centred) {
+    std::vector<SupportStep> steps;
+    steps.reserve(centred.size() * Enclosure::count);
+    for (int j = 0; j < Enclosure::count; ++j) {
+        const Vector<2> u = Enclosure::direction(j);
+        for (const ifs::AffineMap<2>& map : centred)
+            steps.push_back({u.dot(map.translation), Enclosure::interpolation(map.linear.transpose() * u)});
+    }
+    return steps;
+}
+
+// h ← max(h, W h) until it settles; returns the last relative growth.
+double grow(Enclosure::Values& h, const std::vector<SupportStep>& steps, int rounds) {
+    const std::size_t maps = steps.size() / Enclosure::count;
+    double growth = 0;
+    for (int round = 0; round < rounds; ++round) {
+        growth = 0;
+        double size = 0;
+        for (std::size_t j = 0; j < h.size(); ++j) {
+            double best = h[j];
+            for (std::size_t i = 0; i < maps; ++i) {
+                const SupportStep& s = steps[j * maps + i];
+                best =
+                    std::max(best, s.offset + s.inner.weightLow * h[static_cast<std::size_t>(s.inner.low)] +
+                                       s.inner.weightHigh * h[static_cast<std::size_t>(s.inner.high)]);
+            }
+            growth = std::max(growth, best - h[j]);
+            h[j] = best;
+            size = std::max(size, best);
+        }
+        if (!(growth > 1e-4 * size)) return 0;
+        growth /= size;
+    }
+    return growth;
+}
+
+// The mean of the invariant measure where it exists, else the middle of the translations.
+Vector<2> startingPoint(const PreparedSystem& system) {
+    ifs::AffineMap<2> mean{ifs::Matrix<2>::Zero(), Vector<2>::Zero()};
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        mean.linear += system.probabilities[i] * system.maps[i].linear;
+        mean.translation += system.probabilities[i] * system.maps[i].translation;
+    }
+    const auto fixed = ifs::fixedPoint(mean);
+    return fixed && fixed->allFinite() ? *fixed : mean.translation;
+}
+
+std::vector<ifs::AffineMap<2>> centredMaps(const PreparedSystem& system, const Vector<2>& centre) {
+    std::vector<ifs::AffineMap<2>> maps = system.maps;
+    for (ifs::AffineMap<2>& map : maps)
+        map.translation = map(centre) - centre;
+    return maps;
+}
+
+// A short orbit with a guard against escape, as support values about the centre.
+Enclosure::Values pilotExtent(const std::vector<ifs::AffineMap<2>>& centred,
+                              const std::vector<double>& probabilities) {
+    double reach = 0;
+    for (const ifs::AffineMap<2>& map : centred)
+        reach = std::max(reach, map.translation.cwiseAbs().maxCoeff());
+    const double farAway = 1e3 * reach;
+    std::array<Vector<2>, Enclosure::count> directions;
+    for (std::size_t j = 0; j < directions.size(); ++j)
+        directions[j] = Enclosure::direction(static_cast<int>(j));
+    std::vector<double> cumulative;
+    cumulative.reserve(probabilities.size());
+    std::partial_sum(probabilities.begin(), probabilities.end(), std::back_inserter(cumulative));
+    Enclosure::Values h{};
+    Vector<2> x = Vector<2>::Zero();
+    std::uint64_t state = 1;
+    for (int n = 0; n < 1500; ++n) {
+        const double u = static_cast<double>(mixed(++state) >> 11) * 0x1p-53;
+        const auto i =
+            std::ranges::upper_bound(cumulative.begin(), cumulative.end() - 1, u) - cumulative.begin();
+        x = centred[static_cast<std::size_t>(i)](x);
+        if (!(x.cwiseAbs().maxCoeff() <= farAway)) x = Vector<2>::Zero();
+        if (n < 100) continue;
+        for (std::size_t j = 0; j < h.size(); ++j)
+            h[j] = std::max(h[j], directions[j].dot(x));
+    }
+    return h;
+}
+
+// Those that can lead to the border of the attractor: of many thousands, a few.
+std::vector<ifs::AffineMap<2>> outerMaps(const PreparedSystem& system,
+                                         const std::vector<ifs::AffineMap<2>>& centred) {
+    constexpr std::size_t few = 256;
+    if (system.maps.size() <= few) return centred;
+    const auto support = ifs::SupportFunction<2>::of(system.maps);
+    if (!support) return centred;
+    std::vector<ifs::AffineMap<2>> outer;
+    for (const std::size_t index : support->mapsToTheHull())
+        outer.push_back(centred[index]);
+    return outer;
+}
+
+// Of maps that stretch before they contract: an orbit may leave the far ends of a thin attractor out, and
+// interpolated values need not settle.
+std::optional<ifs::BoundingBox<2>> certifiedBox(const PreparedSystem& system) {
+    const auto stretches = [](const auto& map) { return ifs::spectralNorm<2>(map.linear) >= 1; };
+    if (system.note != RenderNote::None || std::ranges::none_of(system.maps, stretches)) return std::nullopt;
+    const auto support = ifs::SupportFunction<2>::of(system.maps);
+    return support ? std::optional(ifs::boundingBox(*support, 1e-4 * support->radius())) : std::nullopt;
+}
+
+void placeBox(PreparedSystem& system) {
+    const Vector<2> start = startingPoint(system);
+    const auto centred = centredMaps(system, start);
+    Enclosure::Values h = pilotExtent(centred, system.probabilities);
+    const Enclosure::Values pilot = h;
+    double slack = 1e-2;
+    const auto certified = certifiedBox(system);
+    if (!certified &&
+        (system.note != RenderNote::None || grow(h, supportSteps(outerMaps(system, centred)), 400) > 1e-3)) {
+        h = pilot;
+        slack = 1;
+    }
+    constexpr int middle = Enclosure::steps / 2;
+    const auto at = [&](int side) { return h[static_cast<std::size_t>(side) * Enclosure::steps + middle]; };
+    Vector<2> high(at(0), at(1)), low(-at(2), -at(3));
+    if (certified) {
+        const Vector<2> error = Vector<2>::Constant(certified->error);
+        high = certified->max + error - start;
+        low = certified->min - error - start;
+    }
+    system.centre = start + (low + high) / 2;
+    system.halfExtent = (high - low) / 2;
+    const double size = system.halfExtent.maxCoeff();
+    if (!(size > 0) || !std::isfinite(size)) {
+        system.halfExtent =
+            Vector<2>::Constant(std::isfinite(size) ? 1e-9 + 1e-12 * start.cwiseAbs().maxCoeff() : 1);
+        return;
+    }
+    system.halfExtent += Vector<2>::Constant(slack * size);
+}
+
+} // namespace
+
+RenderNote existenceNote(ifs::Verdict verdict) {
+    switch (verdict) {
+    case ifs::Verdict::None:
+        return RenderNote::NoAttractor;
+    case ifs::Verdict::Undecided:
+        return RenderNote::Undecided;
+    case ifs::Verdict::Empty:
+        return RenderNote::NoMaps;
+    default:
+        return RenderNote::None;
+    }
+}
+
+PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
+                        std::span<const ifs::MovedBranch<2>> moved) {
+    PreparedSystem result{finiteMaps(system)};
+    if (result.maps.empty()) {
+        result.note = RenderNote::NoMaps;
+        return result;
+    }
+    result.moved = ifs::overMaps<2>(moved, result.index);
+    for (std::size_t i = 0; i < result.maps.size(); ++i)
+        result.meanLogarithm +=
+            result.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(result.maps[i].linear));
+    const ifs::Existence existence = ifs::classify<2>(result.maps, 2000);
+    result.note = existenceNote(existence.verdict);
+    // Under a cage that shears, maps may stretch one by one whose words contract.
+    if (!(result.meanLogarithm < 0) && existence.verdict == ifs::Verdict::EventuallyContractive)
+        result.meanLogarithm = naturalLogarithm(existence.contractivity);
+    placeBox(result);
+    return result;
+}
+
+std::vector<ifs::AffineMap<2>> shownPieces(const PreparedSystem& system) {
+    return ifs::pieceMaps<2>(ifs::pieces<2>(system.moved, system.maps.size()), system.maps);
+}
+
+} // namespace attractor

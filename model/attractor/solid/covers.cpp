@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/solid/covers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
+
+namespace attractor {
+
+namespace {
+
+using ifs::Vector;
+
+// Of the box [−1, 1]³, which all coordinates here lie in.
+double halfWidth(const ifs::Matrix<3>& linear) {
+    return linear.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
+// Of a box that is not certified, points may lie outside; what is drawn must not.
+bool isInBox(const Vector<3>& x) {
+    return x.cwiseAbs().maxCoeff() <= 1; // false for what is no number
+}
+
+// Cubes of a grid, each of which takes one point.
+class Grid {
+public:
+    explicit Grid(double edge) : m_perUnit(1 / edge) {}
+    bool take(const Vector<3>& x) { // whether it is the first one in its cube
+        std::uint64_t key = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double cell = std::clamp((x[k] + 2) * m_perUnit, 0.0, 2097151.0);
+            key = key << 21 | static_cast<std::uint64_t>(cell);
+        }
+        return m_taken.insert(key).second;
+    }
+
+private:
+    double m_perUnit;
+    std::unordered_set<std::uint64_t> m_taken;
+};
+
+class CoverBuilder {
+public:
+    explicit CoverBuilder(const PreparedSpace& system) : m_contracts(system.contracts) {
+        for (const ifs::AffineMap<3>& map : system.maps)
+            m_maps.push_back(system.inBox(map));
+        m_point = ifs::fixedPoint(m_maps.front()).value_or(Vector<3>::Zero());
+        if (!isInBox(m_point)) m_point.setZero();
+        // The point that stands for a cell is best in its middle.
+        constexpr double few = 1.0 / 8;
+        const auto cells = cut(few);
+        for (const Vector<3>& x : cells ? cells->points : flood(few))
+            if (isInBox(x) && x.norm() < m_point.norm()) m_point = x;
+    }
+
+    struct Cells {
+        std::vector<Vector<3>> points;
+        double width = 0; // of the widest, as a share of the box
+    };
+
+    // nullopt where they are too many.
+    std::optional<Cells> cut(double width) const {
+        constexpr std::size_t maxWords = 4 * Covers::maxPoints;
+        if (!m_contracts) return std::nullopt;
+        Cells cells;
+        std::vector<ifs::AffineMap<3>> open(1);
+        std::size_t words = 0;
+        while (!open.empty()) {
+            const ifs::AffineMap<3> word = open.back();
+            open.pop_back();
+            const double size = halfWidth(word.linear);
+            if (size <= width) {
+                cells.points.push_back(word(m_point));
+                cells.width = std::max(cells.width, size);
+                continue;
+            }
+            words += m_maps.size();
+            if (words > maxWords) return std::nullopt;
+            for (const ifs::AffineMap<3>& map : m_maps)
+                open.push_back(word * map);
+        }
+        return cells;
+    }
+
+    // All that the point leads to, one for each cube: approximately a cover even of a system whose words are
+    // too many to be listed.
+    std::vector<Vector<3>> flood(double width) const {
+        constexpr std::size_t maxImages = 1U << 20;
+        Grid grid(width);
+        std::vector<Vector<3>> points{m_point};
+        grid.take(m_point);
+        std::size_t images = 0;
+        for (std::size_t k = 0; k < points.size() && points.size() <= Covers::maxPoints; ++k)
+            for (const ifs::AffineMap<3>& map : m_maps) {
+                if (++images > maxImages) return points;
+                const Vector<3> x = map(Vector<3>(points[k]));
+                if (isInBox(x) && grid.take(x)) points.push_back(x);
+            }
+        return points;
+    }
+
+    // With the spacing that it has. Finer cells, of which those that lie together are one, may be fewer: in a
+    // set of low dimension, where most words are thinner than the widest.
+    Cells cover(double width) const {
+        if (width >= 1) return {{m_point}, 1};
+        std::optional<Cells> best = cut(width);
+        if (!best) return {flood(width), width};
+        *best = thinned(std::move(*best), width);
+        constexpr std::size_t worthThinning = Covers::maxPoints / 8;
+        for (double finer = width / 2; finer >= width / 4 && best->points.size() <= worthThinning;
+             finer /= 2) {
+            std::optional<Cells> cells = cut(finer);
+            if (!cells) break;
+            *cells = thinned(std::move(*cells), width);
+            if (cells->points.size() < best->points.size()) best = std::move(cells);
+        }
+        return *best;
+    }
+
+private:
+    // One point for every cube that is as wide as keeps the spacing below `width`.
+    static Cells thinned(Cells cells, double width) {
+        constexpr double leastEdge = 1.0 / 64; // merges what is the same but for rounding
+        Grid grid(2 * std::max(width - cells.width, leastEdge * width));
+        const std::size_t before = cells.points.size();
+        std::erase_if(cells.points, [&](const Vector<3>& x) { return !isInBox(x) || !grid.take(x); });
+        if (cells.points.empty()) cells.points.push_back(Vector<3>::Zero());
+        if (cells.points.size() < before) cells.width = width;
+        return cells;
+    }
+
+    bool m_contracts;
+    std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
+    Vector<3> m_point;                     // of the attractor
+};
+
+// As kernels::Cover::nearestFirst has them.
+std::vector<Vector<3>> sorted(std::vector<Vector<3>> points, unsigned octant) {
+    const Vector<3> deeper((octant & 1) != 0 ? -1 : 1, (octant & 2) != 0 ? -1 : 1,
+                           (octant & 4) != 0 ? -1 : 1);
+    std::stable_sort(points.begin(), points.end(),
+                     [&](const Vector<3>& a, const Vector<3>& b) { return deeper.dot(a) < deeper.dot(b); });
+    return points;
+}
+
+void append(std::vector<float>& coordinates, const std::vector<Vector<3>>& points, std::size_t padded) {
+    for (int k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < padded; ++i)
+            coordinates.push_back(static_cast<float>(points[i < points.size() ? i : 0][k]));
+}
+
+} // namespace
+
+Covers::Covers(const PreparedSpace& system) {
+    constexpr double finest = 1.0 / 128;
+    const CoverBuilder builder(system);
+    for (double width = 1; width >= finest && (m_covers.empty() || 4 * m_covers.back().count <= maxPoints);
+         width /= 2) {
+        const auto cells = builder.cover(width);
+        if (cells.points.size() > maxPoints && !m_covers.empty()) break;
+        Points points;
+        points.spacing = static_cast<float>(cells.width);
+        points.count = cells.points.size();
+        points.padded = (points.count + kernels::solidLanes - 1) / kernels::solidLanes * kernels::solidLanes;
+        for (unsigned octant = 0; octant < 8; ++octant)
+            append(points.coordinates, sorted(cells.points, octant), points.padded);
+        // The same cells again, or fewer points that lie closer: what is there is of no use any more.
+        while (!m_covers.empty() && m_covers.back().count >= points.count)
+            m_covers.pop_back();
+        m_covers.push_back(std::move(points));
+    }
+}
+
+std::vector<kernels::Cover> Covers::ofAtMost(std::size_t points) const {
+    std::vector<kernels::Cover> result;
+    for (const Points& cover : m_covers) {
+        if (cover.count > points && !result.empty()) continue;
+        kernels::Cover& view = result.emplace_back();
+        view.spacing = cover.spacing;
+        view.size = cover.padded;
+        const float* at = cover.coordinates.data();
+        for (kernels::CoverPoints& order : view.nearestFirst) {
+            order = {at, at + cover.padded, at + 2 * cover.padded};
+            at += 3 * cover.padded;
+        }
+    }
+    return result;
+}
+
+} // namespace attractor

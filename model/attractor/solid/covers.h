@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/solid_walk.h"
+#include "attractor/samples/prepared_space.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace attractor {
+
+// Points of an attractor at relative scales 1, 1/2, 1/4, 1/8, …: to a solid what samples are to a density.
+// One point for every cell of a cut of the address tree; where cells crowd, one for each that are alike.
+class Covers {
+public:
+    static constexpr std::size_t maxPoints = 1U << 14; // of one cover
+
+    Covers() = default;
+    explicit Covers(const PreparedSpace& system); // of at least one map
+
+    // From the coarsest to the finest, those of at most so many points, and the coarsest in any case. Views.
+    std::vector<kernels::Cover> ofAtMost(std::size_t points) const;
+
+private:
+    struct Points {
+        float spacing = 1;
+        std::size_t count = 0;
+        std::size_t padded = 0;
+        std::vector<float> coordinates; // for every octant x, y and z
+    };
+    std::vector<Points> m_covers;
+};
+
+} // namespace attractor

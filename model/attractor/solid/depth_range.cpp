@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/solid/depth_range.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace attractor {
+
+namespace {
+
+struct Open {
+    double depth = 0; // the nearer to the end that is sought, the larger
+    double half = 0;  // of the depths of the word; of two that reach as far, the smaller comes first
+    ifs::AffineMap<3> word;
+    friend bool operator<(const Open& a, const Open& b) {
+        return a.depth < b.depth || (a.depth == b.depth && a.half > b.half);
+    }
+};
+
+enum class End { Near, Far };
+
+// Best first: until the word that reaches farthest is so small that it is as good as a point.
+class Search {
+public:
+    Search(const PreparedSpace& system, const SpaceView& view, End end)
+        : m_view(view), m_sign(end == End::Near ? -1 : 1) {
+        for (const ifs::AffineMap<3>& map : system.maps)
+            m_maps.push_back(system.inBox(map));
+        add(view.toPixels * system.fromBox());
+    }
+
+    // −HUGE_VAL when nothing is in view.
+    double run(bool mayDivide, const std::stop_token& stop) {
+        constexpr double small = 4; // pixels
+        constexpr std::size_t maxWords = 1U << 17;
+        double found = -HUGE_VAL;
+        std::size_t words = 0;
+        while (!m_open.empty()) {
+            const Open best = m_open.front();
+            words += m_maps.size();
+            const SeenWord word = seen(best.word, m_view);
+            const bool isSmall = !word.reachesEye && 2 * word.half.z() <= small;
+            if (isSmall || !mayDivide || words > maxWords || stop.stop_requested()) {
+                found = best.depth;
+                break;
+            }
+            std::pop_heap(m_open.begin(), m_open.end());
+            m_open.pop_back();
+            for (const ifs::AffineMap<3>& map : m_maps)
+                add(best.word * map);
+        }
+        return m_sign * found;
+    }
+
+private:
+    void add(const ifs::AffineMap<3>& word) {
+        const SeenWord it = seen(word, m_view);
+        if (!it.meets(m_view.size)) return;
+        const double half = word.linear.row(2).cwiseAbs().sum();
+        double depth = m_sign * word.translation.z() + half;
+        if (m_view.isPerspective() && m_sign < 0)
+            depth = std::min(depth, m_view.eyeDistance * (1 - nearestShare));
+        m_open.push_back({depth, half, word});
+        std::push_heap(m_open.begin(), m_open.end());
+    }
+
+    const SpaceView& m_view;
+    double m_sign;
+    std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
+    std::vector<Open> m_open;
+};
+
+} // namespace
+
+DepthRange depthRange(const PreparedSpace& system, const SpaceView& view, const std::stop_token& stop) {
+    DepthRange range;
+    range.near = Search(system, view, End::Near).run(system.contracts, stop);
+    range.far = Search(system, view, End::Far).run(system.contracts, stop);
+    if (!(range.near <= range.far)) return {1, 0, false};
+    // Rounding, and something to divide by.
+    const double room = 0.5 + 1e-12 * std::max(std::abs(range.near), std::abs(range.far));
+    range.near -= room;
+    range.far += room;
+    if (range.far - range.near > DepthRange::maxLength) {
+        range.far = range.near + DepthRange::maxLength;
+        range.isClamped = true;
+    }
+    return range;
+}
+
+} // namespace attractor

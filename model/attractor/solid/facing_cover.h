@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/solid_walk.h"
+#include "attractor/samples/prepared_space.h"
+#include "attractor/solid/space_view.h"
+
+#include <span>
+#include <vector>
+
+namespace attractor {
+
+// Where all maps shrink by one ratio without turning anything, an orthographic camera sees all words of one
+// length alike. Of the cover that draws them, these are the points that are nearest in some pixel, wherever
+// between the pixels the word may lie: the others would lose in all of them. docs/mathematics.md, "Solids".
+class FacingCover {
+public:
+    FacingCover() = default;
+    // `covers` from the coarsest to the finest; empty where there is nothing to gain.
+    FacingCover(const PreparedSpace& system, const SpaceView& view, std::span<const kernels::Cover> covers);
+
+    bool isEmpty() const { return m_coordinates.empty(); }
+    kernels::Cover cover() const; // for words of its size alone
+
+private:
+    float m_spacing = 1;
+    float m_size = 0; // of the words, pixels
+    std::size_t m_padded = 0;
+    std::vector<float> m_coordinates; // x, y and z, the nearest first
+};
+
+} // namespace attractor

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/depth_raster.h"
+#include "attractor/kernels/solid_walk.h"
+#include "attractor/samples/prepared_space.h"
+#include "attractor/solid/covers.h"
+#include "attractor/solid/depth_range.h"
+#include "attractor/solid/facing_cover.h"
+#include "attractor/solid/space_view.h"
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace attractor {
+
+// All that decides the keys of a picture.
+struct SolidScene {
+    PreparedSpace system;
+    std::vector<ifs::AffineMap<3>> boxMaps; // of the system, in box coordinates
+    std::vector<std::uint8_t> colours;      // of the maps: their indices in the system
+    std::optional<BoxMaps> coefficients;
+    Covers covers;
+    SpaceView view;
+    DepthRange range;
+    FacingCover facing;
+
+    // Of words that are drawn as one; more of them would hide each other unseen.
+    static constexpr std::size_t leafPoints = 1024;
+    static constexpr std::size_t facingPoints = 8192;
+
+    void setSystem(PreparedSpace prepared);
+    void setView(const SpaceView& newView);
+};
+
+// Draws rows of a picture, from the root of the address tree. Memory is kept from one call to the next.
+class SolidBand {
+public:
+    // rows ≤ kernels::KeyBand::maxRows. Stopped, it leaves the raster as it is.
+    void draw(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
+              const std::stop_token& stop);
+
+    struct Work {
+        std::size_t words = 0;
+        std::size_t points = 0;
+        bool isCutShort = false;
+    };
+    Work takeWork(); // since the last call
+
+private:
+    struct Open {
+        ifs::AffineMap<3> word; // box → SpaceView::toPixels
+        int colour = kernels::SolidWord::uncoloured;
+    };
+    bool walk(const SolidScene& scene, int firstRow, const std::stop_token& stop);
+    void expand(const SolidScene& scene, const Open& open);
+
+    kernels::KeyBand m_keys;
+    kernels::SolidJob m_job;
+    std::vector<kernels::Cover> m_covers;
+    std::size_t m_wideBudget = 0; // of words that are composed in double precision
+    std::vector<Open> m_open;
+    std::vector<std::pair<double, std::size_t>> m_order;
+    bool m_isCutShort = false;
+};
+
+} // namespace attractor

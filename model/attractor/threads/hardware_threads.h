@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace attractor {
+
+// How many threads this machine runs at once, at least 1: the fastest RenderRequest::threads.
+int hardwareThreads();
+
+} // namespace attractor

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/threads/workers.h"
+
+#include <system_error>
+
+namespace attractor {
+
+Workers::Workers(std::size_t size) {
+    try {
+        for (std::size_t thread = 1; thread < size; ++thread)
+            m_threads.emplace_back([this, thread] { serve(thread); });
+    } catch (const std::system_error&) {
+        // The system gives no more: those there are do all the work.
+    }
+}
+
+Workers::~Workers() {
+    const std::lock_guard lock(m_mutex);
+    m_quit = true;
+    m_wake.notify_all();
+}
+
+void Workers::run(const std::function<void(std::size_t)>& work) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_work = &work;
+        m_busy = m_threads.size();
+        ++m_round;
+    }
+    m_wake.notify_all();
+    work(0);
+    std::unique_lock lock(m_mutex);
+    m_finished.wait(lock, [this] { return m_busy == 0; });
+}
+
+void Workers::serve(std::size_t thread) {
+    std::size_t seen = 0;
+    while (true) {
+        const std::function<void(std::size_t)>* work = nullptr;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, [&] { return m_quit || m_round != seen; });
+            if (m_quit) return;
+            seen = m_round;
+            work = m_work;
+        }
+        (*work)(thread);
+        const std::lock_guard lock(m_mutex);
+        if (--m_busy == 0) m_finished.notify_one();
+    }
+}
+
+} // namespace attractor

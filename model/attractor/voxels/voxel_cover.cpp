@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/voxels/voxel_cover.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace attractor {
+
+namespace {
+
+using Index = VoxelGrid::Index;
+
+// The grid around the box, the box in its middle: no side of it lies on a side of voxels unless the box has
+// none to spare.
+bool placeGrid(const VoxelRequest& request, VoxelCover& cover) {
+    Index size{};
+    double voxels = 1;
+    for (int k = 0; k < 3; ++k) {
+        const double length = (request.max[k] - request.min[k]) / request.side;
+        const double count = std::floor(length) + 1 + 2.0 * (request.margin + 1);
+        voxels *= std::ceil(count / (k == 0 ? 64 : 1)) * (k == 0 ? 64 : 1); // as they are stored
+        if (!(voxels <= double(VoxelGrid::maxVoxels))) return false;
+        size[std::size_t(k)] = int(count);
+        cover.origin[k] = (request.min[k] + request.max[k] - request.side * count) / 2;
+    }
+    cover.grid = VoxelGrid(size);
+    return true;
+}
+
+class Walk {
+public:
+    Walk(const VoxelRequest& request, VoxelCover& cover) : m_cover(cover) {
+        for (const ifs::AffineMap<3>& map : request.system.maps)
+            m_maps.push_back(request.system.inBox(map));
+        ifs::AffineMap<3> toGrid;
+        toGrid.linear /= request.side;
+        toGrid.translation = -cover.origin / request.side;
+        m_root = toGrid * request.placement * request.system.fromBox();
+    }
+
+    VoxelCover::Outcome run(const std::function<void(double)>& progress, const std::stop_token& stop) {
+        constexpr std::uint64_t between = 1U << 20; // words between two looks at the clock
+        if (isDone(m_root)) return VoxelCover::Outcome::Done;
+        m_open.push_back({m_root, 0});
+        while (!m_open.empty()) {
+            Open& open = m_open.back();
+            if (open.next == m_maps.size()) {
+                m_open.pop_back();
+                continue;
+            }
+            const ifs::AffineMap<3> word = open.word * m_maps[open.next++];
+            if (++m_cover.words > VoxelCover::maxWords) return VoxelCover::Outcome::TooManyWords;
+            if (m_cover.words % between == 0) {
+                if (stop.stop_requested()) return VoxelCover::Outcome::Stopped;
+                if (progress) progress(share());
+            }
+            if (!isDone(word)) m_open.push_back({word, 0});
+        }
+        return VoxelCover::Outcome::Done;
+    }
+
+private:
+    struct Open {
+        ifs::AffineMap<3> word;
+        std::size_t next; // of its children
+    };
+
+    double share() const {
+        double part = 1;
+        double result = 0;
+        for (std::size_t k = 0; k < std::min<std::size_t>(m_open.size(), 8); ++k) {
+            part /= double(m_maps.size());
+            result += part * double(m_open[k].next - 1);
+        }
+        return result;
+    }
+
+    // Whether there is nothing to be gained from its children; marks what it is known to meet.
+    bool isDone(const ifs::AffineMap<3>& word) {
+        constexpr double rounding = 1e-9;        // voxels; the grid has at most 2²⁸
+        constexpr std::int64_t maxLookedAt = 64; // voxels
+        Index low{};
+        Index high{};
+        double widest = 0;
+        std::int64_t count = 1;
+        for (int k = 0; k < 3; ++k) {
+            const double half = word.linear.row(k).cwiseAbs().sum() + rounding;
+            const double reach = double(m_cover.grid.size()[std::size_t(k)]);
+            low[std::size_t(k)] = int(std::floor(std::clamp(word.translation[k] - half, -1.0, reach)));
+            high[std::size_t(k)] = int(std::floor(std::clamp(word.translation[k] + half, -1.0, reach)));
+            widest = std::max(widest, 2 * half);
+            count *= high[std::size_t(k)] - low[std::size_t(k)] + 1;
+        }
+        const bool isSmall = count == 1 || widest <= VoxelCover::fineness;
+        if (!isSmall && count > maxLookedAt) return false;
+        bool isKnown = true;
+        for (int z = low[2]; z <= high[2]; ++z)
+            for (int y = low[1]; y <= high[1]; ++y)
+                for (int x = low[0]; x <= high[0]; ++x) {
+                    const Index voxel{x, y, z};
+                    if (m_cover.grid.isFilled(voxel)) continue;
+                    if (!isSmall) return false;
+                    isKnown = false;
+                    if (m_cover.grid.contains(voxel)) m_cover.grid.fill(voxel);
+                }
+        return isKnown || isSmall;
+    }
+
+    VoxelCover& m_cover;
+    std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
+    ifs::AffineMap<3> m_root;
+    std::vector<Open> m_open;
+};
+
+} // namespace
+
+VoxelCover voxelCover(const VoxelRequest& request, const std::function<void(double)>& progress,
+                      const std::stop_token& stop) {
+    VoxelCover cover;
+    cover.side = request.side;
+    if (!placeGrid(request, cover))
+        cover.outcome = VoxelCover::Outcome::TooManyVoxels;
+    else
+        cover.outcome = Walk(request, cover).run(progress, stop);
+    return cover;
+}
+
+} // namespace attractor

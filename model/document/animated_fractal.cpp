@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "document/animated_fractal.h"
+
+#include "document/fractal_geometry.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace document {
+
+namespace {
+
+constexpr int trials = 33; // moments at which existence is looked at
+
+template <int Dim> bool turnsCage(const animation::Animation<Dim>& animation) {
+    return Dim == 2 && std::ranges::any_of(animation.motions, [](const animation::Motion<Dim>& motion) {
+               return std::holds_alternative<animation::Orbit<Dim>>(motion);
+           });
+}
+
+template <int Dim> AnimatedFrame frameOf(const Fractal& fractal, const animation::Moment& moment) {
+    AnimatedFrame frame{fractal};
+    auto& shape = std::get<Shape<Dim>>(frame.fractal.shape);
+    if (!shape.animation) return frame;
+    const animation::Animation<Dim> animation = *std::exchange(shape.animation, std::nullopt);
+    if constexpr (Dim == 2)
+        if (!shape.cage && turnsCage<Dim>(animation)) shape.cage = canonicalCage(frame.fractal);
+    animation::Pose<Dim> pose =
+        animation.at(moment, {std::move(shape.system), std::move(shape.cage), std::move(shape.moved),
+                              std::move(frame.fractal.appearance)});
+    shape.system = std::move(pose.system);
+    shape.cage = std::move(pose.cage);
+    shape.moved = std::move(pose.moved);
+    frame.fractal.appearance = std::move(pose.appearance);
+    frame.orbit = pose.orbit;
+    if constexpr (Dim == 2)
+        frame.view = pose.camera;
+    else
+        frame.camera = pose.camera;
+    return frame;
+}
+
+template <int Dim> std::optional<AnimationFacts> factsOf(const Shape<Dim>& shape) {
+    if (!shape.animation) return std::nullopt;
+    const auto& animation = *shape.animation;
+    return AnimationFacts{animation.rate, animation.length, animation.loop, animation::trackCount(animation),
+                          animation.motions.size()};
+}
+
+template <int Dim> ifs::Verdict verdictOf(const Shape<Dim>& shape) {
+    return ifs::classify<Dim>(ifs::activeMaps(shape.system).maps).verdict;
+}
+
+ifs::Verdict verdictAt(const Fractal& fractal, const animation::Moment& moment) {
+    const AnimatedFrame frame = frameAt(fractal, moment);
+    const auto* flat = plane(frame.fractal);
+    return flat ? verdictOf(*flat) : verdictOf(*space(frame.fractal));
+}
+
+bool isCertain(ifs::Verdict verdict) {
+    return verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive;
+}
+
+std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const AnimationFacts& facts) {
+    for (const animation::Moment& moment : moments(facts, trials))
+        if (const ifs::Verdict verdict = verdictAt(fractal, moment); !isCertain(verdict))
+            return MomentWithoutAttractor{moment, verdict};
+    return std::nullopt;
+}
+
+template <int Dim> bool hasCommonNorm(const Shape<Dim>& shape) {
+    return ifs::countActive(shape.system) > 0 &&
+           animation::commonNorm(*shape.animation, shape.system).has_value();
+}
+
+template <int Dim> Fractal weakened(const Fractal& fractal, std::size_t motion, double share) {
+    Fractal result = fractal;
+    auto& motions = std::get<Shape<Dim>>(result.shape).animation->motions;
+    motions[motion] = animation::weakened<Dim>(motions[motion], share);
+    return result;
+}
+
+} // namespace
+
+std::optional<AnimationFacts> animationFacts(const Fractal& fractal) {
+    if (const auto* shape = plane(fractal)) return factsOf(*shape);
+    if (const auto* shape = space(fractal)) return factsOf(*shape);
+    return std::nullopt;
+}
+
+AnimatedFrame frameAt(const Fractal& fractal, const animation::Moment& moment) {
+    if (plane(fractal)) return frameOf<2>(fractal, moment);
+    if (space(fractal)) return frameOf<3>(fractal, moment);
+    return {fractal};
+}
+
+std::vector<animation::Moment> moments(const AnimationFacts& facts, int count) {
+    std::vector<animation::Moment> result;
+    for (int i = 0; i < count; ++i)
+        result.push_back(animation::moment(std::int64_t(facts.length) * i, count - 1));
+    return result;
+}
+
+std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal) {
+    const auto facts = animationFacts(fractal);
+    if (!facts) return std::nullopt;
+    const auto* flat = plane(fractal);
+    if (facts->motions == 0 && (flat ? hasCommonNorm(*flat) : hasCommonNorm(*space(fractal))))
+        return std::nullopt;
+    return firstTried(fractal, *facts);
+}
+
+Fractal withSafeStrength(const Fractal& fractal, std::size_t motion) {
+    const auto facts = animationFacts(fractal);
+    if (!facts || motion >= facts->motions || !firstTried(fractal, *facts)) return fractal;
+    const auto withShare = [&](double share) {
+        return plane(fractal) ? weakened<2>(fractal, motion, share) : weakened<3>(fractal, motion, share);
+    };
+    double safe = 0, lost = 1;
+    while (lost - safe > 1e-3) {
+        const double middle = (safe + lost) / 2;
+        (firstTried(withShare(middle), *facts) ? lost : safe) = middle;
+    }
+    return withShare(safe);
+}
+
+} // namespace document

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "ifs/existence/attractor_existence.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+// An entry whose shape has an animation, and what it shows at a moment.
+namespace document {
+
+// What the animations of both dimensions have in common.
+struct AnimationFacts {
+    animation::FrameRate rate;
+    int length = 0; // frames
+    animation::Loop loop = animation::Loop::Off;
+    int tracks = 0;
+    std::size_t motions = 0;
+};
+std::optional<AnimationFacts> animationFacts(const Fractal& fractal); // nullopt: nothing moves
+
+// What is seen at a moment: an ordinary fractal without an animation, and the camera if keys move it.
+struct AnimatedFrame {
+    Fractal fractal;
+    std::optional<attractor::View> view{};
+    std::optional<attractor::OrbitCamera> camera{}; // of an entry in space; its size means nothing
+    double orbit = 0;                               // degrees: animation::orbited()
+};
+
+// A fractal that is not animated is the same at every moment.
+AnimatedFrame frameAt(const Fractal& fractal, const animation::Moment& moment);
+
+// Evenly spaced moments from the first frame to the last one; `count` ≥ 2.
+std::vector<animation::Moment> moments(const AnimationFacts& facts, int count);
+
+// The first of 33 evenly spaced moments at which no attractor is certain. Where the keys have a common norm
+// and no motion follows, none fails, and nothing is tried.
+struct MomentWithoutAttractor {
+    animation::Moment moment;
+    ifs::Verdict verdict; // None, Empty or Undecided
+};
+std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal);
+
+// The same with this motion as strong as it is, or else as strong as leaves an attractor at 33 evenly spaced
+// moments, to a thousandth.
+Fractal withSafeStrength(const Fractal& fractal, std::size_t motion);
+
+} // namespace document

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/dimension_edits.h"
+
+#include "document/space_geometry.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace document {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(DimensionEdits)
+};
+
+ifs::AffineMap<3> liftedMap(const ifs::AffineMap<2>& map, double scale) {
+    ifs::AffineMap<3> result;
+    result.linear.setZero();
+    result.linear.topLeftCorner<2, 2>() = map.linear;
+    result.linear(2, 2) = scale;
+    result.translation = {map.translation.x(), map.translation.y(), 0};
+    return result;
+}
+
+double thickness(const ifs::AffineMap<2>& map) {
+    return std::sqrt(std::abs(ifs::determinant<2>(map.linear)));
+}
+
+// The triangle in z = 0 with a fourth corner over its middle, as high as √(2·area); now by the factor of the
+// placement higher.
+ifs::ControlCage<3> liftedCage(const ifs::ControlCage<2>& cage) {
+    const auto raised = [](const std::vector<ifs::Vector<2>>& corners, double height) {
+        std::vector<ifs::Vector<3>> result;
+        ifs::Vector<2> middle = ifs::Vector<2>::Zero();
+        for (const ifs::Vector<2>& corner : corners) {
+            result.emplace_back(corner.x(), corner.y(), 0);
+            middle += corner / double(corners.size());
+        }
+        result.emplace_back(middle.x(), middle.y(), height);
+        return result;
+    };
+    ifs::Matrix<2> sides;
+    sides << cage.rest[1] - cage.rest[0], cage.rest[2] - cage.rest[0];
+    const double height = std::sqrt(std::abs(sides.determinant()));
+    ifs::ControlCage<3> result;
+    result.rest = raised(cage.rest, height);
+    result.current = raised(cage.current, height * thickness(ifs::displayMap(cage)));
+    return result;
+}
+
+// The rows are the horizontal and the vertical of somebody who looks against the direction.
+using Shadow = Eigen::Matrix<double, 2, 3>;
+
+std::optional<Shadow> shadowAlong(const ifs::Vector<3>& direction) {
+    const double length = direction.norm();
+    if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+    const ifs::Vector<3> d = direction / length;
+    ifs::Vector<3> up = ifs::Vector<3>::UnitY() - d.y() * d;
+    if (up.norm() > 1e-9)
+        up.normalize();
+    else
+        up = ifs::Vector<3>(0, 0, d.y() > 0 ? -1 : 1);
+    Shadow shadow;
+    shadow << up.y() * d.z() - up.z() * d.y(), up.z() * d.x() - up.x() * d.z(),
+        up.x() * d.y() - up.y() * d.x(), up.x(), up.y(), up.z();
+    return shadow;
+}
+
+bool keepsLine(const ifs::Matrix<3>& linear, const ifs::Vector<3>& d) {
+    constexpr double rounding = 1e-9;
+    const ifs::Vector<3> image = linear * d;
+    const ifs::Vector<3> aside = image - d * (d.dot(image) / d.squaredNorm());
+    return aside.norm() <= rounding * ifs::spectralNorm<3>(linear) * d.norm();
+}
+
+// The maps as they act on what is displayed; nullopt when the cage cannot be taken into them.
+std::optional<System3> displayedSystem(const Shape<3>& shape) {
+    if (!shape.cage) return shape.system;
+    auto baked = ifs::bake(shape.system, *shape.cage);
+    return baked ? std::optional(std::move(baked->system)) : std::nullopt;
+}
+
+} // namespace
+
+QString liftObstacle(const Fractal& fractal) {
+    const Shape<2>* shape = plane(fractal);
+    if (!shape)
+        return Text::tr("“%1” is not a system in the plane, so it cannot be lifted.").arg(fractal.name);
+    if (shape->cage && shape->cage->rest.size() != 3 && shape->cage->current != shape->cage->rest)
+        return Text::tr(
+                   "The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake "
+                   "or reset it first.")
+            .arg(fractal.name);
+    return {};
+}
+
+std::optional<Fractal> lifted(Fractal fractal, std::optional<double> scale) {
+    if (!liftObstacle(fractal).isEmpty()) return std::nullopt;
+    const Shape<2> flat = *plane(fractal);
+    Shape<3> shape;
+    for (const ifs::WeightedMap<2>& map : flat.system.maps)
+        shape.system.maps.push_back(
+            {map.id, liftedMap(map.map, scale.value_or(thickness(map.map))), map.weight, map.enabled});
+    if (flat.cage && flat.cage->rest.size() == 3) shape.cage = liftedCage(*flat.cage);
+    for (const MovedBranch<2>& branch : flat.moved)
+        shape.moved.push_back({branch.word, liftedMap(branch.change, thickness(branch.change))});
+    fractal.shape = std::move(shape);
+    fractal.supports = {};
+    return fractal;
+}
+
+QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction) {
+    const Shape<3>* shape = space(fractal);
+    if (!shape)
+        return Text::tr("“%1” is not a system in space, so it cannot be flattened.").arg(fractal.name);
+    if (!shadowAlong(direction)) return Text::tr("The direction must have a length other than 0.");
+    if (!shape->moved.empty())
+        return Text::tr("“%1” has moved branches, which cannot be flattened. Reset them first.")
+            .arg(fractal.name);
+    const auto system = displayedSystem(*shape);
+    if (!system)
+        return Text::tr("The cage of “%1” cannot be baked into its maps, so it cannot be flattened.")
+            .arg(fractal.name);
+    for (std::size_t i = 0; i < system->maps.size(); ++i)
+        if (!keepsLine(system->maps[i].map.linear, direction))
+            return Text::tr(
+                       "Map %1 of “%2” turns the direction away, so the shadow is not an iterated function "
+                       "system. Export a picture from that side instead.")
+                .arg(i + 1)
+                .arg(fractal.name);
+    return {};
+}
+
+std::optional<Fractal> flattened(Fractal fractal, const ifs::Vector<3>& direction) {
+    if (!flattenObstacle(fractal, direction).isEmpty()) return std::nullopt;
+    const Shadow shadow = *shadowAlong(direction);
+    const System3 system = *displayedSystem(*space(fractal));
+    Shape<2> shape;
+    for (const ifs::WeightedMap<3>& map : system.maps) {
+        const ifs::AffineMap<2> flat{shadow * map.map.linear * shadow.transpose(),
+                                     shadow * map.map.translation};
+        shape.system.maps.push_back({map.id, flat, map.weight, map.enabled});
+    }
+    fractal.shape = std::move(shape);
+    fractal.supports = {};
+    return fractal;
+}
+
+} // namespace document

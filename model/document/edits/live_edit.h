@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+
+#include <functional>
+#include <optional>
+
+namespace document {
+
+// What is done in one field from the first key or pixel to its end: shown at once, one undo step.
+class LiveEdit {
+public:
+    explicit LiveEdit(Document* document) : m_document(document) {}
+
+    // Applies `change` to the fractal as it was when the edit began, which is now if none is under way.
+    void preview(const QString& text, const std::function<void(Fractal&)>& change);
+    void commit();
+    void cancel();
+    bool isOpen() const { return m_gesture && m_gesture->isOpen(); }
+    // As it was when the edit began; the present fractal when none is under way.
+    const Fractal& before() const;
+
+private:
+    Document* m_document;
+    std::optional<EditGesture> m_gesture;
+};
+
+} // namespace document

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+
+#include <QString>
+
+#include <optional>
+#include <span>
+
+// Maps turned over, rotated and arranged by their images of the cage, as they are displayed. The centre of a
+// map is the mean of the corners of its image; that of several maps the mean of their centres.
+namespace document {
+
+enum class MapsArrangement {
+    FlipLeftRight, // all together, about their centre
+    FlipUpDown,
+    RotateLeft, // by 90°, counter-clockwise with y up
+    RotateRight,
+    AlignInRow,       // the centres at one height, their mean
+    AlignInColumn,    // one below the other
+    DistributeAcross, // the centres evenly between the outermost two
+    DistributeUpwards,
+    FitToCorners, // each to the nearest corner of the cage, so that it takes this corner to itself
+};
+
+// In the plane. `indices` ascending, without doubles.
+Fractal arranged(const Fractal& fractal, std::span<const std::size_t> indices, MapsArrangement arrangement);
+
+// As one step of the document; returns why nothing was done.
+std::optional<QString> arrangeMaps(Document& document, std::span<const std::size_t> indices,
+                                   MapsArrangement arrangement);
+
+} // namespace document

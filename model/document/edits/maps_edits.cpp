@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/maps_edits.h"
+
+#include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace document {
+
+namespace {
+
+template <int Dim> using MapsOf = std::vector<ifs::WeightedMap<Dim>>;
+
+bool contains(const Rows& rows, int row) {
+    return std::ranges::binary_search(rows, row);
+}
+
+// Changes the system, whatever its dimension; returns the maps to select.
+template <class Change> MapsEdit edited(Fractal fractal, Change change) {
+    std::vector<ifs::MapId> touched;
+    if (System2* system = system2(fractal))
+        touched = change(*system);
+    else if (System3* solid = system3(fractal))
+        touched = change(*solid);
+    return {std::move(fractal), std::move(touched)};
+}
+
+template <int Dim> MapsOf<Dim> rowsOf(const ifs::IteratedFunctionSystem<Dim>& system, const Rows& rows) {
+    MapsOf<Dim> maps;
+    for (const int row : rows)
+        maps.push_back(system.maps[static_cast<std::size_t>(row)]);
+    return maps;
+}
+
+// Inserts under fresh ids, which are returned.
+template <int Dim>
+std::vector<ifs::MapId> insert(ifs::IteratedFunctionSystem<Dim>& system, std::size_t at,
+                               const MapsOf<Dim>& maps) {
+    std::vector<ifs::MapId> ids = ifs::freshIds(system, maps.size());
+    auto next =
+        system.maps.insert(system.maps.begin() + static_cast<std::ptrdiff_t>(at), maps.begin(), maps.end());
+    for (const ifs::MapId id : ids)
+        next++->id = id;
+    return ids;
+}
+
+// The mean of the weights given, so that a new map takes part like the others.
+template <int Dim> std::optional<double> typicalWeight(const ifs::IteratedFunctionSystem<Dim>& system) {
+    double sum = 0;
+    int count = 0;
+    for (const auto& map : system.maps) {
+        if (!map.weight) return std::nullopt;
+        if (*map.weight > 0) {
+            sum += *map.weight;
+            ++count;
+        }
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+template <int Dim> ifs::Vector<Dim> middleOf(const std::vector<ifs::Vector<Dim>>& points) {
+    ifs::Vector<Dim> sum = ifs::Vector<Dim>::Zero();
+    for (const auto& point : points)
+        sum += point;
+    return points.empty() ? sum : ifs::Vector<Dim>(sum / static_cast<double>(points.size()));
+}
+
+template <int Dim>
+std::vector<ifs::MapId> addMap(ifs::IteratedFunctionSystem<Dim>& system, const ifs::Vector<Dim>& middle) {
+    ifs::WeightedMap<Dim> added;
+    added.map = {ifs::Matrix<Dim>::Identity() / 2, middle / 2};
+    added.weight = typicalWeight(system);
+    return insert(system, system.maps.size(), MapsOf<Dim>{added});
+}
+
+template <int Dim>
+std::vector<double> ruleWeights(const ifs::IteratedFunctionSystem<Dim>& enabled, WeightRule rule) {
+    const auto maps = ifs::mapsOf(enabled);
+    switch (rule) {
+    case WeightRule::Determinant:
+        return ifs::determinantWeights<Dim>(maps);
+    case WeightRule::Equal:
+        return ifs::equalWeights(maps.size());
+    case WeightRule::Dimension:
+        return ifs::dimensionWeights<Dim>(maps);
+    case WeightRule::Normalise:
+        break;
+    }
+    return ifs::probabilities(enabled);
+}
+
+template <int Dim> void setWeight(ifs::IteratedFunctionSystem<Dim>& system, std::size_t row, double weight) {
+    ifs::IteratedFunctionSystem<Dim> allOn = system;
+    for (auto& map : allOn.maps)
+        map.enabled = true;
+    const std::vector<double> now = ifs::probabilities(allOn);
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        if (!system.maps[i].weight) system.maps[i].weight = now[i];
+    }
+    system.maps[row].weight = weight;
+}
+
+template <int Dim> void setWeights(ifs::IteratedFunctionSystem<Dim>& system, WeightRule rule) {
+    ifs::IteratedFunctionSystem<Dim> enabled;
+    std::copy_if(system.maps.begin(), system.maps.end(), std::back_inserter(enabled.maps),
+                 [](const auto& map) { return map.enabled; });
+    const std::vector<double> weights = ruleWeights(enabled, rule);
+    std::size_t next = 0;
+    for (auto& map : system.maps) {
+        if (map.enabled) map.weight = weights[next++];
+    }
+}
+
+} // namespace
+
+MapsEdit withNewMap(Fractal fractal) {
+    if (system2(fractal)) {
+        const ifs::Vector<2> middle = middleOf<2>(effectiveCage(fractal).rest);
+        auto ids = addMap<2>(*system2(fractal), middle);
+        return {std::move(fractal), std::move(ids)};
+    }
+    const auto cage = spaceCage(fractal);
+    if (!cage) return {std::move(fractal), {}};
+    auto ids = addMap<3>(*system3(fractal), middleOf<3>(cage->rest));
+    return {std::move(fractal), std::move(ids)};
+}
+
+MapsEdit withDuplicates(Fractal fractal, const Rows& rows) {
+    if (rows.empty()) return {std::move(fractal), {}};
+    return edited(std::move(fractal), [&](auto& system) {
+        return insert(system, static_cast<std::size_t>(rows.back()) + 1, rowsOf(system, rows));
+    });
+}
+
+MapsEdit withoutMaps(Fractal fractal, const Rows& rows) {
+    std::vector<ifs::MapId> gone;
+    MapsEdit result = edited(std::move(fractal), [&](auto& system) {
+        auto& maps = system.maps;
+        std::decay_t<decltype(maps)> kept;
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+            if (contains(rows, static_cast<int>(i)))
+                gone.push_back(maps[i].id);
+            else
+                kept.push_back(maps[i]);
+        }
+        maps = std::move(kept);
+        std::vector<ifs::MapId> touched;
+        if (!rows.empty() && !maps.empty())
+            touched.push_back(maps[std::min(static_cast<std::size_t>(rows.front()), maps.size() - 1)].id);
+        return touched;
+    });
+    std::ranges::sort(gone);
+    result.fractal.appearance.mapColours.eraseIf( // a later map may get the id
+        [&](ifs::MapId id) { return std::ranges::binary_search(gone, id); });
+    return result;
+}
+
+MapsEdit withMapsMoved(Fractal fractal, const Rows& rows, int before) {
+    return edited(std::move(fractal), [&](auto& system) {
+        auto& maps = system.maps;
+        const auto block = rowsOf(system, rows);
+        std::decay_t<decltype(maps)> moved;
+        for (int row = 0; row <= static_cast<int>(maps.size()); ++row) {
+            if (row == before) moved.insert(moved.end(), block.begin(), block.end());
+            if (row < static_cast<int>(maps.size()) && !contains(rows, row))
+                moved.push_back(maps[static_cast<std::size_t>(row)]);
+        }
+        maps = std::move(moved);
+        std::vector<ifs::MapId> ids;
+        for (const auto& map : block)
+            ids.push_back(map.id);
+        return ids;
+    });
+}
+
+MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const MapRows& pasted) {
+    System2& system = *system2(fractal);
+    const std::size_t replaced = std::min(rows.size(), pasted.size());
+    std::vector<ifs::MapId> ids;
+    for (std::size_t i = 0; i < replaced; ++i) {
+        auto& map = system.maps[static_cast<std::size_t>(rows[i])];
+        const ifs::MapId id = map.id;
+        map = pasted[i];
+        map.id = id;
+        ids.push_back(id);
+    }
+    if (pasted.size() > replaced) {
+        const std::size_t at =
+            replaced == 0 ? system.maps.size() : static_cast<std::size_t>(rows[replaced - 1]) + 1;
+        const auto added =
+            insert(system, at, MapRows(pasted.begin() + static_cast<std::ptrdiff_t>(replaced), pasted.end()));
+        ids.insert(ids.end(), added.begin(), added.end());
+    } else if (rows.size() > replaced) {
+        const Rows surplus(rows.begin() + static_cast<std::ptrdiff_t>(replaced), rows.end());
+        return {withoutMaps(std::move(fractal), surplus).fractal, std::move(ids)};
+    }
+    return {std::move(fractal), std::move(ids)};
+}
+
+namespace {
+
+struct Steps {
+    Q_DECLARE_TR_FUNCTIONS(document::MapsEdits)
+};
+
+std::vector<ifs::MapId> applied(Document& document, const QString& text, MapsEdit edit) {
+    document.edit(text, std::move(edit.fractal));
+    return std::move(edit.touched);
+}
+
+} // namespace
+
+std::vector<ifs::MapId> duplicateMaps(Document& document, const Rows& rows) {
+    return applied(document,
+                   rows.size() == 1 ? Steps::tr("Duplicate a map")
+                                    : Steps::tr("Duplicate %1 maps").arg(rows.size()),
+                   withDuplicates(document.fractal(), rows));
+}
+
+std::vector<ifs::MapId> deleteMaps(Document& document, const Rows& rows) {
+    return applied(
+        document, rows.size() == 1 ? Steps::tr("Delete a map") : Steps::tr("Delete %1 maps").arg(rows.size()),
+        withoutMaps(document.fractal(), rows));
+}
+
+Fractal withWeight(Fractal fractal, int row, double weight) {
+    const auto at = static_cast<std::size_t>(row);
+    if (System2* system = system2(fractal))
+        setWeight(*system, at, weight);
+    else if (System3* solid = system3(fractal))
+        setWeight(*solid, at, weight);
+    return fractal;
+}
+
+Fractal withWeights(Fractal fractal, WeightRule rule) {
+    if (System2* system = system2(fractal))
+        setWeights(*system, rule);
+    else if (System3* solid = system3(fractal))
+        setWeights(*solid, rule);
+    return fractal;
+}
+
+} // namespace document

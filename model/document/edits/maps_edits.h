@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+
+#include <vector>
+
+// Edits of the list of maps, as functions from fractal to fractal. The fractal must hold a system, in the
+// plane or in space; rows are indices into it, in increasing order.
+namespace document {
+
+using Rows = std::vector<int>;
+using MapRows = std::vector<ifs::WeightedMap<2>>;
+
+struct MapsEdit {
+    Fractal fractal;
+    std::vector<ifs::MapId> touched; // what to select afterwards
+};
+
+// One more map at the end: half the size, fixing the middle of the rest cage.
+MapsEdit withNewMap(Fractal fractal);
+// A copy of each row, right after the last of them.
+MapsEdit withDuplicates(Fractal fractal, const Rows& rows);
+MapsEdit withoutMaps(Fractal fractal, const Rows& rows);
+// The rows as one block, before the row that now is at `before` (the number of maps: at the end).
+MapsEdit withMapsMoved(Fractal fractal, const Rows& rows, int before);
+// In the plane only: the pasted maps in place of the rows, which keep their ids as far as they go; appended
+// when there are no rows.
+MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const MapRows& pasted);
+
+// As one step of the document; returns the maps to select afterwards.
+std::vector<ifs::MapId> duplicateMaps(Document& document, const Rows& rows);
+std::vector<ifs::MapId> deleteMaps(Document& document, const Rows& rows);
+
+// The weight of one map. Where none were given, the others get the probability they have now: a single weight
+// would mean nothing.
+Fractal withWeight(Fractal fractal, int row, double weight);
+
+enum class WeightRule { Determinant, Equal, Dimension, Normalise };
+// Weights of the maps that are on; those that are off keep theirs.
+Fractal withWeights(Fractal fractal, WeightRule rule);
+
+} // namespace document

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/morph_edits.h"
+
+#include "document/fractal_geometry.h"
+
+#include <algorithm>
+
+namespace document {
+
+namespace {
+
+std::optional<System2> shownSystem(const Fractal& fractal, const Shape<2>&) {
+    return effectiveSystem(fractal);
+}
+
+std::optional<System3> shownSystem(const Fractal&, const Shape<3>& shape) {
+    if (!shape.cage || shape.cage->rest == shape.cage->current) return shape.system;
+    return ifs::conjugate(ifs::displayMap(*shape.cage), shape.system);
+}
+
+// Pins count all maps, the transport only those that take part.
+template <int Dim>
+std::vector<animation::Pin> overActive(std::span<const animation::Pin> pins, const ifs::ActiveMaps<Dim>& from,
+                                       const ifs::ActiveMaps<Dim>& to) {
+    std::vector<animation::Pin> result;
+    for (const animation::Pin& pin : pins) {
+        const auto first = std::ranges::find(from.index, pin.from),
+                   last = std::ranges::find(to.index, pin.to);
+        if (first != from.index.end() && last != to.index.end())
+            result.push_back({std::size_t(first - from.index.begin()), std::size_t(last - to.index.begin())});
+    }
+    return result;
+}
+
+template <int Dim>
+MorphOutcome morphedIn(const Fractal& from, const Fractal& to, int length,
+                       std::span<const animation::Pin> pins) {
+    const auto first = shownSystem(from, std::get<Shape<Dim>>(from.shape));
+    const auto last = shownSystem(to, std::get<Shape<Dim>>(to.shape));
+    if (!first || !last) return {{}, MorphFlaw::BentCage};
+    const auto begin = ifs::activeMaps(*first), end = ifs::activeMaps(*last);
+    if (std::max(begin.maps.size(), end.maps.size()) > animation::maxMorphMaps)
+        return {{}, MorphFlaw::TooMany};
+    const auto pairs = animation::correspondence<Dim>(begin, end, overActive<Dim>(pins, begin, end));
+    if (!pairs) return {{}, MorphFlaw::Measure};
+    animation::Morph<Dim> morph = animation::morph<Dim>(begin, end, *pairs, length);
+    const animation::Look before = animation::lookOf(from.appearance),
+                          after = animation::lookOf(to.appearance);
+    if (!(before == after)) morph.animation.look = {{0, before, {}}, {length, after, {}}};
+    Fractal fractal;
+    fractal.name = from.name + u'-' + to.name;
+    fractal.appearance = animation::withLook({}, before);
+    fractal.shape = Shape<Dim>{std::move(morph.system), {}, {}, std::move(morph.animation)};
+    return {std::move(fractal)};
+}
+
+} // namespace
+
+MorphOutcome morphed(const Fractal& from, const Fractal& to, int length,
+                     std::span<const animation::Pin> pins) {
+    if (plane(from) && plane(to)) return morphedIn<2>(from, to, length, pins);
+    if (space(from) && space(to)) return morphedIn<3>(from, to, length, pins);
+    return {};
+}
+
+} // namespace document

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/light/solid_appearance.h"
+#include "attractor/request/space_request.h"
+#include "document/fractal.h"
+#include "ifs/cage/control_cage.h"
+#include "ifs/extent/support_function.h"
+
+#include <memory>
+#include <optional>
+
+// What follows from a fractal in space; fractal_geometry.h has the same for the plane.
+namespace document {
+
+// Why nothing that is meant for systems in space can be done; empty for those.
+QString spaceObstacle(const Fractal& fractal);
+
+// The extent of the code's attractor; nullptr when it has none, or the entry is not in space. Any thread.
+std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fractal);
+
+// The cage in force: the stored one, else the minimal canonical simplex of the code at rest; without an
+// attractor, a unit tetrahedron. nullopt when the entry is not in space.
+std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal);
+
+// Shows what is displayed of a fractal in space, and its cage, as large as leaves a margin.
+attractor::OrbitCamera fittedTo(const Fractal& fractal, attractor::OrbitCamera camera, double margin);
+
+// The request that draws a fractal in space through the camera.
+attractor::SpaceRequest spaceRequest(const Fractal& fractal, const attractor::OrbitCamera& camera);
+
+// How its solid looks, as far as its appearance in the plane says.
+attractor::SolidAppearance solidAppearance(const Fractal& fractal);
+
+// A fractal in space with the current vertices of its cage there; the cage is stored from then on.
+Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage);
+
+} // namespace document

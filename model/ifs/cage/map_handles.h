@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/cage/control_cage.h"
+#include "ifs/existence/attractor_existence.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+// Maps taken by the images w(V_j) of the rest vertices. docs/mathematics.md, "Map handles".
+namespace ifs {
+
+// w(x) + λ(x)·offset: the image of vertex `vertex` moves by `offset`, a change of rank one. λ is affine, 1 at
+// the vertex and 0 at the two others that form the largest triangle with it, whose images stay. The rest
+// vertices must be those of a valid cage. With offset 0 exactly the map itself.
+AffineMap<2> withHandleMoved(const AffineMap<2>& map, std::span<const Vector<2>> rest, std::size_t vertex,
+                             const Vector<2>& offset);
+
+// The placement to first order at x, a point in coordinates of the code; the whole placement when it is
+// affine.
+AffineMap<2> firstOrder(const Placement& placement, const Vector<2>& x);
+
+// The point that is displayed at `displayed`, sought from `start`. nullopt when the placement is flat or,
+// bent, takes no point there.
+std::optional<Vector<2>> preimage(const Placement& placement, const Vector<2>& displayed,
+                                  const Vector<2>& start);
+
+// Whether the maps are known to have an attractor.
+bool hasAttractor(const Existence& existence);
+
+// How far a change may go.
+struct SafeWay {
+    double share = 1; // of the way, within 1e-4; up to here there is an attractor
+    // The maps just past it, without a known attractor; empty when share is 1.
+    std::vector<AffineMap<2>> past{};
+    Existence verdict{}; // of those maps
+};
+// Where along `mapsAt(t)`, t from 0 to 1, the maps stop having a known attractor: by bisection, so that past
+// the share given there is none, though there may be one again farther on. share 1 when mapsAt(1) has one, or
+// mapsAt(0) has none to keep. Verdicts are those of a search as short as a drag allows.
+SafeWay safeWay(const std::function<std::vector<AffineMap<2>>(double)>& mapsAt);
+
+} // namespace ifs

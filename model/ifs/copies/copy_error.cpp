@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/copies/copy_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ifs {
+
+CopyStep inside(const CopyStep& outer, const CopyStep& inner) {
+    return {outer.linear * inner.linear, inner.level, inner.isProjection,
+            outer.shift + spectralNorm<2>(outer.linear) * inner.shift};
+}
+
+CopyDeviation deviation(const CopyExpansion& expansion, std::uint64_t maxCopies) {
+    CopyDeviation result;
+    std::vector<CopyStep> open = expansion.picture;
+    for (std::uint64_t copies = 0; !open.empty(); ++copies) {
+        if (copies > maxCopies) {
+            result.largest = result.error = HUGE_VAL;
+            return result;
+        }
+        const CopyStep copy = open.back();
+        open.pop_back();
+        if (copy.isProjection) { // shows all that there is, however deep the picture
+            result.error = std::max(result.error, copy.shift);
+        } else if (copy.level == 0) {
+            const double size = spectralNorm<2>(copy.linear) * expansion.diameter;
+            result.largest = std::max(result.largest, size);
+            result.area += std::abs(determinant<2>(copy.linear)) * expansion.area;
+            result.length += size;
+            const double longer = (copy.linear * expansion.fibre).norm();
+            result.error = std::max(result.error, size + longer + copy.shift);
+        } else {
+            for (const CopyStep& inner : expansion.copies[std::size_t(copy.level)])
+                open.push_back(inside(copy, inner));
+        }
+    }
+    return result;
+}
+
+} // namespace ifs

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+#include <cstdint>
+#include <vector>
+
+// How far a picture that is put together from copies is from the attractor.
+namespace ifs {
+
+// A copy as the error sees it.
+struct CopyStep {
+    Matrix<2> linear = Matrix<2>::Identity();
+    int level = 0;
+    bool isProjection = false;
+    double shift = 0; // bound of the distance between what it shows and what it should show
+};
+
+CopyStep inside(const CopyStep& outer, const CopyStep& inner);
+
+// Everything that a reader of the file draws, without where it is drawn.
+struct CopyExpansion {
+    std::vector<CopyStep> picture;             // in pixels
+    std::vector<std::vector<CopyStep>> copies; // by level: what a copy of it is made of; of level 0 nothing
+    double diameter = 0;                       // of level 0, in the code's units
+    double area = 0;
+    Vector<2> fibre = Vector<2>::Zero(); // by which level 0 is longer at both ends than the diameter says
+};
+
+// In pixels, over all copies of level 0.
+struct CopyDeviation {
+    double largest = 0;
+    double error = 0;  // bound of the distance between attractor and picture, both ways
+    double area = 0;   // sum
+    double length = 0; // sum of the diameters
+};
+
+// `largest` and `error` are infinite when there are more than `maxCopies` to go through.
+CopyDeviation deviation(const CopyExpansion& expansion, std::uint64_t maxCopies);
+
+} // namespace ifs

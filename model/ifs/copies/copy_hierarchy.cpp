@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/copies/copy_hierarchy.h"
+
+#include "ifs/dimension/common_eigendirections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ifs {
+
+namespace {
+
+constexpr double maxThinness = 0.5; // that a map is raised to, however small its copies are
+constexpr double singular = 0.1;    // a larger least singular value is never raised
+constexpr double widening = 0.4;    // of the smallest copies on every side, in pixels
+constexpr double maxWidening = 0.6; // as a share of their size
+constexpr double faint = 0.15;      // mean thickness of copies, in pixels
+constexpr double maxFaint = 3;      // size of copies that are kept larger so as not to fade, in pixels
+
+struct Descent {
+    std::vector<int> steps; // of each map
+    double shrinkage;       // − logarithm of the size that one step stands for
+};
+
+// How many steps each map descends: the logarithm of its size in units of the largest map's.
+Descent descentOf(const std::vector<AffineMap<2>>& maps) {
+    constexpr double minShrinkage = 0.03;
+    std::vector<double> costs;
+    double least = HUGE_VAL;
+    for (const auto& map : maps) {
+        const auto sigma = singularValues<2>(map.linear);
+        // The geometric mean, but a thin copy is also long.
+        const double size = std::sqrt(sigma[0] * std::max(sigma[1], sigma[0] / 10));
+        costs.push_back(-std::log(std::max(size, 1e-9)));
+        if (costs.back() > 0) least = std::min(least, costs.back());
+    }
+    Descent descent{{}, std::isfinite(least) ? std::max(least, minShrinkage) : minShrinkage};
+    for (const double cost : costs)
+        descent.steps.push_back(
+            std::clamp(int(std::lround(cost / descent.shrinkage)), 1, CopyHierarchy::maxLevels));
+    return descent;
+}
+
+bool isFaint(const CopyDeviation& deviation) {
+    return deviation.area < faint * deviation.length;
+}
+
+} // namespace
+
+std::optional<CopyHierarchy> CopyHierarchy::of(const IteratedFunctionSystem<2>& system,
+                                               const AffineMap<2>& display,
+                                               std::span<const MovedBranch<2>> moved) {
+    ActiveMaps<2> active = activeMaps(system);
+    auto frame = CopyFrame::of(active.maps, display);
+    if (!frame) return std::nullopt;
+    return CopyHierarchy(*std::move(frame), std::move(active), display, moved);
+}
+
+CopyHierarchy::CopyHierarchy(CopyFrame frame, ActiveMaps<2> active, const AffineMap<2>& display,
+                             std::span<const MovedBranch<2>> moved)
+    : m_frame(std::move(frame)),
+      m_maps(std::move(active.maps)),
+      m_index(std::move(active.index)),
+      m_moved(overMaps<2>(moved, m_index)),
+      m_display(thickened(display, m_frame.centre,
+                          CopyFrame::minThickness / std::max(m_frame.diameter, m_frame.pixel))),
+      m_displayShift(maxShift(m_frame, m_display, display)) {
+    findProjections();
+    Descent descent = descentOf(m_maps);
+    m_steps = std::move(descent.steps);
+    m_shrinkage = descent.shrinkage;
+    findFibre();
+    countReferences();
+    findFaintLevel();
+}
+
+// A map whose copy of the whole picture would be thinner than can be seen is taken for singular.
+void CopyHierarchy::findProjections() {
+    for (const auto& map : m_maps) {
+        const bool isSingular =
+            !(thickened(map, m_frame.centre, std::min(m_frame.thinness, singular)) == map);
+        m_projections.push_back(isSingular ? std::optional(projectionBy(m_maps, m_frame, map))
+                                           : std::nullopt);
+    }
+}
+
+void CopyHierarchy::findFibre() {
+    for (const Vector<2>& direction : commonDirections(m_maps)) {
+        constexpr double rounding = 1e-9;
+        const Vector<2> across(-direction.y(), direction.x());
+        double shrinkage = HUGE_VAL;
+        bool isThin = false; // some copy is, or becomes so by shear
+        bool isThick = false;
+        for (std::size_t i = 0; i < m_maps.size(); ++i) {
+            const Matrix<2>& linear = m_maps[i].linear;
+            const double along = (linear * direction).norm();
+            const double area = std::abs(determinant<2>(linear));
+            isThin = isThin || along * along < area * (1 - rounding) ||
+                     std::abs(direction.dot(linear * across)) > rounding * linear.norm();
+            isThick = isThick || m_projections[i] || along * along > area * (1 + rounding);
+            shrinkage = std::min(shrinkage, -std::log(along) / m_steps[i]);
+        }
+        if (isThin && !isThick && shrinkage > m_fibreShrinkage) {
+            m_fibre = direction;
+            m_fibreShrinkage = shrinkage;
+        }
+    }
+}
+
+void CopyHierarchy::countReferences() {
+    for (int level = 0; level <= maxLevels; ++level) {
+        std::uint64_t sum = 0;
+        for (std::size_t i = 0; level > 0 && i < m_maps.size(); ++i)
+            sum += m_projections[i] ? 1 : 1 + m_references[std::size_t(below(level, i))];
+        m_references.push_back(std::min(sum, maxReferences));
+    }
+}
+
+// Whether copies fade away unless they are larger than a few pixels: the picture is then written out.
+void CopyHierarchy::findFaintLevel() {
+    if (m_frame.diameter < m_frame.pixel) return;
+    const int level = levelFor(1, HUGE_VAL);
+    if (deviation(level).largest <= maxFaint || references(level + 1) > comfortableReferences) return;
+    auto written = copyWords(m_maps, ifs::pieces<2>(m_moved, m_maps.size()), m_frame, m_projections.size());
+    if (!written) return;
+    m_words = std::move(written->words);
+    m_projections.insert(m_projections.end(), written->projections.begin(), written->projections.end());
+    m_faintLevel = level + 1;
+}
+
+// The copies that `level` makes are about exp(shrinkage·(depth − level)) times smaller than the picture.
+AffineMap<2> CopyHierarchy::map(std::size_t i, int level, int depth) const {
+    if (!m_projections[i]) return m_maps[i];
+    const double least = m_frame.thinness * std::exp(m_shrinkage * (depth - level));
+    return thickened(m_maps[i], m_frame.centre, std::min(least, maxThinness));
+}
+
+int CopyHierarchy::below(int level, std::size_t map) const {
+    return std::max(0, level - m_steps[map]);
+}
+
+Copy CopyHierarchy::copy(std::size_t i, int level, int depth) const {
+    Copy copy{map(i, level, depth), below(level, i), {}, i};
+    if (m_projections[i] && level > 0) copy.projection = i;
+    return copy;
+}
+
+std::vector<Copy> CopyHierarchy::copies(int level, int depth) const {
+    std::vector<Copy> result;
+    for (std::size_t i = 0; i < m_maps.size(); ++i)
+        result.push_back(copy(i, level, depth));
+    return result;
+}
+
+std::vector<MovedBranch<2>> CopyHierarchy::pieces() const {
+    auto pieces = ifs::pieces<2>(m_moved, m_maps.size());
+    for (MovedBranch<2>& piece : pieces)
+        piece.change = thickened(piece.change, m_frame.centre, std::min(m_frame.thinness, singular));
+    return pieces;
+}
+
+std::vector<Copy> CopyHierarchy::picture(int depth) const {
+    std::vector<Copy> result;
+    if (depth >= m_faintLevel) {
+        for (const CopyWords::Word& word : m_words)
+            result.push_back(word.copy);
+        return result;
+    }
+    for (const auto& [word, change] : pieces()) {
+        Copy piece{change, depth, {}, {}};
+        for (const int symbol : word) {
+            const Copy inner = copy(std::size_t(symbol), piece.level, depth);
+            piece = {piece.map * inner.map, inner.level, inner.projection, piece.first.value_or(symbol)};
+        }
+        // A projection shows a branch that ends with its map; of a longer one the copy is as flat, and whole.
+        if (!word.empty() || depth == 0) {
+            result.push_back(piece);
+            continue;
+        }
+        for (Copy inner : copies(depth, depth)) {
+            inner.map = change * inner.map;
+            result.push_back(inner);
+        }
+    }
+    return result;
+}
+
+Vector<2> CopyHierarchy::fibre(int depth) const {
+    constexpr double longest = 1e6; // of the picture
+    if (depth >= m_faintLevel) return Vector<2>::Zero();
+    return m_fibre * std::min(widening * m_frame.pixel * std::exp(m_fibreShrinkage * depth),
+                              longest * m_frame.diameter);
+}
+
+double CopyHierarchy::margin(int depth) const {
+    const double pixel = m_frame.pixel;
+    const double diameter = m_frame.diameter;
+    if (diameter < pixel) return m_frame.hullError + CopyFrame::minThickness / 2 * pixel; // a dot
+    if (depth >= m_faintLevel) return m_frame.hullError + maxWidening * diameter;
+    const double smallest = widening * pixel * std::exp(m_shrinkage * depth);
+    return m_frame.hullError + std::min(smallest, std::max(maxWidening * diameter, widening * pixel));
+}
+
+Polygon CopyHierarchy::outline(int depth) const {
+    Polygon wide = pushedOut(m_frame.hull, margin(depth));
+    if (m_fibre.isZero()) return wide;
+    Polygon ends;
+    for (const auto& point : wide)
+        for (const double end : {1.0, -1.0})
+            ends.push_back(point + end * fibre(depth));
+    return convexHull(std::move(ends), 0);
+}
+
+std::uint64_t CopyHierarchy::references(int level) const {
+    const int depth = std::clamp(level, 0, maxLevels);
+    if (depth >= m_faintLevel) return m_words.size();
+    if (m_moved.empty()) return m_references[std::size_t(depth)];
+    std::uint64_t sum = 0;
+    for (const Copy& copy : picture(depth))
+        sum += copy.projection ? 1 : 1 + m_references[std::size_t(copy.level)];
+    return std::min(sum, maxReferences);
+}
+
+int CopyHierarchy::deepest() const {
+    if (m_faintLevel <= maxLevels) return maxLevels;
+    const auto tooMany = std::find(m_references.begin(), m_references.end(), maxReferences);
+    return int(tooMany - m_references.begin()) - 1;
+}
+
+CopyStep CopyHierarchy::step(const Copy& copy, const AffineMap<2>& map) const {
+    const double shift = copy.projection ? maxShift(m_frame, *m_projections[*copy.projection], copy.map, map)
+                                         : maxShift(m_frame, copy.map, map);
+    return {copy.map.linear, copy.level, copy.projection.has_value(), shift};
+}
+
+CopyDeviation CopyHierarchy::deviation(int depth) const {
+    CopyExpansion expansion{
+        {}, {}, diameter(pushedOut(m_frame.hull, margin(depth))), area(outline(depth)), fibre(depth)};
+    const CopyStep whole{m_display.linear, depth, false, m_displayShift};
+    if (depth >= m_faintLevel) {
+        for (const CopyWords::Word& word : m_words)
+            expansion.picture.push_back(inside(whole, step(word.copy, word.map)));
+        return ifs::deviation(expansion, 2 * maxReferences);
+    }
+    expansion.copies.resize(std::size_t(depth) + 1);
+    for (int level = 1; level <= depth; ++level)
+        for (std::size_t i = 0; i < m_maps.size(); ++i)
+            expansion.copies[std::size_t(level)].push_back(step(copy(i, level, depth), m_maps[i]));
+    for (const auto& [word, change] : pieces()) {
+        CopyStep part = whole;
+        part.linear = m_display.linear * change.linear;
+        for (const int symbol : word) {
+            const auto i = std::size_t(symbol);
+            part = inside(part, step(copy(i, part.level, depth), m_maps[i]));
+        }
+        expansion.picture.push_back(part);
+    }
+    return ifs::deviation(expansion, 2 * maxReferences);
+}
+
+double CopyHierarchy::error(int depth) const {
+    return deviation(depth).error;
+}
+
+int CopyHierarchy::levelFor(double wanted) const {
+    return levelFor(wanted, maxFaint);
+}
+
+int CopyHierarchy::levelFor(double wanted, double largest) const {
+    int level = 0;
+    if (m_frame.diameter < m_frame.pixel) return level;
+    while (level < maxLevels && references(level + 1) <= comfortableReferences &&
+           deviation(level).largest > wanted) {
+        ++level;
+        if (level >= m_faintLevel) return level; // and none below it shows more
+    }
+    // Copies that have become thin as well fade away: larger ones say less exactly where something is, but
+    // that it is.
+    while (level > 0 && isFaint(deviation(level)) && deviation(level - 1).largest <= largest)
+        --level;
+    return level;
+}
+
+} // namespace ifs

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/copies/copy.h"
+#include "ifs/copies/copy_error.h"
+#include "ifs/copies/copy_frame.h"
+#include "ifs/copies/copy_projection.h"
+#include "ifs/copies/copy_words.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ifs {
+
+// How a picture of an attractor is put together from copies of itself. Level 0 is an outline around the
+// attractor; level k is, for every map, a copy of the level that lies below k by as many steps as the map
+// shrinks, so that the copies of level 0 that end up in the picture have about the same size. Where these
+// would be too thin to be seen, the picture is made of projections of the attractor instead.
+// docs/decisions/0003-thin-copies-in-svg.md.
+class CopyHierarchy {
+public:
+    static constexpr std::uint64_t maxReferences = 400'000;
+    static constexpr std::uint64_t comfortableReferences = 150'000;
+    static constexpr int maxLevels = 200;
+
+    // `display` takes the code's coordinates to pixels. Words of `moved` are over places in the system.
+    // nullopt without an attractor of finite size.
+    static std::optional<CopyHierarchy> of(const IteratedFunctionSystem<2>& system,
+                                           const AffineMap<2>& display,
+                                           std::span<const MovedBranch<2>> moved = {});
+
+    // The active maps' indices in the system, and where the picture goes.
+    const std::vector<std::size_t>& index() const { return m_index; }
+    const AffineMap<2>& display() const { return m_display; } // not singular
+
+    // A singular map is raised to what can be seen at the size of the copy that it makes.
+    Copy copy(std::size_t i, int level, int depth) const; // that the i-th map makes for this level
+    std::vector<Copy> copies(int level, int depth) const; // that a level above 0 is made of
+    std::vector<Copy> picture(int depth) const; // that the whole is made of, in coordinates of the code
+
+    // Of copies that name one, and by map; nullopt for a map that is not singular.
+    const std::optional<CopyProjection>& projection(std::size_t i) const { return m_projections[i]; }
+
+    // Level 0 for a picture of this depth: contains the attractor; convex, counter-clockwise. So much wider
+    // that copies thinner than a pixel do not fade away, and longer along the fibres of a curve.
+    Polygon outline(int depth) const;
+
+    // Copies that a reader of the file makes in all for one of `level`; stays at maxReferences once reached.
+    std::uint64_t references(int level) const;
+    int deepest() const; // with fewer than maxReferences
+
+    // Certified bound, in pixels, of the distance between the attractor and what is drawn, both ways.
+    double error(int depth) const;
+    // The first whose copies leave no larger error, else the deepest that programs draw without a long wait.
+    int levelFor(double error) const;
+
+private:
+    CopyHierarchy(CopyFrame frame, ActiveMaps<2> active, const AffineMap<2>& display,
+                  std::span<const MovedBranch<2>> moved);
+
+    void findProjections();
+    void findFibre();
+    void countReferences();
+    void findFaintLevel();
+    int levelFor(double error, double largest) const; // no copy is kept larger so as not to fade
+    int below(int level, std::size_t map) const;      // the level of which `map` makes a copy for `level`
+    AffineMap<2> map(std::size_t i, int level, int depth) const; // by which it makes that copy
+    std::vector<MovedBranch<2>> pieces() const;                  // over the active maps; none is singular
+    double margin(int depth) const;                              // between the hull and the outline
+    Vector<2> fibre(int depth) const;         // by which the outline is longer at both ends
+    CopyDeviation deviation(int depth) const; // `error` and `largest` infinite for too many copies to count
+    CopyStep step(const Copy& copy, const AffineMap<2>& map) const; // of a copy that stands for `map`
+
+    CopyFrame m_frame;
+    std::vector<AffineMap<2>> m_maps; // as they are
+    std::vector<std::size_t> m_index;
+    std::vector<MovedBranch<2>> m_moved;
+    AffineMap<2> m_display;
+    double m_displayShift = 0;                                // in pixels
+    std::vector<std::optional<CopyProjection>> m_projections; // by map; then of words
+    std::vector<int> m_steps;
+    double m_shrinkage = 0; // minus the logarithm of what one level shrinks by
+    // The direction that all maps keep and shrink the most, as those of a curve over an axis do: copies
+    // become thin along it alone, and one may be made longer there without reaching aside.
+    Vector<2> m_fibre = Vector<2>::Zero();
+    double m_fibreShrinkage = 0; // minus the logarithm of what one level shrinks it by, at least
+    std::vector<std::uint64_t> m_references;
+    // From this depth on copies would fade away, and the picture is made of these words instead.
+    int m_faintLevel = maxLevels + 1;
+    std::vector<CopyWords::Word> m_words;
+};
+
+} // namespace ifs

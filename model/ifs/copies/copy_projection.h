@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/copies/copy_frame.h"
+
+namespace ifs {
+
+// A singular map shows the attractor flat on a line, and nothing of a level below is left to see. Its copies
+// are of these bars across the line, which cover the attractor seen along it.
+struct CopyProjection {
+    std::vector<Polygon> bars; // rectangles; the edge from corner 0 to corner 1 runs along the line
+    double detail = 0;         // along the line no point of a bar is further from the attractor
+};
+
+// For copies by maps that keep only the direction `along`, of length 1, and whose largest singular value is
+// `length` at most: gaps of more than half a pixel are kept, unless that takes too many bars.
+CopyProjection projectionAlong(const std::vector<AffineMap<2>>& maps, const CopyFrame& frame,
+                               const Vector<2>& along, double length);
+
+// For copies by `map`, raised to what can be seen at the size of the picture.
+CopyProjection projectionBy(const std::vector<AffineMap<2>>& maps, const CopyFrame& frame,
+                            const AffineMap<2>& map);
+
+// The direction that a map keeps the most of.
+Vector<2> longestDirection(const Matrix<2>& linear);
+
+// Bound of the distance between the bars under `drawn` and the attractor under `map`, both ways.
+double maxShift(const CopyFrame& frame, const CopyProjection& projection, const AffineMap<2>& drawn,
+                const AffineMap<2>& map);
+
+} // namespace ifs

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace ifs {
+
+// The D with Σ s_i^D = 1; 0 for a single ratio. Ratios must lie in (0, 1), else nullopt.
+std::optional<double> moranDimension(std::span<const double> ratios);
+
+// The ratios of the maps when every map is a similarity, in these or other coordinates, to 1e-9; nullopt
+// otherwise.
+template <int Dim> std::optional<std::vector<double>> similarityRatios(std::span<const AffineMap<Dim>> maps);
+
+// Moran's D of these ratios: an upper bound of the dimension of the attractor, which it is under the open set
+// condition.
+template <int Dim> std::optional<double> similarityDimension(std::span<const AffineMap<Dim>> maps);
+
+// φ^t(A), Falconer's singular value function, t ≥ 0.
+template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, double t);
+
+// Falconer's affinity dimension (not capped at Dim), by the transfer operator on directions in the plane, and
+// exactly where every map is flat; an upper bound of the box dimension. The error is about 1e-6. nullopt
+// without an attractor, where that is not reached, or when stopped.
+std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop = {});
+
+} // namespace ifs

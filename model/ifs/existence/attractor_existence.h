@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+#include <span>
+#include <vector>
+
+namespace ifs {
+
+enum class Verdict {
+    Hyperbolic,            // every map contracts
+    EventuallyContractive, // every word of some length contracts: an attractor exists all the same
+    None,                  // ρ ≥ 1 is proved of some word: the maps contract in no norm
+    Undecided,             // not settled within the work allowed
+    Empty,                 // no map takes part
+};
+
+// In which every map contracts.
+enum class NormKind {
+    Euclidean,
+    Words,       // max over k < n of γ^(−k)·max |A_σ x| over the words σ of length k
+    Ellipsoidal, // √(xᵀPx)
+    Polytope,    // whose unit ball is a polytope
+};
+
+struct Existence {
+    Verdict verdict = Verdict::Undecided;
+    // Hyperbolic: s = max ‖A_i‖. EventuallyContractive: γ = (max ‖A_σ‖ over |σ| = wordLength)^(1/wordLength);
+    // or, with wordLength 1, max ‖A_i‖ in a norm that is not Euclidean. Undecided: the smallest γ found.
+    // None: ρ(A_σ)^(1/|σ|) ≥ 1 of the witness.
+    double contractivity = 0;
+    int wordLength = 1;
+    // None: a word (indices into the maps, outermost first) whose spectral radius is proved to be at least 1.
+    // Hyperbolic and EventuallyContractive: a word of wordLength with the largest norm.
+    std::vector<int> witness{};
+    // C with |x| ≤ ‖x‖_* ≤ C|x|, where every map contracts by `contractivity` in ‖·‖_*; 1 when Hyperbolic. Of
+    // longer words by 1e-3 at least: where products vanish, no norm shows it.
+    double normEquivalence = 1;
+    NormKind norm = NormKind::Euclidean; // Hyperbolic and EventuallyContractive
+};
+
+// Whether the maps have an attractor, with the certificate of it. At most `maxProducts` words are multiplied
+// out. Maps with a coefficient that is no finite number are Undecided. docs/mathematics.md, "When does a
+// system have an attractor?"
+template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int maxProducts = 20'000);
+
+// A norm in which every map contracts by `contractivity`, with |x| ≤ ‖x‖ ≤ equivalence·|x| after scaling:
+// ‖x‖ = |root·x| when every root·A_i·root⁻¹ has a norm below 1, and else ‖·‖_* of longer words, root = I.
+template <int Dim> struct ContractingNorm {
+    Matrix<Dim> root = Matrix<Dim>::Identity();
+    double contractivity = 0;
+    double equivalence = 1;
+};
+
+// The norm with the smallest equivalence/(1 − contractivity), by which certificates widen, among those of
+// words and the ellipsoidal ones. `existence` must be Hyperbolic or EventuallyContractive.
+template <int Dim>
+ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const Existence& existence);
+
+// An interval that holds the joint spectral radius lim max ‖A_σ‖^(1/n) over the words σ of length n → ∞; both
+// ends are proved, and infinite or 0 where nothing is known. `existence` is that of the same maps.
+struct JointSpectralRadius {
+    double least = 0, most = 0;
+};
+template <int Dim>
+JointSpectralRadius jointSpectralRadius(std::span<const AffineMap<Dim>> maps, const Existence& existence);
+
+} // namespace ifs

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/existence/conditioning.h"
+
+#include "ifs/existence/invariant_form.h"
+#include "ifs/existence/norm_descent.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ifs {
+
+namespace {
+
+template <int Dim> std::vector<double> norms(std::span<const AffineMap<Dim>> maps) {
+    std::vector<double> result;
+    for (const auto& map : maps)
+        result.push_back(spectralNorm<Dim>(map.linear));
+    return result;
+}
+
+template <int Dim>
+std::vector<AffineMap<Dim>> seenThrough(const Matrix<Dim>& root, std::span<const AffineMap<Dim>> maps) {
+    const Matrix<Dim> unroot = root.inverse();
+    std::vector<AffineMap<Dim>> result;
+    for (const auto& map : maps)
+        result.push_back({root * map.linear * unroot, map.translation});
+    return result;
+}
+
+template <int Dim> std::optional<Matrix<Dim>> choleskyRoot(const Matrix<Dim>& form) {
+    constexpr double minEigenvalue = 1e-9; // keeps a form that is nearly flat definite
+    const Eigen::LLT<Matrix<Dim>> cholesky(form + minEigenvalue * form.trace() * Matrix<Dim>::Identity());
+    if (cholesky.info() != Eigen::Success) return std::nullopt;
+    return Matrix<Dim>(cholesky.matrixU());
+}
+
+// The root of the weighted form of these maps. Where they stretch too much for that to be found, one step
+// of the power iteration towards it is positive definite all the same, and the maps are shorter there.
+template <int Dim>
+std::optional<Matrix<Dim>> rootOfForm(std::span<const AffineMap<Dim>> maps,
+                                      const std::vector<double>& weights) {
+    if (const auto form = invariantForm<Dim>(maps, weights))
+        if (const auto root = choleskyRoot<Dim>(*form)) return root;
+    Matrix<Dim> step = Matrix<Dim>::Zero();
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        step += weights[i] * maps[i].linear.transpose() * maps[i].linear;
+    return choleskyRoot<Dim>(step);
+}
+
+constexpr std::size_t maxWork = 100'000; // norms worked out, but for maps that are too many for that
+
+// Forms in which the maps that were the longest before weigh more and more.
+template <int Dim> void weigh(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
+    constexpr double shortEnough = 0.5;
+    const std::size_t rounds = std::clamp<std::size_t>(maxWork / maps.size(), 2, 20);
+    Matrix<Dim> root = best.root;
+    std::vector<AffineMap<Dim>> seen(maps.begin(), maps.end());
+    std::vector<double> weights(maps.size(), 1);
+    for (std::size_t round = 0; round < rounds && best.longest > shortEnough; ++round) {
+        const auto step = rootOfForm<Dim>(seen, weights);
+        if (!step) return;
+        root = *step * root;
+        root /= spectralNorm<Dim>(root);
+        seen = seenThrough<Dim>(root, maps);
+        const std::vector<double> lengths = norms<Dim>(seen);
+        const double longest = std::ranges::max(lengths);
+        if (!std::isfinite(longest)) return;
+        if (longest < best.longest) best = {root, longest};
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            weights[i] *= std::pow(std::max(lengths[i] / longest, 1e-3), 2);
+    }
+}
+
+// Smaller and smaller steps along the entries of the root as long as they shorten the longest map: the best
+// norm need not be that of a weighted form.
+template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
+    constexpr double shortEnough = 0.9, minStep = 1e-3;
+    constexpr int tries = 4;
+    const auto isShorter = [&](const Matrix<Dim>& root) {
+        const Matrix<Dim> unroot = root.inverse();
+        double longest = 0;
+        for (const auto& map : maps) {
+            longest = std::max(longest, spectralNorm<Dim>(root * map.linear * unroot));
+            if (!(longest < best.longest)) return false;
+        }
+        best = {root, longest};
+        return true;
+    };
+    std::size_t work = 0;
+    double step = 0.3;
+    const auto isAnyShorter = [&] {
+        bool result = false;
+        for (int row = 0; row < Dim; ++row)
+            for (int column = row; column < Dim; ++column)
+                for (const double change : {step, -step}) {
+                    Matrix<Dim> stretch = Matrix<Dim>::Identity();
+                    stretch(row, column) += change;
+                    result = isShorter(stretch * best.root) || result;
+                    work += maps.size();
+                }
+        return result;
+    };
+    for (; step > minStep && best.longest > shortEnough && work < maxWork; step /= 2)
+        for (int n = 0; n < tries && isAnyShorter(); ++n) {}
+}
+
+} // namespace
+
+// Each rounded once where a long double is longer. With W near U⁻¹ and W U = I + E, the exact maps are
+// (I + E)⁻¹ times those that W gives.
+template <int Dim>
+std::optional<Conditioned<Dim>> seenFrom(const AffineMap<Dim>& image, std::span<const AffineMap<Dim>> maps) {
+    using Real = long double;
+    using RealMatrix = Eigen::Matrix<Real, Dim, Dim>;
+    using RealVector = Eigen::Matrix<Real, Dim, 1>;
+    constexpr Real products = 4 * Dim * std::numeric_limits<Real>::epsilon(); // of three matrices
+    const RealMatrix there = image.linear.template cast<Real>(), back = there.inverse();
+    const RealMatrix size = there.cwiseAbs(), backSize = back.cwiseAbs();
+    const RealVector centre = image.translation.template cast<Real>();
+    const Real inverse = (back * there - RealMatrix::Identity()).norm() + products * (backSize * size).norm();
+    if (!(inverse < 0.01L)) return std::nullopt;
+    Conditioned<Dim> result{.image = image, .condition = double(there.norm() * back.norm())};
+    for (const auto& map : maps) {
+        const RealMatrix linear = map.linear.template cast<Real>(), seen = back * linear * there;
+        const RealVector shift = map.translation.template cast<Real>(),
+                         seenShift = back * (linear * centre + shift - centre);
+        result.maps.push_back({seen.template cast<double>(), seenShift.template cast<double>()});
+        const AffineMap<Dim>& rounded = result.maps.back();
+        const Real linearError = (seen - rounded.linear.template cast<Real>()).norm() +
+                                 inverse * seen.norm() +
+                                 products * (backSize * linear.cwiseAbs() * size).norm();
+        const RealVector terms = linear.cwiseAbs() * centre.cwiseAbs() + shift.cwiseAbs() + centre.cwiseAbs();
+        const Real shiftError = (seenShift - rounded.translation.template cast<Real>()).norm() +
+                                inverse * seenShift.norm() + products * (backSize * terms).norm();
+        result.linearRounding = std::max(result.linearRounding, 2 * double(linearError));
+        result.translationRounding = std::max(result.translationRounding, 2 * double(shiftError));
+    }
+    const std::vector<double> lengths = norms<Dim>(result.maps);
+    const auto slowest = std::ranges::max_element(lengths);
+    result.longest = *slowest * (1 + 1e-15) + result.linearRounding;
+    result.slowest = int(slowest - lengths.begin());
+    return result;
+}
+
+template <int Dim> std::optional<Conditioned<Dim>> conditioned(std::span<const AffineMap<Dim>> maps) {
+    const double before = std::ranges::max(norms<Dim>(maps));
+    if (!(before >= 1)) return std::nullopt;
+    Coordinates<Dim> best{Matrix<Dim>::Identity(), before};
+    weigh(best, maps);
+    refine(best, maps);
+    constexpr double contracts = 1 - 1e-9;
+    if (!(best.longest < contracts)) descend(best, maps);
+    if (!(best.longest < before)) return std::nullopt;
+
+    // A power of two, so that the size of the attractor stays about the same.
+    int exponent = 0;
+    std::frexp(spectralNorm<Dim>(best.root.inverse()), &exponent);
+    AffineMap<Dim> mean{Matrix<Dim>::Zero(), Vector<Dim>::Zero()};
+    for (const auto& map : maps) {
+        mean.linear += map.linear / double(maps.size());
+        mean.translation += map.translation / double(maps.size());
+    }
+    return seenFrom<Dim>(
+        {(std::ldexp(1, exponent) * best.root).inverse(), fixedPoint(mean).value_or(Vector<Dim>::Zero())},
+        maps);
+}
+
+template std::optional<Conditioned<2>> seenFrom(const AffineMap<2>&, std::span<const AffineMap<2>>);
+template std::optional<Conditioned<3>> seenFrom(const AffineMap<3>&, std::span<const AffineMap<3>>);
+template std::optional<Conditioned<2>> conditioned(std::span<const AffineMap<2>>);
+template std::optional<Conditioned<3>> conditioned(std::span<const AffineMap<3>>);
+
+} // namespace ifs

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace ifs {
+
+// A number m·2^e with integers m and e of any size: sums and products of doubles without rounding.
+class Dyadic {
+public:
+    Dyadic() = default;
+    explicit Dyadic(double finite);
+
+    int sign() const { return m_digits.empty() ? 0 : m_isNegative ? -1 : 1; }
+    Dyadic operator-() const;
+    friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
+    friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
+    friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
+    friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == 0; }
+
+private:
+    void trim();
+    Dyadic scaledTo(int exponent) const;
+
+    std::vector<std::uint32_t> m_digits; // of |m|, least significant first, none of them leading zeros
+    int m_exponent = 0;
+    bool m_isNegative = false;
+};
+
+} // namespace ifs

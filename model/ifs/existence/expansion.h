@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+#include <span>
+#include <vector>
+
+namespace ifs {
+
+// What is known of ρ(A) of a matrix whose coefficients are off by at most an error.
+enum class Expansion {
+    No,      // proved: ρ < 1
+    Yes,     // proved: ρ ≥ 1
+    Unknown, // not to be told at this error
+};
+
+// By the signs that Schur and Cohn's criterion asks of the coefficients of the characteristic polynomial.
+// docs/mathematics.md, "When does a system have an attractor?"
+template <int Dim> Expansion expansion(const Matrix<Dim>& linear, double error);
+
+// Of the product of the maps of a word, without rounding: never Unknown. Slow: some 10 µs for each symbol.
+template <int Dim>
+Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector<int>& word);
+
+} // namespace ifs

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/extent/support_function.h"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace ifs {
+
+// Extreme points of the convex hull to a tolerance, counter-clockwise, each on the attractor.
+struct ConvexHull {
+    std::vector<Vector<2>> vertices; // 1 or 2 for a point or a segment
+    double area = 0;
+    double error = 0; // conv A lies within this distance of the polygon (a-posteriori certificate)
+};
+ConvexHull convexHull(const SupportFunction<2>& support, double tolerance);
+// nullopt when stopped.
+std::optional<ConvexHull> convexHull(const SupportFunction<2>& support, double tolerance,
+                                     const std::stop_token& stop);
+
+// By how much the area of conv A exceeds that of the polygon at most: Steiner's formula for its error.
+double areaError(const ConvexHull& hull);
+
+} // namespace ifs

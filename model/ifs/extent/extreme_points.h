@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/extent/convex_hull.h"
+#include "ifs/system/branch.h"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+// Extreme points of an attractor that have an eventually periodic address, and are therefore known exactly.
+// docs/mathematics.md, "Extreme points with periodic addresses".
+namespace ifs {
+
+struct PeriodicPoint {
+    Word prefix;
+    Word period;     // of least length, and so that the prefix is as short as can be
+    Vector<2> point; // φ(prefix period period …), to rounding
+};
+
+// For each vertex of a hull of the attractor the extreme point that it stands for; nullopt where no periodic
+// address was found, or none could be proved: some direction must exist in which every symbol of the address
+// wins by more than the error, or leads to the same point as the winner. When stopped, some are missing.
+std::vector<std::optional<PeriodicPoint>> periodicExtremePoints(const SupportFunction<2>& support,
+                                                                const ConvexHull& hull,
+                                                                const std::stop_token& stop = {});
+
+} // namespace ifs

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/separation/piece_contacts.h"
+
+#include "ifs/separation/exact_map.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ifs {
+
+namespace {
+
+constexpr std::size_t maxMaps = 64;
+constexpr double roundingUnit = 0x1p-53;
+
+// A word with its map.
+template <int Dim> struct Composed {
+    Word word;
+    AffineMap<Dim> map;
+};
+
+// Words of growing length, about `most` of them altogether.
+template <int Dim>
+std::vector<Composed<Dim>> shortWords(std::span<const AffineMap<Dim>> maps, std::size_t most,
+                                      std::size_t longest) {
+    std::vector<Composed<Dim>> result{{{}, {}}};
+    for (std::size_t first = 0; first < result.size(); ++first) {
+        if (result.size() + maps.size() > most || result[first].word.size() == longest) break;
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+            Composed<Dim> longer{result[first].word, result[first].map * maps[i]};
+            longer.word.push_back(int(i));
+            result.push_back(std::move(longer));
+        }
+    }
+    return result;
+}
+
+template <int Dim> class Contacts {
+public:
+    explicit Contacts(const SupportFunction<Dim>& support)
+        : m_maps(support.maps()),
+          m_seen(support.conditioning() ? support.conditioning()->support : support),
+          m_off(support.conditioning() ? support.conditioning()->error : 0),
+          m_size(support.radius() + support.centre().norm()) {
+        for (const auto& map : m_maps)
+            m_size = std::max(m_size, map.translation.norm());
+    }
+
+    PieceContacts found() {
+        PieceContacts result;
+        if (m_maps.size() < 2) {
+            result.connectedness = Connectedness::Connected; // a point
+            return result;
+        }
+        if (m_maps.size() > maxMaps) return result;
+        result.overlaps = overlaps();
+        const auto apart = piecesApart();
+        if (!result.overlaps.empty())
+            result.separation = Separation::Overlapping;
+        else if (std::ranges::all_of(apart, [](bool isApart) { return isApart; }))
+            result.separation = Separation::Strong;
+        result.connectedness = connectedness(apart);
+        return result;
+    }
+
+private:
+    // Words whose maps agree, of which the first maps differ.
+    std::vector<Overlap> overlaps() const {
+        constexpr std::size_t maxWords = 3'000, longest = 8, maxListed = 4;
+        auto words = shortWords<Dim>(m_maps, maxWords, longest);
+        words.erase(words.begin());
+        // Numbers that agree to rounding lie next to each other, in one order or the other.
+        const auto place = [](const Composed<Dim>& word) {
+            double result = 0.3137 * word.map.translation.sum();
+            for (int k = 0; k < Dim; ++k)
+                result += word.map.translation[k] * (0.7 + 0.11 * k) + word.map.linear(k, k) * 0.37;
+            return result;
+        };
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t k = 0; k < words.size(); ++k)
+            order.emplace_back(place(words[k]), k);
+        std::ranges::sort(order);
+        std::vector<Overlap> result;
+        const double near = 1e-12 * m_size;
+        for (std::size_t k = 0; k < order.size(); ++k)
+            for (std::size_t n = k + 1;
+                 n < order.size() && n < k + 16 && order[n].first - order[k].first <= 16 * near; ++n) {
+                const auto &a = words[std::min(order[k].second, order[n].second)],
+                           &b = words[std::max(order[k].second, order[n].second)];
+                if (a.word.front() != b.word.front() && agree(a.map, b.map, near))
+                    result.push_back({a.word, b.word});
+            }
+        const auto length = [](const Overlap& overlap) {
+            return overlap.first.size() + overlap.second.size();
+        };
+        std::ranges::sort(result, [&](const Overlap& a, const Overlap& b) {
+            return std::tuple(length(a), a.first, a.second) < std::tuple(length(b), b.first, b.second);
+        });
+        // Longer ones follow from these, or are not worth the room.
+        std::erase_if(result, [&, least = result.empty() ? 0 : length(result.front())](
+                                  const Overlap& overlap) { return length(overlap) > least; });
+        if (result.size() > maxListed) result.resize(maxListed);
+        for (Overlap& overlap : result)
+            overlap.isExact = exactWord<Dim>(m_maps, overlap.first) == exactWord<Dim>(m_maps, overlap.second);
+        return result;
+    }
+
+    // As far as rounding tells, and by less than a millionth of the size of the piece.
+    bool agree(const AffineMap<Dim>& a, const AffineMap<Dim>& b, double near) const {
+        const double size = a.linear.cwiseAbs().maxCoeff();
+        return (a.linear - b.linear).cwiseAbs().maxCoeff() <= 1e-12 * size &&
+               (a.translation - b.translation).cwiseAbs().maxCoeff() <= std::min(near, 1e-6 * size * m_size);
+    }
+
+    std::size_t pairIndex(std::size_t i, std::size_t j) const { return i * m_maps.size() + j; }
+
+    // Of pairs i < j; the others count as apart.
+    std::vector<bool> piecesApart() const {
+        constexpr int maxWork = 400'000, most = 40'000; // balls, altogether and for one pair
+        const int maps = int(m_maps.size());
+        const int allowed = std::clamp(2 * maxWork / (maps * maps), 4 * maps, most);
+        std::vector<bool> result(m_maps.size() * m_maps.size(), true);
+        for (std::size_t i = 0; i < m_maps.size(); ++i)
+            for (std::size_t j = i + 1; j < m_maps.size(); ++j)
+                result[pairIndex(i, j)] = areApart(i, j, allowed);
+        return result;
+    }
+
+    // A ball about a piece.
+    struct Cover {
+        AffineMap<Dim> map;
+        Vector<Dim> centre;
+        double radius;
+    };
+
+    Cover cover(const AffineMap<Dim>& map) const {
+        const double reach = m_seen.radius() + m_seen.centre().norm() + m_off;
+        // Of all the products that have led to the map.
+        const double rounding = 1024 * roundingUnit * (map.linear.norm() * reach + map.translation.norm());
+        return {map, map(m_seen.centre()),
+                spectralNorm<Dim>(map.linear) * (m_seen.radius() + m_off) * (1 + 1e-12) + rounding};
+    }
+
+    // Pairs of pieces of i and j in balls that still meet become smaller, until none is left. The maps that
+    // are seen may be off by rounding, which moves no point of the attractor by more than m_off.
+    bool areApart(std::size_t i, std::size_t j, int allowed) const {
+        const auto& maps = m_seen.maps();
+        std::vector<std::pair<Cover, Cover>> open{{cover(maps[i]), cover(maps[j])}};
+        const double smallest = 1e-9 * m_seen.radius() + 4 * m_off;
+        while (!open.empty()) {
+            auto [a, b] = std::move(open.back());
+            open.pop_back();
+            if ((a.centre - b.centre).norm() * (1 - 1e-12) > a.radius + b.radius + 2 * m_off) continue;
+            if (allowed <= 0 || std::max(a.radius, b.radius) < smallest) return false;
+            if (a.radius < b.radius) std::swap(a, b);
+            allowed -= int(maps.size());
+            for (const auto& map : maps)
+                open.emplace_back(cover(a.map * map), b);
+        }
+        return true;
+    }
+
+    // Which maps belong together by the pairs that a predicate joins; whether that is all of them.
+    template <class Joined> bool joinsAll(Joined joined) const {
+        std::vector<std::size_t> group(m_maps.size());
+        std::iota(group.begin(), group.end(), std::size_t(0));
+        for (std::size_t i = 0; i < m_maps.size(); ++i)
+            for (std::size_t j = i + 1; j < m_maps.size(); ++j)
+                if (joined(i, j)) {
+                    const std::size_t from = group[j], to = group[i];
+                    std::ranges::replace(group, from, to);
+                }
+        return std::ranges::all_of(group, [&](std::size_t g) { return g == group.front(); });
+    }
+
+    Connectedness connectedness(const std::vector<bool>& apart) const {
+        if (!joinsAll([&](std::size_t i, std::size_t j) { return !apart[pairIndex(i, j)]; }))
+            return Connectedness::Disconnected;
+        const auto points = knownPoints();
+        std::vector<bool> exact(apart.size()), rounded(apart.size());
+        for (std::size_t i = 0; i < m_maps.size(); ++i)
+            for (std::size_t j = i + 1; j < m_maps.size(); ++j)
+                if (!apart[pairIndex(i, j)]) meet(points, i, j, exact, rounded);
+        if (joinsAll([&](std::size_t i, std::size_t j) { return exact[pairIndex(i, j)]; }))
+            return Connectedness::Connected;
+        if (joinsAll([&](std::size_t i, std::size_t j) { return rounded[pairIndex(i, j)]; }))
+            return Connectedness::ConnectedToRounding;
+        return Connectedness::Unknown;
+    }
+
+    // w_prefix(fix(w_period))
+    struct KnownPoint {
+        Word prefix, period;
+        Vector<Dim> point;
+    };
+
+    std::vector<KnownPoint> knownPoints() const {
+        constexpr std::size_t maxPeriods = 24, maxPrefixes = 24;
+        std::vector<KnownPoint> result;
+        const auto prefixes = shortWords<Dim>(m_maps, maxPrefixes, 2);
+        for (const auto& period : shortWords<Dim>(m_maps, std::max(maxPeriods, m_maps.size() + 1), 3))
+            if (!period.word.empty())
+                if (const auto fixed = fixedPoint(period.map))
+                    for (const auto& prefix : prefixes)
+                        result.push_back({prefix.word, period.word, prefix.map(*fixed)});
+        return result;
+    }
+
+    // Looks for a common point of two pieces among the images of known points.
+    void meet(const std::vector<KnownPoint>& points, std::size_t i, std::size_t j, std::vector<bool>& exact,
+              std::vector<bool>& rounded) const {
+        constexpr int maxExact = 8;
+        const double near = 1e-12 * m_size;
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t k = 0; k < points.size(); ++k)
+            order.emplace_back(m_maps[j](points[k].point)[0], k);
+        std::ranges::sort(order);
+        int asked = 0;
+        for (const KnownPoint& known : points) {
+            const Vector<Dim> here = m_maps[i](known.point);
+            for (auto it = std::ranges::lower_bound(order, std::pair{here[0] - near, std::size_t(0)});
+                 it != order.end() && it->first <= here[0] + near; ++it) {
+                const KnownPoint& other = points[it->second];
+                if (!((m_maps[j](other.point) - here).norm() <= near)) continue;
+                rounded[pairIndex(i, j)] = true;
+                if (++asked > maxExact) return;
+                if (isSame(exactImage(i, known), exactImage(j, other))) {
+                    exact[pairIndex(i, j)] = true;
+                    return;
+                }
+            }
+        }
+    }
+
+    ExactPoint<Dim> exactImage(std::size_t outer, const KnownPoint& point) const {
+        Word way{int(outer)};
+        way.insert(way.end(), point.prefix.begin(), point.prefix.end());
+        return image(exactWord<Dim>(m_maps, way), exactFixedPoint(exactWord<Dim>(m_maps, point.period)));
+    }
+
+    const std::vector<AffineMap<Dim>>& m_maps;
+    const SupportFunction<Dim>& m_seen;
+    double m_off; // by which a point of the attractor is off where it is seen
+    double m_size;
+};
+
+} // namespace
+
+template <int Dim> PieceContacts pieceContacts(const SupportFunction<Dim>& support) {
+    return Contacts<Dim>(support).found();
+}
+
+template PieceContacts pieceContacts(const SupportFunction<2>&);
+template PieceContacts pieceContacts(const SupportFunction<3>&);
+
+} // namespace ifs

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/system/iterated_function_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_set>
+
+namespace ifs {
+
+namespace {
+
+constexpr double maxConditionNumber = 1e6;
+
+template <int Dim> bool isOff(const WeightedMap<Dim>& map) {
+    return !map.enabled || (map.weight && !(*map.weight > 0 && std::isfinite(*map.weight)));
+}
+
+} // namespace
+
+std::vector<double> shares(std::vector<double> masses, double floor) {
+    for (double& mass : masses)
+        if (!(mass > 0 && std::isfinite(mass))) mass = 0;
+    const double largest = masses.empty() ? 0 : std::ranges::max(masses);
+    if (largest == 0) return equalWeights(masses.size());
+    // A power of two goes first: a sum of finite masses may overflow, and this scaling rounds nothing.
+    const int exponent = std::ilogb(largest);
+    for (double& mass : masses)
+        mass = std::ldexp(mass, -exponent);
+    const auto normalise = [&masses] {
+        // What is a power of two but for the rounding of the sum is one: .7, .2 and .1 stay what they are.
+        double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
+        const double power = std::ldexp(1, int(std::lround(std::log2(sum))));
+        if (std::abs(sum - power) <= 0x1p-53 * power * double(masses.size())) sum = power;
+        for (double& mass : masses)
+            mass /= sum;
+    };
+    normalise();
+    if (floor > 0) {
+        for (double& mass : masses)
+            mass = std::max(mass, floor);
+        normalise();
+    }
+    return masses;
+}
+
+template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>& system, std::size_t count) {
+    std::uint32_t largest = 0;
+    for (const auto& map : system.maps)
+        largest = std::max(largest, std::uint32_t(map.id));
+    std::vector<MapId> ids;
+    if (count <= std::numeric_limits<std::uint32_t>::max() - largest) {
+        while (ids.size() < count)
+            ids.push_back(MapId{++largest});
+        return ids;
+    }
+    std::unordered_set<std::uint32_t> taken;
+    for (const auto& map : system.maps)
+        taken.insert(std::uint32_t(map.id));
+    for (std::uint32_t id = 1; ids.size() < count; ++id)
+        if (!taken.contains(id)) ids.push_back(MapId{id});
+    return ids;
+}
+
+template <int Dim> MapId freshId(const IteratedFunctionSystem<Dim>& system) {
+    return freshIds(system, 1).front();
+}
+
+template <int Dim>
+MapId append(IteratedFunctionSystem<Dim>& system, const AffineMap<Dim>& map, std::optional<double> weight) {
+    const MapId id = freshId(system);
+    system.maps.push_back({.id = id, .map = map, .weight = weight});
+    return id;
+}
+
+template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>& system) {
+    std::vector<AffineMap<Dim>> maps;
+    maps.reserve(system.maps.size());
+    for (const auto& map : system.maps)
+        maps.push_back(map.map);
+    return maps;
+}
+
+template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system) {
+    std::vector<double> result(system.maps.size());
+    const ActiveMaps<Dim> active = activeMaps(system);
+    for (std::size_t k = 0; k < active.index.size(); ++k)
+        result[active.index[k]] = active.probabilities[k];
+    return result;
+}
+
+template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system) {
+    return system.maps.size() - std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
+}
+
+template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system) {
+    ActiveMaps<Dim> active;
+    std::vector<double> weights;
+    active.maps.reserve(system.maps.size());
+    active.index.reserve(system.maps.size());
+    weights.reserve(system.maps.size());
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const auto& map = system.maps[i];
+        if (isOff(map)) continue;
+        active.maps.push_back(map.map);
+        active.index.push_back(i);
+        if (map.weight) weights.push_back(*map.weight);
+    }
+    const bool everyWeightGiven = weights.size() == active.maps.size();
+    active.probabilities =
+        everyWeightGiven ? shares(std::move(weights)) : determinantWeights<Dim>(active.maps);
+    // Beside a weight of 3e38, the share of 1e-300 is 0 in doubles; the map takes part all the same.
+    for (double& probability : active.probabilities)
+        probability = std::max(probability, std::numeric_limits<double>::min());
+    return active;
+}
+
+template <int Dim>
+std::vector<double> determinantWeights(std::span<const AffineMap<Dim>> maps, double floor) {
+    std::vector<double> masses;
+    masses.reserve(maps.size());
+    for (const auto& map : maps)
+        masses.push_back(std::abs(determinant<Dim>(map.linear)));
+    return shares(std::move(masses), floor);
+}
+
+std::vector<double> equalWeights(std::size_t count) {
+    return std::vector<double>(count, count == 0 ? 0 : 1.0 / double(count));
+}
+
+template <int Dim>
+std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& transformation,
+                                                     const IteratedFunctionSystem<Dim>& system) {
+    const Vector<Dim> stretch = singularValues<Dim>(transformation.linear);
+    if (!(stretch[Dim - 1] * maxConditionNumber >= stretch[0])) return std::nullopt;
+    IteratedFunctionSystem<Dim> result = system;
+    for (auto& map : result.maps) {
+        const auto conjugated = conjugate(transformation, map.map);
+        if (!conjugated) return std::nullopt;
+        map.map = *conjugated;
+    }
+    return result;
+}
+
+#define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>&, std::size_t);                   \
+    template MapId freshId(const IteratedFunctionSystem<Dim>&);                                              \
+    template MapId append(IteratedFunctionSystem<Dim>&, const AffineMap<Dim>&, std::optional<double>);       \
+    template std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>&);                         \
+    template std::vector<double> probabilities(const IteratedFunctionSystem<Dim>&);                          \
+    template std::size_t countActive(const IteratedFunctionSystem<Dim>&);                                    \
+    template ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>&);                                 \
+    template std::vector<double> determinantWeights(std::span<const AffineMap<Dim>>, double);                \
+    template std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>&,                     \
+                                                                  const IteratedFunctionSystem<Dim>&);
+BARYCAGE_INSTANTIATE(2)
+BARYCAGE_INSTANTIATE(3)
+#undef BARYCAGE_INSTANTIATE
+
+} // namespace ifs

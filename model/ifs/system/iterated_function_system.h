@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ifs {
+
+// Names one map of one system for as long as the map lives, whatever its index in the list. 0 is no map.
+enum class MapId : std::uint32_t { None = 0 };
+
+template <int Dim> struct WeightedMap {
+    MapId id = MapId::None;
+    AffineMap<Dim> map;
+    // The weight as given: not normalised, possibly 0 or negative; nullopt when the source gives none.
+    std::optional<double> weight;
+    bool enabled = true;
+
+    friend bool operator==(const WeightedMap&, const WeightedMap&) = default;
+};
+
+// w_1 … w_N with their weights, in the order in which addresses number them.
+template <int Dim> struct IteratedFunctionSystem {
+    std::vector<WeightedMap<Dim>> maps;
+
+    friend bool operator==(const IteratedFunctionSystem&, const IteratedFunctionSystem&) = default;
+};
+
+// Ids that no map of the system has, in increasing order.
+template <int Dim> MapId freshId(const IteratedFunctionSystem<Dim>& system);
+template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>& system, std::size_t count);
+
+// Appends a map under a fresh id, which is returned.
+template <int Dim>
+MapId append(IteratedFunctionSystem<Dim>& system, const AffineMap<Dim>& map,
+             std::optional<double> weight = std::nullopt);
+
+// The maps in their order, without weights and ids.
+template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>& system);
+
+// One probability per map, 0 for a map that is off and for no other, sum 1 unless every map is off.
+// A disabled map and a weight ≤ 0 (or not finite) mean off. If any enabled map has no weight at all,
+// the determinant rule serves for all maps that are not off.
+template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system);
+
+// Those maps that have a positive probability; `index` holds their indices in the system.
+template <int Dim> struct ActiveMaps {
+    std::vector<AffineMap<Dim>> maps;
+    std::vector<double> probabilities;
+    std::vector<std::size_t> index;
+};
+template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system);
+template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system);
+
+// The masses divided by their sum, none below `floor` of it before renormalising. A mass that is negative or
+// not finite counts as 0; equal shares when every mass is 0.
+std::vector<double> shares(std::vector<double> masses, double floor = 0);
+
+// Weight rules. Each returns positive numbers that sum to 1, one per map (empty for no maps).
+// Determinant rule: |det A_i|, none below `floor` of the sum before renormalising; equal if every determinant
+// is 0.
+template <int Dim>
+std::vector<double> determinantWeights(std::span<const AffineMap<Dim>> maps, double floor = 0.01);
+std::vector<double> equalWeights(std::size_t count);
+// Dimension rule: φ^D(A_i), the singular value function at the affinity dimension D capped at Dim, floored
+// alike.
+template <int Dim>
+std::vector<double> dimensionWeights(std::span<const AffineMap<Dim>> maps, double floor = 0.01);
+
+// T∘w∘T⁻¹ for every map ("baking"): its attractor is T of the old one. Weights, ids and order stay.
+// nullopt when T is singular or its condition number exceeds 1e6, where the code would lose its digits.
+template <int Dim>
+std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& transformation,
+                                                     const IteratedFunctionSystem<Dim>& system);
+
+} // namespace ifs

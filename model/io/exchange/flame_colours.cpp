@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "io/exchange/flame_colours.h"
+
+#include "io/palette/palette_stops.h"
+#include "io/text/number.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+
+namespace {
+
+using attractor::ColourBy;
+using attractor::Palette;
+using attractor::Rgba;
+
+constexpr std::size_t last = flameColours - 1;
+
+struct ColourByName {
+    ColourBy colourBy;
+    const char* name;
+};
+constexpr std::array colourByNames{
+    ColourByName{ColourBy::Density, "density"}, ColourByName{ColourBy::Map, "map"},
+    ColourByName{ColourBy::Address, "address"}, ColourByName{ColourBy::Plain, "plain"}};
+
+// Three numbers, of which `full` is the brightest.
+std::optional<Rgba> colourOf(QStringView text, double full) {
+    std::array<std::uint8_t, 3> channels{};
+    const auto words = text.split(u' ', Qt::SkipEmptyParts);
+    if (words.size() < 3) return std::nullopt;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto value = parseNumber(words[qsizetype(i)]);
+        if (!value || !std::isfinite(*value)) return std::nullopt;
+        channels[i] = std::uint8_t(std::lround(std::clamp(*value / full, 0.0, 1.0) * 255));
+    }
+    return Rgba{channels[0], channels[1], channels[2], 255};
+}
+
+// Pairs of hexadecimal digits, whatever stands between them; `skip` of the `bytes` of each colour come first.
+std::vector<Rgba> hexColours(const QString& text, std::size_t bytes, std::size_t skip) {
+    const QByteArray data = QByteArray::fromHex(text.left(qsizetype(flameColours) * 64).toLatin1());
+    std::vector<Rgba> colours;
+    const auto level = [&](std::size_t i) { return std::uint8_t(data[qsizetype(i)]); };
+    for (std::size_t i = 0; i + bytes <= std::size_t(data.size()) && colours.size() < flameColours;
+         i += bytes)
+        colours.push_back({level(i + skip), level(i + skip + 1), level(i + skip + 2), 255});
+    return colours;
+}
+
+std::array<Rgba, flameColours> sampled(const Palette& palette) {
+    std::array<Rgba, flameColours> colours;
+    for (std::size_t i = 0; i < flameColours; ++i) {
+        colours[i] = attractor::colourAt(palette, double(i) / double(last));
+        colours[i].alpha = 255;
+    }
+    return colours;
+}
+
+// One of the program's own where it has exactly these colours.
+Palette paletteThrough(const std::vector<Rgba>& colours, const QString& name) {
+    for (const Palette& known : attractor::builtInPalettes())
+        if (std::ranges::equal(sampled(known), colours)) return known;
+    return {name.toStdString(), stopsThrough(colours)};
+}
+
+int distance(const Rgba& a, const Rgba& b) {
+    return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
+}
+
+std::size_t nearest(const std::array<Rgba, flameColours>& palette, const Rgba& colour) {
+    const auto by = [&](const Rgba& a, const Rgba& b) { return distance(a, colour) < distance(b, colour); };
+    return std::size_t(std::ranges::min_element(palette, by) - palette.begin());
+}
+
+// The distinct ones, in the order in which they come first.
+std::vector<Rgba> distinct(const std::vector<Rgba>& colours) {
+    std::vector<Rgba> found;
+    for (const Rgba& colour : colours) {
+        if (std::ranges::find(found, colour) == found.end()) found.push_back(colour);
+        if (found.size() > flameColours) break; // more than a palette holds: it need not know how many
+    }
+    return found;
+}
+
+std::array<Rgba, flameColours> spread(const std::vector<Rgba>& colours, FlameColours& flame) {
+    Palette palette;
+    const double steps = std::max<double>(1, double(colours.size()) - 1);
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        palette.stops.push_back({std::round(double(i) * double(last) / steps) / double(last), colours[i]});
+    if (colours.size() == 1) palette.stops.push_back({1, colours.front()});
+    flame.isPalette = false;
+    return sampled(palette);
+}
+
+} // namespace
+
+void FlameColourReader::readFlame(const QXmlStreamAttributes& attributes) {
+    m_background = colourOf(attributes.value(QLatin1String("background")), 1);
+    m_isForeign = attributes.hasAttribute(QLatin1String("palette"));
+    const auto name = attributes.value(QLatin1String(flameColourByKey));
+    for (const ColourByName& known : colourByNames)
+        if (name == QLatin1String(known.name)) m_colourBy = known.colourBy;
+}
+
+void FlameColourReader::readPalette(const QString& hex, int channels) {
+    m_colours = hexColours(hex, std::size_t(channels), 0);
+}
+
+void FlameColourReader::readColour(const QXmlStreamAttributes& attributes) {
+    const auto index = parseNumber(attributes.value(QLatin1String("index")));
+    const auto colour = colourOf(attributes.value(QLatin1String("rgb")), 255);
+    if (!index || !colour || !(*index >= 0 && *index <= double(last))) return;
+    m_colours.resize(std::max(m_colours.size(), std::size_t(*index) + 1));
+    m_colours[std::size_t(*index)] = *colour;
+}
+
+void FlameColourReader::readColours(const QString& data) {
+    m_colours = hexColours(data, 4, 1);
+}
+
+void FlameColourReader::readXform(const QXmlStreamAttributes& attributes) {
+    // Older flames have two coordinates of colour, of which the first is the one in use.
+    const QStringView text = attributes.value(QLatin1String("color")).trimmed();
+    const qsizetype end = text.indexOf(u' ');
+    m_positions.push_back(parseNumber(end < 0 ? text : text.first(end)));
+}
+
+void FlameColourReader::applyTo(document::Fractal& fractal) const {
+    attractor::Appearance& appearance = fractal.appearance;
+    if (m_background) appearance.background = *m_background;
+    if (m_colours.empty()) return;
+    appearance.palette = paletteThrough(m_colours, fractal.name);
+    if (m_colourBy) appearance.colourBy = *m_colourBy;
+    const document::System2* system = document::system2(fractal);
+    // Barycage gives places in order where colours do not go by maps.
+    if (system == nullptr || (m_colourBy && *m_colourBy != ColourBy::Map)) return;
+    bool isAny = false;
+    for (std::size_t i = 0; i < std::min(m_positions.size(), system->maps.size()); ++i) {
+        if (!m_positions[i]) continue;
+        const double position = std::clamp(*m_positions[i], 0.0, 1.0) * double(m_colours.size() - 1);
+        appearance.mapColours[system->maps[i].id] =
+            m_colours[std::size_t(std::lround(position))]; // as it was written, without the error of stops
+        isAny = true;
+    }
+    if (isAny) appearance.colourBy = ColourBy::Map;
+}
+
+FlameColours flameColoursOf(const document::Fractal& fractal) {
+    const attractor::Appearance& appearance = fractal.appearance;
+    const document::System2& system = *document::system2(fractal);
+    FlameColours flame;
+    flame.palette = sampled(appearance.palette);
+    const double steps = std::max<double>(1, double(system.maps.size()) - 1);
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        flame.positions.push_back(double(i) / steps);
+    flame.holdsMapColours = appearance.colourBy == ColourBy::Map;
+    if (!flame.holdsMapColours) return flame;
+    std::vector<Rgba> colours;
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        colours.push_back(attractor::mapColour(appearance, system.maps[i].id, i));
+    const std::vector<Rgba> all = distinct(colours);
+    if (all.empty()) return flame;
+    const bool isOnPalette = std::ranges::all_of(all, [&](const Rgba& colour) {
+        return distance(flame.palette[nearest(flame.palette, colour)], colour) <= 1;
+    });
+    if (!isOnPalette && all.size() <= flameColours) flame.palette = spread(all, flame);
+    flame.holdsMapColours = isOnPalette || all.size() <= flameColours;
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        flame.positions[i] = double(nearest(flame.palette, colours[i])) / double(last);
+    return flame;
+}
+
+QString flameColourBy(ColourBy colourBy) {
+    for (const ColourByName& known : colourByNames)
+        if (known.colourBy == colourBy) return QLatin1String(known.name);
+    return {};
+}
+
+} // namespace io

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <QString>
+#include <QXmlStreamAttributes>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+// The colours of flames: <palette> or <color> elements, `background`, and the place of every xform in the
+// palette. docs/formats.md, "Flame XML".
+namespace io {
+
+constexpr std::size_t flameColours = 256; // in a palette
+
+// Collects what one flame says, then gives it to the fractal that was read from it.
+class FlameColourReader {
+public:
+    void readFlame(const QXmlStreamAttributes& attributes);  // of <flame>: background
+    void readPalette(const QString& hex, int channels);      // the text of <palette>; 3 or 4 channels
+    void readColour(const QXmlStreamAttributes& attributes); // of <color>: index, rgb
+    void readColours(const QString& data);                   // of <colors>: 00RRGGBB for each
+    void readXform(const QXmlStreamAttributes& attributes);  // the next xform: color
+
+    // Needs the system and the name in place.
+    void applyTo(document::Fractal& fractal) const;
+    // It names a palette of another program by its number, and holds no colours.
+    bool namesForeignPalette() const { return m_isForeign && m_colours.empty(); }
+
+private:
+    std::vector<attractor::Rgba> m_colours;
+    std::vector<std::optional<double>> m_positions; // by xform
+    std::optional<attractor::Rgba> m_background;
+    std::optional<attractor::ColourBy> m_colourBy; // as Barycage writes it
+    bool m_isForeign = false;
+};
+
+// How a flame shows the colours of a fractal.
+struct FlameColours {
+    std::array<attractor::Rgba, flameColours> palette;
+    std::vector<double> positions; // 0 … 1, one per map
+    bool isPalette = true;         // false: made of the colours of the maps, which are not on the palette
+    bool holdsMapColours = true;   // false: more different ones than a palette holds, or not drawn
+};
+FlameColours flameColoursOf(const document::Fractal& fractal);
+
+QString flameColourBy(attractor::ColourBy colourBy); // for the attribute that only Barycage reads
+inline constexpr const char* flameColourByKey = "barycage_colour";
+
+} // namespace io

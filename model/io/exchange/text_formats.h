@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/exchange/flame.h"
+#include "io/table/table_columns.h"
+
+#include <QByteArray>
+#include <QList>
+#include <QString>
+
+#include <memory>
+#include <optional>
+
+namespace io {
+
+// The forms in which systems are handed to other programs as text.
+enum class TextFormat { Fractint, Flame, Aifs, Csv, Tsv };
+
+// By the suffix of a file, or by name: "fractint", "ifs", "flame", "flam3", "aifs", "csv", "tsv".
+std::optional<TextFormat> textFormat(const QString& name);
+QString suffixOf(TextFormat format);
+bool holdsOneSystem(TextFormat format); // tables have no place for a second
+
+struct TextOptions {
+    FlameAxis axis = FlameAxis::Flipped;
+    TableColumns columns = fractintColumns();
+};
+
+// Flames lie in the plane; what could not be read nothing holds.
+bool holds(TextFormat format, const document::Fractal& fractal);
+
+// What of the fractal the format has no place for, as a sentence; nullopt when nothing is lost.
+std::optional<QString> lossOf(TextFormat format, const document::Fractal& fractal);
+
+// Those of the fractals that the format holds; of a format that holds one system, the first.
+QByteArray textOf(const QList<std::shared_ptr<const document::Fractal>>& fractals, TextFormat format,
+                  const TextOptions& options = {});
+
+} // namespace io

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+#include "io/file/replacement_file.h"
+
+#include <QByteArray>
+#include <QFile>
+#include <QFileInfo>
+#include <QRandomGenerator>
+#include <QSaveFile>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#ifdef Q_OS_UNIX
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+#ifdef Q_OS_LINUX
+#include <sys/xattr.h>
+#endif
+
+namespace io {
+
+namespace fs = std::filesystem;
+
+#ifdef Q_OS_UNIX
+
+namespace {
+
+// An open file descriptor; closed at the end.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor() {
+        if (m_number >= 0) ::close(m_number);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    bool isOpen() const { return m_number >= 0; }
+    int number() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+#ifdef Q_OS_LINUX
+
+constexpr char accessList[] = "system.posix_acl_access";
+
+// What call(room, size) writes, which says how much that is when there is no room; nullopt when it fails.
+template <class Call> std::optional<QByteArray> written(Call call) {
+    const ssize_t size = call(nullptr, 0);
+    if (size < 0) return std::nullopt;
+    QByteArray bytes(size, '\0');
+    const ssize_t length = call(bytes.data(), std::size_t(size));
+    if (length < 0) return std::nullopt;
+    bytes.truncate(length);
+    return bytes;
+}
+
+// They speak of the old bytes.
+bool isOfContents(const QByteArray& attribute) {
+    return attribute == "security.capability" || attribute == "security.ima" || attribute == "security.evm";
+}
+
+// The access control list, labels, and what else users and programs have attached to the old file. What the
+// file system or our rights refuse is left out; the error when there is no room for it.
+int keepExtendedAttributes(int file, const QByteArray& path) {
+    const auto names =
+        written([&](char* room, std::size_t size) { return ::listxattr(path.constData(), room, size); });
+    for (const QByteArray& name : names.value_or(QByteArray()).split('\0')) {
+        if (name.isEmpty() || isOfContents(name)) continue;
+        const auto value = written([&](char* room, std::size_t size) {
+            return ::getxattr(path.constData(), name.constData(), room, size);
+        });
+        if (value &&
+            ::fsetxattr(file, name.constData(), value->constData(), std::size_t(value->size()), 0) != 0 &&
+            (errno == ENOSPC || errno == EDQUOT))
+            return errno;
+    }
+    return 0;
+}
+
+// One that the folder gives to every new file is not the old one's.
+void dropAccessList(int file) {
+    ::fremovexattr(file, accessList);
+}
+
+#else
+
+int keepExtendedAttributes(int, const QByteArray&) {
+    return 0;
+}
+void dropAccessList(int) {}
+
+#endif
+
+// Permissions, and owner and group as far as we may, of the file that is about to be replaced, and all else
+// that the file system knows of it. The error when there is no room for that.
+int keepAttributes(int file, const QByteArray& path) {
+    struct stat old {};
+    if (::stat(path.constData(), &old) != 0) return 0;
+    if (::fchown(file, old.st_uid, old.st_gid) != 0 &&
+        ::fchown(file, static_cast<uid_t>(-1), old.st_gid) != 0)
+        old.st_mode &= static_cast<mode_t>(~(S_ISUID | S_ISGID));
+    dropAccessList(file);
+    ::fchmod(file, old.st_mode & 07777);
+    return keepExtendedAttributes(file, path);
+}
+
+// Nothing is left out: "link/.." is not the folder that the link lies in.
+QByteArray folderOf(const QByteArray& path) {
+    const auto slash = path.lastIndexOf('/');
+    return slash < 0 ? QByteArray(".") : slash == 0 ? QByteArray("/") : path.left(slash);
+}
+
+// Tries names in the folder until one is free: call(name) is then 0 or more. Empty when none is.
+template <class Call> QByteArray freeName(const QByteArray& folder, Call call) {
+    constexpr int attempts = 100;
+    for (int i = 0; i < attempts; ++i) {
+        const QByteArray name =
+            folder + "/.barycage-" + QByteArray::number(QRandomGenerator::system()->generate64(), 36);
+        if (call(name) >= 0) return name;
+        if (errno != EEXIST) break;
+    }
+    return {};
+}
+
+QByteArray linkOf(int file) {
+    return "/proc/self/fd/" + QByteArray::number(file);
+}
+
+// A new file beside `path` for what is to replace it; without a name where the system can do that, so that
+// nothing stays of it whatever ends the program. What others may not read is theirs at no moment.
+int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* name) {
+    const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // the umask is taken from it
+    int file = -1;
+#ifdef O_TMPFILE
+    file = ::open(folder.constData(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode); // to be copied, perhaps
+    if (file >= 0 && ::access(linkOf(file).constData(), F_OK) == 0) return file;
+    if (file >= 0) ::close(file);
+#endif
+    *name = freeName(folder, [&](const QByteArray& candidate) {
+        file = ::open(candidate.constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        return file;
+    });
+    return file;
+}
+
+bool copyAll(int from, int to) {
+    std::array<char, 1 << 16> piece{};
+    for (off_t at = 0;;) {
+        const ssize_t size = ::pread(from, piece.data(), piece.size(), at);
+        if (size < 0 && errno == EINTR) continue;
+        if (size <= 0) return size == 0;
+        at += size;
+        for (ssize_t done = 0; done < size;) {
+            const ssize_t count = ::write(to, piece.data() + done, std::size_t(size - done));
+            if (count < 0 && errno != EINTR) return false;
+            done += std::max<ssize_t>(count, 0);
+        }
+    }
+}
+
+SystemError errorOf(int number) {
+    using Kind = SystemError::Kind;
+    const QString text = QString::fromLocal8Bit(std::strerror(number));
+    switch (number) {
+    case 0:
+        return {};
+    case ENOSPC:
+    case EDQUOT:
+        return {Kind::DiskFull, text};
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return {Kind::Denied, text};
+    case ENAMETOOLONG:
+        return {Kind::NameTooLong, text};
+    default:
+        return {Kind::Other, text};
+    }
+}
+
+} // namespace
+
+struct ReplacementFile::State {
+    explicit State(const fs::path& path)
+        : target(QByteArray::fromStdString(path.string())),
+          folder(folderOf(target)),
+          file(createBeside(folder, target, &name)) {
+        error = file.isOpen() ? keepAttributes(file.number(), target) : errno;
+    }
+    ~State() {
+        if (!name.isEmpty() && !isRenamed) ::unlink(name.constData());
+    }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    bool hasName() {
+        if (name.isEmpty())
+            name = freeName(folder, [this](const QByteArray& candidate) {
+                return ::linkat(AT_FDCWD, linkOf(file.number()).constData(), AT_FDCWD, candidate.constData(),
+                                AT_SYMLINK_FOLLOW);
+            });
+        return !name.isEmpty() || isCopiedUnderName();
+    }
+
+    // Some systems create files without a name, and refuse to name them later: a copy has a name from the
+    // start.
+    bool isCopiedUnderName() {
+        int copy = -1;
+        name = freeName(folder, [&copy](const QByteArray& candidate) {
+            copy = ::open(candidate.constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+            return copy;
+        });
+        if (copy < 0) return false;
+        struct stat made {};
+        if (::fstat(file.number(), &made) == 0) ::fchmod(copy, made.st_mode & 07777);
+        error = keepAttributes(copy, target);
+        if (error == 0 && !(copyAll(file.number(), copy) && ::fsync(copy) == 0)) error = errno;
+        ::close(copy);
+        errno = error;
+        return error == 0;
+    }
+
+    // Where there is no file yet, it needs no other name on the way.
+    bool becomesTarget() {
+        return name.isEmpty() && ::linkat(AT_FDCWD, linkOf(file.number()).constData(), AT_FDCWD,
+                                          target.constData(), AT_SYMLINK_FOLLOW) == 0;
+    }
+
+    void replaceTarget() {
+        isRenamed = ::fsync(file.number()) == 0 &&
+                    (becomesTarget() || (hasName() && ::rename(name.constData(), target.constData()) == 0));
+        error = isRenamed ? 0 : errno;
+        // The name must survive a power cut as well; some file systems refuse to sync a folder, which is no
+        // failure.
+        const Descriptor directory(::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        if (directory.isOpen()) ::fsync(directory.number());
+    }
+
+    void write(const char* data, qint64 size) {
+        for (qint64 done = 0; done < size;) {
+            const ssize_t count = ::write(file.number(), data + done, static_cast<std::size_t>(size - done));
+            error = count < 0 ? errno : 0;
+            if (count < 0 && error != EINTR) return;
+            done += std::max<ssize_t>(count, 0);
+        }
+    }
+
+    QByteArray target, folder;
+    QByteArray name; // none yet, perhaps
+    Descriptor file;
+    int error = 0; // of the last call
+    bool isRenamed = false;
+};
+
+ReplacementFile::ReplacementFile(const fs::path& target)
+    : m_state(std::make_unique<State>(target)), m_error(errorOf(m_state->error)) {}
+
+bool ReplacementFile::write(const char* data, qint64 size) {
+    m_state->write(data, size);
+    m_error = errorOf(m_state->error);
+    return m_state->error == 0;
+}
+
+bool ReplacementFile::replaceTarget() {
+    m_state->replaceTarget();
+    m_error = errorOf(m_state->error);
+    return m_state->error == 0;
+}
+
+bool isWritable(const fs::path& file) {
+    return ::access(file.c_str(), W_OK) == 0;
+}
+
+#else
+
+namespace {
+
+QString nameOf(const fs::path& path) {
+    return QFile::decodeName(QByteArray::fromStdString(path.string()));
+}
+
+} // namespace
+
+struct ReplacementFile::State {
+    explicit State(const fs::path& target) : file(nameOf(target)) {}
+
+    SystemError errorUnless(bool isDone) const {
+        return isDone ? SystemError() : SystemError{SystemError::Kind::Other, file.errorString()};
+    }
+
+    QSaveFile file;
+};
+
+ReplacementFile::ReplacementFile(const fs::path& target)
+    : m_state(std::make_unique<State>(target)),
+      m_error(m_state->errorUnless(m_state->file.open(QIODevice::WriteOnly))) {}
+
+bool ReplacementFile::write(const char* data, qint64 size) {
+    m_error = m_state->errorUnless(m_state->file.write(data, size) == size);
+    return m_error.kind == SystemError::Kind::None;
+}
+
+bool ReplacementFile::replaceTarget() {
+    m_error = m_state->errorUnless(m_state->file.commit());
+    return m_error.kind == SystemError::Kind::None;
+}
+
+bool isWritable(const fs::path& file) {
+    return QFileInfo(nameOf(file)).isWritable();
+}
+
+#endif
+
+ReplacementFile::~ReplacementFile() = default;
+
+} // namespace io

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <filesystem>
+#include <memory>
+
+namespace io {
+
+// Why the system did not do what it was asked to.
+struct SystemError {
+    enum class Kind { None, DiskFull, Denied, NameTooLong, Other };
+    Kind kind = Kind::None;
+    QString text; // in the system's own words
+};
+
+// A new file in the folder of `target` that replaces it once it is complete. From the start it has the
+// permissions, access control list and extended attributes of an old file there, and owner and group as far
+// as we may set them; what others may not read is theirs at no moment. It has no name until then where the
+// system can do that, so that nothing stays of it whatever ends the program; what has one is removed unless
+// it replaces `target`.
+class ReplacementFile {
+public:
+    explicit ReplacementFile(const std::filesystem::path& target);
+    ~ReplacementFile();
+    ReplacementFile(const ReplacementFile&) = delete;
+    ReplacementFile& operator=(const ReplacementFile&) = delete;
+
+    // Of the last call, the constructor included.
+    const SystemError& error() const { return m_error; }
+
+    // All of it; false with an error.
+    bool write(const char* data, qint64 size);
+
+    // Flushes the bytes to the disk, then gives them the name; the folder is flushed as well. `target` holds
+    // the old bytes or the new ones at every moment. False with an error: it holds the old ones.
+    bool replaceTarget();
+
+private:
+    struct State;
+
+    std::unique_ptr<State> m_state;
+    SystemError m_error;
+};
+
+bool isWritable(const std::filesystem::path& file);
+
+} // namespace io

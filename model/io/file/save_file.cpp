@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "io/file/save_file.h"
+
+#include "io/file/native_path.h"
+#include "io/file/replacement_file.h"
+#include "io/file/standard_output.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+
+namespace io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr qint64 maxFile = 256LL * 1024 * 1024;
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+QString shown(const QString& path) {
+    return QDir::toNativeSeparators(path);
+}
+
+// A name whose bytes Qt could not read.
+bool isLost(const QString& path) {
+    return path.contains(QChar::ReplacementCharacter) && !QFileInfo::exists(path);
+}
+
+QString notUtf8(const QString& path) {
+    return Text::tr("The name “%1” is not valid UTF-8. Rename the file, or open it through a symbolic link.")
+        .arg(shown(path));
+}
+
+// The file that `path` leads to through symbolic links; a dangling link leads to the file it names. Step by
+// step as the system does it: "..", after a link to a folder, is not the folder that the link lies in. Names
+// stay bytes on the way: not all of them are UTF-8. What a device or a pipe is called leads nowhere.
+fs::path target(const QString& path) {
+    constexpr int maxLinks = 40; // as many as the kernel follows
+    std::error_code error;
+    const fs::path given(nativeName(path).toStdString());
+    const fs::file_status end = fs::status(given, error);
+    if (fs::exists(end) && !fs::is_regular_file(end)) return given;
+    if (error == std::errc::too_many_symbolic_link_levels) return given;
+    fs::path at = given;
+    for (int i = 0; i < maxLinks && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
+        const fs::path folder = fs::canonical(at.has_parent_path() ? at.parent_path() : ".", error);
+        if (error) return given;
+        const fs::path link = fs::read_symlink(at, error);
+        if (error) return given;
+        at = folder / link; // or `link`, if it begins at the root
+    }
+    return at;
+}
+
+QString nameOf(const fs::path& path) {
+    return pathOf(QByteArray::fromStdString(path.string()));
+}
+
+// The shortest beginning of the path about which nothing can be known.
+fs::path closedPart(const fs::path& path) {
+    fs::path at;
+    for (const fs::path& part : path) {
+        at /= part;
+        std::error_code error;
+        if (fs::status(at, error).type() == fs::file_type::none) break;
+    }
+    return at;
+}
+
+QString leadsNowhere(const QString& link) {
+    return Text::tr("“%1” is a symbolic link that leads back to itself, or through too many others.")
+        .arg(shown(link));
+}
+
+// Why nothing can be known of what the path leads to, if that is so for reasons that the user can change.
+Failure whyClosed(const fs::path& path) {
+    std::error_code error;
+    if (fs::status(path, error).type() != fs::file_type::none) return std::nullopt;
+    const QString name = nameOf(closedPart(path));
+    if (error == std::errc::too_many_symbolic_link_levels) return leadsNowhere(name);
+    if (error == std::errc::permission_denied)
+        return Text::tr("You do not have permission to enter the folder “%1”.")
+            .arg(shown(QFileInfo(name).absolutePath()));
+    return std::nullopt;
+}
+
+QString notSaved(const QString& path, const QString& why) {
+    return Text::tr("“%1” was not saved: %2. The file on disk is unchanged.").arg(shown(path), why);
+}
+
+Failure obstacle(const fs::path& target) {
+    const QString path = nameOf(target);
+    if (path.isEmpty()) return Text::tr("The file has no name. Choose one.");
+    if (const Failure closed = whyClosed(target)) return closed;
+    std::error_code error;
+    const fs::file_status file = fs::status(target, error);
+    const bool isUnknown = file.type() == fs::file_type::none && error != std::errc::filename_too_long;
+    if (isUnknown) return notSaved(path, QString::fromLocal8Bit(error.message().c_str()));
+    if (!fs::exists(file) && fs::is_symlink(fs::symlink_status(target, error))) return leadsNowhere(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    if (fs::is_directory(file)) return Text::tr("“%1” is a folder. Choose a file name.").arg(shown(path));
+    if (fs::exists(file) && !fs::is_regular_file(file))
+        return Text::tr("“%1” is not an ordinary file and will not be replaced. Choose another name.")
+            .arg(shown(path));
+    if (!fs::is_directory(folder, error))
+        return Text::tr("The folder “%1” does not exist. Create it, or save somewhere else.")
+            .arg(shown(QFileInfo(path).absolutePath()));
+    if (fs::exists(file) && !isWritable(target))
+        return Text::tr("“%1” is read-only. Save under another name, or change its permissions.")
+            .arg(shown(path));
+    return std::nullopt;
+}
+
+QString reason(const SystemError& error, const QString& path) {
+    const QString folder = shown(QFileInfo(path).absolutePath());
+    switch (error.kind) {
+    case SystemError::Kind::DiskFull:
+        return Text::tr("“%1” was not saved: the disk is full. Free some space and save again; the file on "
+                        "disk is unchanged.")
+            .arg(shown(path));
+    case SystemError::Kind::Denied:
+        return Text::tr("“%1” was not saved: you do not have permission to write to the folder “%2”. Save "
+                        "somewhere else.")
+            .arg(shown(path), folder);
+    case SystemError::Kind::NameTooLong:
+        return Text::tr("“%1” was not saved: the name is too long.").arg(shown(path));
+    case SystemError::Kind::None:
+    case SystemError::Kind::Other:
+        break;
+    }
+    return notSaved(path, error.text);
+}
+
+} // namespace
+
+NewFile::NewFile(const QString& path) {
+    if (path == standardOutputPath()) {
+        m_waiting = namelessFile();
+        if (m_waiting < 0)
+            fail();
+        else
+            setOpenMode(WriteOnly | Unbuffered);
+        return;
+    }
+    const fs::path end = target(path);
+    m_path = nameOf(end);
+    m_failure = isLost(path) ? notUtf8(path) : obstacle(end);
+    if (m_failure) return;
+    m_replacement = std::make_unique<ReplacementFile>(end);
+    if (m_replacement->error().kind == SystemError::Kind::None)
+        setOpenMode(WriteOnly | Unbuffered);
+    else
+        fail();
+}
+
+NewFile::~NewFile() {
+    if (m_waiting >= 0) ::close(m_waiting);
+}
+
+void NewFile::fail() {
+    if (!m_failure)
+        m_failure = m_replacement ? reason(m_replacement->error(), m_path)
+                                  : Text::tr("Standard output cannot be written to.");
+}
+
+qint64 NewFile::readData(char*, qint64) {
+    return -1;
+}
+
+qint64 NewFile::writeData(const char* data, qint64 size) {
+    bool isWritten = m_waiting < 0 && m_replacement->write(data, size);
+    for (qint64 done = 0; m_waiting >= 0 && done < size && !isWritten;) {
+        const ssize_t piece = ::write(m_waiting, data + done, std::size_t(size - done));
+        if (piece < 0 && errno != EINTR) break;
+        done += std::max<ssize_t>(piece, 0);
+        isWritten = done == size;
+    }
+    if (isWritten || size == 0) return size;
+    fail();
+    setErrorString(*m_failure);
+    return -1;
+}
+
+Failure NewFile::commit() {
+    if (!m_failure && !(m_waiting < 0 ? m_replacement->replaceTarget() : printFile(m_waiting))) fail();
+    return m_failure;
+}
+
+Failure saveFile(const QString& path, const QByteArray& bytes) {
+    NewFile file(path);
+    if (!file.failure()) file.write(bytes);
+    return file.commit();
+}
+
+namespace {
+
+bool openFile(QFile& file, const QString& path) {
+    if (isUtf8Name(path)) return file.open(QIODevice::ReadOnly);
+    const int descriptor = ::open(nativeName(path).constData(), O_RDONLY | O_CLOEXEC);
+    return descriptor >= 0 && file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle);
+}
+
+} // namespace
+
+Loaded loadFile(const QString& path) {
+    const fs::path native(nativeName(path).toStdString());
+    std::error_code error; // what cannot be asked about is not there
+    if (isLost(path)) return {{}, notUtf8(path)};
+    const bool isResource = path.startsWith(u':');
+    if (const Failure closed = isResource ? std::nullopt : whyClosed(target(path))) return {{}, closed};
+    if (!isResource && !fs::exists(native, error))
+        return {{}, Text::tr("“%1” does not exist.").arg(shown(path))};
+    if (fs::is_directory(native, error))
+        return {{}, Text::tr("“%1” is a folder, not a file.").arg(shown(path))};
+    const QString tooLarge =
+        Text::tr("“%1” is larger than 256 MB, which is the limit for a file.").arg(shown(path));
+    const qint64 size = fs::is_regular_file(native, error) ? qint64(fs::file_size(native, error)) : 0;
+    if (size > maxFile) return {{}, tooLarge};
+    QFile file(path);
+    if (!openFile(file, path))
+        return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
+    Loaded loaded;
+    // A pipe does not know its size beforehand, and one read of the limit would reserve as much memory.
+    const qint64 expected = std::max<qint64>(size, 1 << 16);
+    while (loaded.bytes.size() <= maxFile) {
+        const QByteArray piece = file.read(expected);
+        if (piece.isEmpty()) break;
+        loaded.bytes += piece;
+    }
+    if (file.error() != QFileDevice::NoError)
+        return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
+    if (loaded.bytes.size() > maxFile) return {{}, tooLarge};
+    return loaded;
+}
+
+} // namespace io

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QIODevice>
+#include <QString>
+
+#include <memory>
+#include <optional>
+
+namespace io {
+
+class ReplacementFile;
+
+// The user's sentence when something went wrong; nullopt on success.
+using Failure = std::optional<QString>;
+
+// The one way in which files of the user are written: into a temporary file in the same folder, which
+// commit() flushes to the disk and renames: `path` holds the old bytes or the new ones, never a part.
+// Permissions, access control lists, extended attributes and a symbolic link at `path` are kept; what is no
+// ordinary file is not replaced. It is open from the start, unless failure() says why not; what is not
+// committed leaves nothing behind.
+class NewFile : public QIODevice {
+public:
+    explicit NewFile(const QString& path); // or standardOutputPath()
+    ~NewFile() override;
+
+    const Failure& failure() const { return m_failure; } // the first, also of writing
+    [[nodiscard]] Failure commit();
+
+protected:
+    qint64 readData(char* data, qint64 maxSize) override;
+    qint64 writeData(const char* data, qint64 size) override;
+
+private:
+    void fail();
+
+    QString m_path; // behind symbolic links
+    std::unique_ptr<ReplacementFile> m_replacement;
+    int m_waiting = -1; // a file without a name, for standard output
+    Failure m_failure;
+};
+
+// All of it at once.
+Failure saveFile(const QString& path, const QByteArray& bytes);
+
+struct Loaded {
+    QByteArray bytes;
+    Failure failure;
+};
+Loaded loadFile(const QString& path); // refuses more than 256 MB, saying so
+
+} // namespace io

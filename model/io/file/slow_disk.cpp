@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "io/file/slow_disk.h"
+
+#include <QFileInfo>
+#include <QHash>
+#include <QSet>
+#include <QThreadPool>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace io {
+
+namespace {
+
+// Of its own, and never destroyed: what hangs must hold up neither other work nor the end of the program.
+QThreadPool& askers() {
+    static auto* const pool = [] {
+        constexpr int enough = 8;
+        auto* made = new QThreadPool;
+        made->setMaxThreadCount(enough);
+        return made;
+    }();
+    return *pool;
+}
+
+// What is known of paths, and which of them are being asked about.
+class Presence {
+public:
+    void ask(const QString& path) {
+        {
+            const std::scoped_lock lock(m_mutex);
+            if (m_asked.contains(path)) return;
+            m_asked.insert(path);
+        }
+        askers().start([this, path] {
+            const bool isGone = !QFileInfo::exists(path);
+            const std::scoped_lock lock(m_mutex);
+            m_isGone[path] = isGone;
+            m_asked.remove(path);
+            m_answered.notify_all();
+        });
+    }
+    bool isAsked(const QString& path) {
+        const std::scoped_lock lock(m_mutex);
+        return m_asked.contains(path);
+    }
+    // Until there is an answer about all of them, or it is late.
+    void wait(const QStringList& paths, std::chrono::milliseconds patience) {
+        std::unique_lock lock(m_mutex);
+        m_answered.wait_for(lock, patience, [&] {
+            return !m_asked.intersects({paths.begin(), paths.end()});
+        });
+    }
+    bool isGone(const QString& path) {
+        const std::scoped_lock lock(m_mutex);
+        return m_isGone.value(path, false);
+    }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_answered;
+    QHash<QString, bool> m_isGone;
+    QSet<QString> m_asked;
+};
+
+} // namespace
+
+std::optional<bool> answerSoon(std::function<bool()> question, std::chrono::milliseconds patience) {
+    struct Shared {
+        std::mutex mutex;
+        std::condition_variable answered;
+        std::optional<bool> answer;
+    };
+    const auto shared = std::make_shared<Shared>();
+    askers().start([shared, question = std::move(question)] {
+        const bool answer = question();
+        const std::scoped_lock lock(shared->mutex);
+        shared->answer = answer;
+        shared->answered.notify_all();
+    });
+    std::unique_lock lock(shared->mutex);
+    shared->answered.wait_for(lock, patience, [&] { return shared->answer.has_value(); });
+    return shared->answer;
+}
+
+QStringList withoutGone(const QStringList& paths, std::chrono::milliseconds patience) {
+    static auto* const presence = new Presence; // threads may come back to it at the very end
+    QStringList asked;
+    for (const QString& path : paths) {
+        if (presence->isAsked(path)) continue; // it did not answer in time before
+        presence->ask(path);
+        asked << path;
+    }
+    presence->wait(asked, patience);
+    QStringList left = paths;
+    left.removeIf([](const QString& path) { return presence->isGone(path); });
+    return left;
+}
+
+} // namespace io

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "io/fractint/animation_lines.h"
+
+#include <QByteArrayList>
+#include <QStringList>
+
+#include <map>
+#include <vector>
+
+namespace io {
+
+// The lines of a shape's animation, each under 70 bytes; none when nothing moves. docs/formats.md, "Our own
+// lines".
+template <int Dim> QByteArrayList animationComments(const document::Shape<Dim>& shape);
+
+// What of an animation survives being written and read when maps get these ids: what moves only maps that are
+// gone is dropped, as are positions of a cage that is gone.
+template <int Dim>
+void renumberAnimation(document::Shape<Dim>& shape, const std::map<ifs::MapId, ifs::MapId>& ids);
+
+// Collects the lines of the animations of one entry, then gives the last valid one to its shape.
+class AnimationComments {
+public:
+    // Whether the line belongs to an animation that has begun, or begins one. What is wrong with it comes out
+    // in applyTo(), for then none of its lines counts. `line` names it in the outcome.
+    bool read(const QByteArray& key, const QByteArrayList& values, std::size_t line);
+
+    struct Outcome {
+        QStringList sentences;
+        std::vector<std::size_t> kept; // lines of animations that are not applied
+    };
+    // Needs the system and the cage in place.
+    template <int Dim> Outcome applyTo(document::Shape<Dim>& shape) const;
+
+    std::vector<std::size_t> lines() const; // of all animations
+
+private:
+    struct Block {
+        AnimationLines lines;
+        std::vector<std::size_t> numbers;
+    };
+    std::vector<Block> m_blocks;
+};
+
+} // namespace io

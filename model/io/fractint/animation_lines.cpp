@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "io/fractint/animation_lines.h"
+
+#include "io/fractint/metadata_line.h"
+#include "io/palette/palette_stops.h"
+#include "io/text/number.h"
+
+#include <QString>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace io {
+
+namespace {
+
+using animation::Ease, animation::Loop;
+
+constexpr std::size_t maxNumbers = 4'000'000; // of one animation
+constexpr std::size_t maxParts = 100'000;     // tracks, keys of a track, motions, maps of one of them, stops
+
+constexpr std::array loopNames{std::pair{Loop::Off, "off"}, std::pair{Loop::Cycle, "cycle"},
+                               std::pair{Loop::ThereAndBack, "there-and-back"}};
+constexpr std::array easeNames{std::pair{Ease::Kind::Hold, "hold"}, std::pair{Ease::Kind::Linear, "linear"},
+                               std::pair{Ease::Kind::In, "in"},     std::pair{Ease::Kind::Out, "out"},
+                               std::pair{Ease::Kind::Both, "both"}, std::pair{Ease::Kind::Cubic, "cubic"}};
+
+template <class Names> auto named(const Names& names, const QByteArray& name) {
+    using Value = decltype(names.front().first);
+    const auto found = std::ranges::find_if(names, [&](const auto& entry) { return name == entry.second; });
+    return found == names.end() ? std::nullopt : std::optional<Value>(found->first);
+}
+
+std::optional<double> number(const QByteArray& text) {
+    return parseNumber(QString::fromLatin1(text));
+}
+
+std::optional<int> whole(const QByteArray& text) {
+    bool good = false;
+    const int value = text.toInt(&good);
+    return good ? std::optional(value) : std::nullopt;
+}
+
+bool appendMaps(std::vector<int>& maps, const QByteArrayList& values) {
+    for (const QByteArray& value : values) {
+        const auto map = whole(value);
+        if (!map || *map < 1 || maps.size() >= maxParts) return false;
+        maps.push_back(*map);
+    }
+    return !values.isEmpty();
+}
+
+bool setColour(attractor::Rgba& colour, const QByteArray& text) {
+    const auto parsed = parseColour(text);
+    colour = parsed.value_or(colour);
+    return parsed.has_value();
+}
+
+} // namespace
+
+const char* nameOf(animation::Loop loop) {
+    return std::ranges::find(loopNames, loop, &std::pair<Loop, const char*>::first)->second;
+}
+
+const char* nameOf(animation::Ease::Kind kind) {
+    return std::ranges::find(easeNames, kind, &std::pair<Ease::Kind, const char*>::first)->second;
+}
+
+bool AnimationLines::isKnown(const QByteArray& key) {
+    constexpr std::array keys{"animation", "reference", "track", "word",   "key",
+                              "handles",   "value",     "look",  "motion", "of",
+                              "count",     "strength",  "pivot", "axis",   "wave"};
+    return std::ranges::any_of(keys, [&](const char* known) { return key == known; });
+}
+
+bool AnimationLines::begins(const QByteArray& key) {
+    return key == "animation";
+}
+
+void AnimationLines::read(const QByteArray& key, const QByteArrayList& values) {
+    if (!m_mistake && !understood(key, values)) m_mistake = key + ' ' + values.join(' ');
+}
+
+bool AnimationLines::understood(const QByteArray& key, const QByteArrayList& values) {
+    m_numbers += std::size_t(values.size());
+    if (values.isEmpty() || m_numbers > maxNumbers) return false;
+    if (key == "animation") return readHeader(values);
+    if (key == "track") return readTrack(values);
+    if (key == "value") return readValues(values);
+    if (key == "word" || key == "key" || key == "handles") return readKey(key, values);
+    if (key == "look") return readLook(values);
+    if (key != "reference") return readMotion(key, values);
+    for (const QByteArray& value : values) {
+        const auto coordinate = number(value);
+        if (!coordinate) return false;
+        m_stored.reference.push_back(*coordinate);
+    }
+    return true;
+}
+
+// "48 24/1 cycle"
+bool AnimationLines::readHeader(const QByteArrayList& values) {
+    if (values.size() != 3) return false;
+    const QByteArrayList rate = values[1].split('/');
+    const auto length = whole(values[0]);
+    const auto frames = whole(rate.front()), seconds = whole(rate.back());
+    const auto loop = named(loopNames, values[2]);
+    if (!length || rate.size() != 2 || !frames || !seconds || !loop) return false;
+    m_stored.length = *length;
+    m_stored.rate = {*frames, *seconds};
+    m_stored.loop = *loop;
+    return true;
+}
+
+bool AnimationLines::readTrack(const QByteArrayList& values) {
+    using Of = Stored::Track::Of;
+    constexpr std::array names{std::pair{Of::Cage, "cage"}, std::pair{Of::Map, "map"},
+                               std::pair{Of::Branch, "branch"}, std::pair{Of::Look, "look"},
+                               std::pair{Of::Camera, "camera"}};
+    const auto of = named(names, values[0]);
+    if (!of || m_stored.tracks.size() >= maxParts) return false;
+    m_stored.tracks.push_back({*of, {}, {}});
+    m_within = Within::Track;
+    if (*of == Of::Map) return values.size() == 2 && appendMaps(m_stored.tracks.back().maps, values.mid(1));
+    return values.size() == 1;
+}
+
+AnimationLines::Stored::Key* AnimationLines::lastKey() {
+    if (m_within != Within::Track || m_stored.tracks.back().keys.empty()) return nullptr;
+    return &m_stored.tracks.back().keys.back();
+}
+
+bool AnimationLines::readKey(const QByteArray& key, const QByteArrayList& values) {
+    if (m_within != Within::Track) return false;
+    Stored::Track& track = m_stored.tracks.back();
+    if (key == "word")
+        return track.of == Stored::Track::Of::Branch && track.keys.empty() && appendMaps(track.maps, values);
+    if (key == "key") {
+        const auto frame = whole(values[0]);
+        const auto ease = values.size() == 2 ? named(easeNames, values[1]) : std::nullopt;
+        if (!frame || !ease || track.keys.size() >= maxParts) return false;
+        Stored::Key next;
+        next.frame = *frame;
+        next.ease.kind = *ease;
+        track.keys.push_back(std::move(next));
+        return true;
+    }
+    Stored::Key* last = lastKey();
+    if (last == nullptr || last->ease.kind != Ease::Kind::Cubic) return false;
+    for (const QByteArray& value : values) {
+        const auto handle = number(value);
+        if (!handle) return false;
+        last->handles.push_back(*handle);
+    }
+    return last->handles.size() <= 4;
+}
+
+bool AnimationLines::readLook(const QByteArrayList& values) {
+    Stored::Key* key = lastKey();
+    if (key == nullptr || m_stored.tracks.back().of != Stored::Track::Of::Look) return false;
+    animation::Look& look = key->look;
+    const QByteArray& what = values[0];
+    if (what == "palette") { // it may have no name
+        key->paletteName = values.mid(1).join(' ').toStdString();
+        return true;
+    }
+    if (what == "stop" && values.size() == 3) {
+        const auto position = number(values[1]);
+        const auto colour = parseColour(values[2]);
+        if (!position || !colour || look.palette.stops.size() >= maxParts) return false;
+        look.palette.stops.push_back({*position, *colour});
+        return true;
+    }
+    if (values.size() != 2) return false;
+    if (what == "colour-by") {
+        const auto colourBy = colourByNamed(values[1]);
+        look.colourBy = colourBy.value_or(look.colourBy);
+        return colourBy.has_value();
+    }
+    if (what == "plain") return setColour(look.plain, values[1]);
+    if (what == "background") return setColour(look.background, values[1]);
+    const auto value = number(values[1]);
+    if (!value || (what != "brightness" && what != "gamma")) return false;
+    (what == "brightness" ? look.brightness : look.gamma) = *value;
+    return true;
+}
+
+bool AnimationLines::readMotion(const QByteArray& key, const QByteArrayList& values) {
+    if (key == "motion") {
+        if (values.size() != 1 || m_stored.motions.size() >= maxParts) return false;
+        m_stored.motions.emplace_back().kind = values[0];
+        m_within = Within::Motion;
+        return true;
+    }
+    if (m_within != Within::Motion) return false;
+    Stored::Motion& motion = m_stored.motions.back();
+    if (key == "of") return appendMaps(motion.maps, values);
+    if (key == "pivot" || key == "axis") {
+        for (const QByteArray& value : values) {
+            const auto coordinate = number(value);
+            if (!coordinate) return false;
+            (key == "pivot" ? motion.pivot : motion.axis).push_back(*coordinate);
+        }
+        return true;
+    }
+    if (values.size() != 1) return false;
+    if (key == "strength") {
+        motion.strength = number(values[0]);
+        return motion.strength.has_value();
+    }
+    const auto count = whole(values[0]);
+    if (!count || motion.waves.size() >= maxParts) return false;
+    if (key == "count")
+        motion.count = count;
+    else
+        motion.waves.push_back({*count, {}});
+    return true;
+}
+
+// Of the key or wave that was begun last.
+bool AnimationLines::readValues(const QByteArrayList& values) {
+    std::vector<double>* numbers = nullptr;
+    if (Stored::Key* key = lastKey())
+        numbers = &key->values;
+    else if (m_within == Within::Motion && !m_stored.motions.back().waves.empty())
+        numbers = &m_stored.motions.back().waves.back().values;
+    if (numbers == nullptr) return false;
+    for (const QByteArray& value : values) {
+        const auto parsed = number(value);
+        if (!parsed) return false;
+        numbers->push_back(*parsed);
+    }
+    return true;
+}
+
+} // namespace io

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "document/problem.h"
+#include "io/fractint/fractint_scanner.h"
+
+#include <QByteArrayView>
+
+#include <vector>
+
+// One entry of a Fractint collection: what it means and where in its text each part stands.
+// docs/formats.md, "Reading one entry".
+namespace io::fractint {
+
+struct Token {
+    Span span;
+    double value = 0;
+    int line = 0; // of the entry, 0-based
+};
+
+struct Comment {
+    Span line;                 // from the line's first byte to past its line end
+    Span text;                 // after the semicolon, trimmed
+    bool isOwn = false;        // "barycage:" …
+    bool isUnderstood = false; // … with a key and values we know, for a system of this dimension
+};
+
+// Byte offsets in the entry's text; a row is `rowLength` successive tokens.
+struct Layout {
+    Block block;
+    int rowLength = 0; // 6, 7, 12 or 13; 0 for an entry without a system
+    bool decimalComma = false;
+    std::vector<Token> numbers;
+    qsizetype headerEnd = 0;     // of the header line: its line end, or the closing brace
+    qsizetype bodyBegin = 0;     // the first byte after the header line; at most block.close
+    qsizetype headerTextEnd = 0; // of numbers on the header line that count: a comment may stand after it
+    qsizetype headerSemicolon = -1;
+    Span headerComment; // without the semicolon
+    std::vector<Comment> comments;
+};
+
+struct ParsedEntry {
+    Layout layout;
+    document::Fractal fractal;
+    document::Problems problems; // relative to the text: its first byte is line 1, column 1
+};
+
+// `text` begins where block.all begins (offset 0). Never fails: an entry that cannot be read has no system.
+ParsedEntry parseEntry(QByteArrayView text, const Block& block, char lineEndByte);
+
+// UTF-8 where it is valid, else Latin-1.
+QString decoded(QByteArrayView bytes);
+
+constexpr qsizetype maxEntries = 200'000;   // per file
+constexpr std::size_t maxMaps = 250'000;    // per entry
+constexpr std::size_t maxLines = 1'000'000; // per entry
+constexpr qsizetype maxProblems = 10;       // told per entry
+
+} // namespace io::fractint

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "io/fractint/fractint_scanner.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace io::fractint {
+
+namespace {
+
+constexpr char ctrlZ = 0x1a;
+
+Span trimmed(QByteArrayView bytes, Span span) {
+    while (span.begin < span.end && isBlank(bytes[span.begin]))
+        ++span.begin;
+    while (span.end > span.begin && isBlank(bytes[span.end - 1]))
+        --span.end;
+    return span;
+}
+
+bool startsWithWord(QByteArrayView text, const char* word) {
+    const auto length = static_cast<qsizetype>(std::strlen(word));
+    return text.size() >= length && qstrnicmp(text.data(), word, static_cast<std::size_t>(length)) == 0;
+}
+
+// A single word, perhaps followed by (3D): what may stand alone on the line above its brace.
+bool isLoneName(QByteArrayView line) {
+    const auto paren = std::find(line.begin(), line.end(), '(');
+    const Span word = trimmed(line, {0, paren - line.begin()});
+    const QByteArrayView name = line.sliced(word.begin, word.size());
+    return !name.isEmpty() && std::none_of(name.begin(), name.end(), isBlank);
+}
+
+// Only "(…)" or nothing: what may stand between a line break and the brace that belongs to the line above.
+bool isOnlyMarker(QByteArrayView text) {
+    const Span rest = trimmed(text, {0, text.size()});
+    return rest.size() == 0 || (text[rest.begin] == '(' && text[rest.end - 1] == ')');
+}
+
+BlockKind kindOf(QByteArrayView name) {
+    if (name.isEmpty()) return BlockKind::Unnamed;
+    if (name.size() == 7 && startsWithWord(name, "comment")) return BlockKind::CommentBlock;
+    if (startsWithWord(name, "frm:") || startsWithWord(name, "par:") || startsWithWord(name, "lsys:"))
+        return BlockKind::OtherType;
+    return BlockKind::Entry;
+}
+
+} // namespace
+
+bool isBlank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r') || c == '\0' || c == ctrlZ;
+}
+
+Block relative(Block block) {
+    const qsizetype begin = block.all.begin;
+    for (qsizetype* offset :
+         {&block.all.begin, &block.all.end, &block.name.begin, &block.name.end, &block.close})
+        *offset -= begin;
+    if (block.open >= 0) block.open -= begin;
+    return block;
+}
+
+char lineEndByte(QByteArrayView bytes) {
+    return !bytes.contains('\n') && bytes.contains('\r') ? '\r' : '\n';
+}
+
+qsizetype lineEnd(QByteArrayView bytes, qsizetype position, char lineEndByte) {
+    const qsizetype found = bytes.indexOf(lineEndByte, position);
+    return found < 0 ? bytes.size() : found;
+}
+
+Scanner::Scanner(QByteArrayView bytes, char lineEndByte, qsizetype begin)
+    : m_bytes(bytes), m_lineEnd(lineEndByte), m_position(begin) {}
+
+std::optional<Block> Scanner::next() {
+    for (skipBetween(); m_position < m_bytes.size(); skipBetween()) {
+        const qsizetype open = findOpen();
+        if (open < 0) { // free text
+            m_position = std::min(lineEnd(m_bytes, m_position, m_lineEnd) + 1, m_bytes.size());
+            continue;
+        }
+        Block block = blockAt(open);
+        findClose(block);
+        m_position = block.all.end;
+        return block;
+    }
+    return std::nullopt;
+}
+
+void Scanner::skipBetween() {
+    while (m_position < m_bytes.size()) {
+        const char c = m_bytes[m_position];
+        if (c == ';')
+            m_position = lineEnd(m_bytes, m_position, m_lineEnd);
+        else if (isBlank(c) || c == '}')
+            ++m_position;
+        else
+            return;
+    }
+}
+
+// The opening brace on the line that begins at the position, or on the next one when this line is a lone
+// name.
+qsizetype Scanner::findOpen() const {
+    const QByteArrayView rest = m_bytes.sliced(m_position);
+    const auto stop = std::find_if(rest.begin(), rest.end(),
+                                   [this](char c) { return c == '{' || c == ';' || c == m_lineEnd; });
+    const qsizetype end = m_position + (stop - rest.begin());
+    if (stop != rest.end() && *stop == '{') return end;
+    if (!isLoneName(rest.first(end - m_position))) return -1;
+    qsizetype next = lineEnd(m_bytes, end, m_lineEnd);
+    while (next < m_bytes.size() && isBlank(m_bytes[next]))
+        ++next;
+    const qsizetype nextEnd = lineEnd(m_bytes, next, m_lineEnd);
+    const qsizetype open = m_bytes.sliced(next, nextEnd - next).indexOf('{');
+    return open >= 0 && isOnlyMarker(m_bytes.sliced(next, open)) ? next + open : -1;
+}
+
+Block Scanner::blockAt(qsizetype open) {
+    Block block;
+    block.open = open;
+    block.all.begin = m_position;
+    const QByteArrayView header = m_bytes.sliced(m_position, open - m_position);
+    if (const qsizetype brace = header.lastIndexOf('}'); brace >= 0) block.all.begin += brace + 1;
+    while (block.all.begin < open && isBlank(m_bytes[block.all.begin]))
+        ++block.all.begin;
+    const auto stop = std::find_if(m_bytes.begin() + block.all.begin, m_bytes.begin() + open,
+                                   [this](char c) { return c == '(' || c == ';' || c == m_lineEnd; });
+    block.name = trimmed(m_bytes, {block.all.begin, stop - m_bytes.begin()});
+    if (startsWithWord(m_bytes.sliced(block.name.begin, block.name.size()), "ifs:")) {
+        block.hasPrefix = true;
+        block.name = trimmed(m_bytes, {block.name.begin + 4, block.name.end});
+    }
+    block.kind = kindOf(m_bytes.sliced(block.name.begin, block.name.size()));
+    return block;
+}
+
+void Scanner::findClose(Block& block) {
+    for (qsizetype i = block.open + 1; i < m_bytes.size(); ++i) {
+        const char c = m_bytes[i];
+        if (c == ';') {
+            i = lineEnd(m_bytes, i, m_lineEnd);
+        } else if (c == '}') {
+            block.close = i;
+            block.all.end = endOfEntry(i);
+            return;
+        } else if (c == '{' && block.kind != BlockKind::CommentBlock) {
+            const qsizetype headerEnd = lineEnd(m_bytes, block.open, m_lineEnd);
+            const bool onHeader = i < headerEnd;
+            block.kind = onHeader ? BlockKind::TwoBraces : BlockKind::Unclosed;
+            block.all.end = onHeader ? std::min(headerEnd + 1, m_bytes.size()) : restart(block, i);
+            block.close = block.all.end;
+            return;
+        }
+    }
+    block.kind = BlockKind::Unclosed;
+    block.close = block.all.end = m_bytes.size();
+}
+
+// Where the entry begins whose opening brace was met inside `block`: at the start of that line, or of the
+// line above when that is a lone name.
+qsizetype Scanner::restart(const Block& block, qsizetype secondOpen) const {
+    const auto lineBegin = [&](qsizetype position) {
+        while (position > block.open + 1 && m_bytes[position - 1] != m_lineEnd)
+            --position;
+        return position;
+    };
+    const qsizetype begin = lineBegin(secondOpen);
+    if (!isOnlyMarker(m_bytes.sliced(begin, secondOpen - begin))) return begin;
+    qsizetype above = begin;
+    while (above > block.open + 1 && isBlank(m_bytes[above - 1]))
+        --above;
+    const qsizetype aboveBegin = lineBegin(above);
+    const QByteArrayView line = m_bytes.sliced(aboveBegin, above - aboveBegin);
+    const bool isName =
+        aboveBegin > lineEnd(m_bytes, block.open, m_lineEnd) && isLoneName(line) && !line.contains(';');
+    return isName ? aboveBegin : begin;
+}
+
+qsizetype Scanner::endOfEntry(qsizetype close) const {
+    qsizetype end = close + 1;
+    while (end < m_bytes.size() && m_bytes[end] != m_lineEnd &&
+           (m_bytes[end] == ' ' || m_bytes[end] == '\t' || m_bytes[end] == '\r'))
+        ++end;
+    if (end == m_bytes.size() || (m_bytes[end] != m_lineEnd && m_bytes[end] != ';'))
+        return end == m_bytes.size() ? end : close + 1;
+    return std::min(lineEnd(m_bytes, end, m_lineEnd) + 1, m_bytes.size());
+}
+
+} // namespace io::fractint

@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: MIT
+#include "io/fractint/metadata_comments.h"
+
+#include "document/fractal_geometry.h"
+#include "io/fractint/metadata_line.h"
+#include "io/palette/palette_stops.h"
+#include "io/text/number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+namespace io {
+
+namespace {
+
+constexpr const char* prefix = metadataPrefix;
+constexpr qsizetype maxLine = maxMetadataLine;
+constexpr const char* continued = " \\"; // at the end of a line: more coordinates follow
+constexpr int maxVertices = 4096;        // a hostile file must not make a cage of a million corners
+constexpr int maxStops = 4096;
+constexpr std::size_t maxBranches = 1024;
+constexpr std::size_t maxWord = 64;
+constexpr std::size_t maxPieces = 100'000; // of what is shown
+
+QByteArray line(const char* key, const QByteArray& values) {
+    return metadataLine(key, values);
+}
+
+// A point, on more than one line where its numbers are too long.
+template <int Dim> QByteArrayList pointLines(const char* key, const ifs::Vector<Dim>& point) {
+    QByteArrayList lines{line(key, {})};
+    for (int i = 0; i < Dim; ++i) {
+        const QByteArray text = formatNumber(point[i]);
+        const qsizetype mark = i + 1 < Dim ? qsizetype(std::strlen(continued)) : 0;
+        if (i > 0 && lines.back().size() + 1 + text.size() + mark > maxLine) {
+            lines.back() += continued;
+            lines << line(key, {});
+        }
+        lines.back() += (lines.back().endsWith(' ') ? "" : " ") + text;
+    }
+    return lines;
+}
+
+std::optional<double> number(const QByteArray& text) {
+    return parseNumber(QString::fromLatin1(text));
+}
+
+// With one such map the determinant rule serves for all, and the rows hold probabilities.
+template <int Dim> bool lacksWeight(const ifs::WeightedMap<Dim>& map) {
+    return map.enabled && !map.weight;
+}
+
+template <int Dim>
+QByteArrayList mapLines(const ifs::IteratedFunctionSystem<Dim>& system,
+                        const attractor::Appearance& appearance) {
+    QByteArrayList lines;
+    const bool noWeights = std::none_of(system.maps.begin(), system.maps.end(),
+                                        [](const auto& map) { return map.weight.has_value(); });
+    const bool isRuled = std::any_of(system.maps.begin(), system.maps.end(), lacksWeight<Dim>);
+    if (noWeights && !system.maps.empty()) lines << line("unweighted", "all");
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const auto& map = system.maps[i];
+        const QByteArray number = QByteArray::number(static_cast<qulonglong>(i) + 1);
+        if (!map.enabled)
+            lines << line("off", map.weight ? number + ' ' + formatNumber(*map.weight) : number);
+        else if (!map.weight && !noWeights)
+            lines << line("unweighted", number);
+        else if (isRuled && map.weight && *map.weight > 0 && std::isfinite(*map.weight))
+            lines << line("weight", number + ' ' + formatNumber(*map.weight));
+        if (const auto* colour = appearance.mapColours.find(map.id))
+            lines << line("map-colour", number + ' ' + colourText(*colour));
+    }
+    return lines;
+}
+
+// The word over as many lines as it needs, then the change in the order of a code row.
+template <int Dim> QByteArrayList branchLines(const ifs::MovedBranch<Dim>& branch) {
+    QByteArrayList lines{line("branch", {})};
+    for (const int symbol : branch.word) {
+        const QByteArray number = QByteArray::number(symbol + 1);
+        if (lines.back().size() + number.size() + 1 > maxLine) lines << line("branch", {});
+        lines.back() += (lines.back().endsWith(' ') ? "" : " ") + number;
+    }
+    for (int i = 0; i < Dim; ++i)
+        lines << pointLines<Dim>("by", branch.change.linear.row(i).transpose());
+    return lines << pointLines<Dim>("by", branch.change.translation);
+}
+
+// By what the shape is held, and what is shown elsewhere.
+template <int Dim> QByteArrayList placementLines(const document::Shape<Dim>& shape) {
+    QByteArrayList lines;
+    if (shape.cage) {
+        for (const auto& vertex : shape.cage->rest)
+            lines << pointLines<Dim>("rest", vertex);
+        for (const auto& vertex : shape.cage->current)
+            lines << pointLines<Dim>("current", vertex);
+        if (shape.cage->deformation == ifs::Deformation::AffineFit)
+            lines << line("deformation", "affine-fit");
+    }
+    for (const ifs::MovedBranch<Dim>& branch : document::movedBranches(shape))
+        lines << branchLines(branch);
+    return lines << animationComments(shape);
+}
+
+QByteArrayList paletteLines(const attractor::Palette& palette) {
+    QByteArrayList lines{line("palette", QByteArray::fromStdString(palette.name))};
+    const attractor::Palette* builtIn = attractor::findPalette(palette.name);
+    if (builtIn != nullptr && *builtIn == palette) return lines;
+    for (const auto& stop : palette.stops)
+        lines << line("stop", formatNumber(stop.position) + ' ' + colourText(stop.colour));
+    return lines;
+}
+
+QByteArrayList appearanceLines(const attractor::Appearance& appearance) {
+    const attractor::Appearance standard;
+    QByteArrayList lines;
+    if (appearance.colourBy != standard.colourBy) lines << line("colour-by", nameOf(appearance.colourBy));
+    if (!(appearance.palette == standard.palette)) lines << paletteLines(appearance.palette);
+    if (!(appearance.plain == standard.plain)) lines << line("plain", colourText(appearance.plain));
+    if (!(appearance.background == standard.background))
+        lines << line("background", colourText(appearance.background));
+    if (appearance.brightness != standard.brightness)
+        lines << line("brightness", formatNumber(appearance.brightness));
+    if (appearance.gamma != standard.gamma) lines << line("gamma", formatNumber(appearance.gamma));
+    if (appearance.supersample != standard.supersample)
+        lines << line("supersample", QByteArray::number(appearance.supersample));
+    return lines;
+}
+
+template <int Dim> ifs::Vector<Dim> vectorOf(const std::vector<double>& coordinates) {
+    return Eigen::Map<const ifs::Vector<Dim>>(coordinates.data());
+}
+
+void append(std::vector<std::size_t>& lines, const std::vector<std::size_t>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+}
+
+template <int Dim> void renumber(document::Shape<Dim>& shape, attractor::MapColours& colours) {
+    attractor::MapColours kept;
+    std::map<ifs::MapId, ifs::MapId> ids;
+    std::uint32_t number = 0;
+    for (auto& map : shape.system.maps) {
+        const auto id = static_cast<ifs::MapId>(++number);
+        if (const auto* colour = colours.find(map.id)) kept[id] = *colour;
+        ids[map.id] = id;
+        map.id = id;
+    }
+    colours = std::move(kept);
+    std::erase_if(shape.moved, [&](document::MovedBranch<Dim>& branch) {
+        return !std::ranges::all_of(branch.word, [&](ifs::MapId& id) {
+            const auto known = ids.find(id);
+            if (known != ids.end()) id = known->second;
+            return known != ids.end();
+        });
+    });
+    if (shape.animation) renumberAnimation(shape, ids);
+}
+
+} // namespace
+
+QByteArrayList metadataComments(const document::Fractal& fractal) {
+    const QByteArrayList appearance = appearanceLines(fractal.appearance);
+    const auto linesOf = [&](const auto& shape) {
+        return placementLines(shape) + appearance + mapLines(shape.system, fractal.appearance);
+    };
+    QByteArrayList lines = appearance;
+    if (const auto* plane = document::plane(fractal))
+        lines = linesOf(*plane);
+    else if (const auto* space = document::space(fractal))
+        lines = linesOf(*space);
+    if (!lines.isEmpty()) lines.prepend(line("version", "1"));
+    return lines;
+}
+
+document::Fractal asStored(document::Fractal fractal) {
+    if (auto* plane = document::plane(fractal))
+        renumber(*plane, fractal.appearance.mapColours);
+    else if (auto* space = document::space(fractal))
+        renumber(*space, fractal.appearance.mapColours);
+    const attractor::Palette* builtIn = attractor::findPalette(fractal.appearance.palette.name);
+    if (builtIn == nullptr || !(*builtIn == fractal.appearance.palette))
+        fractal.appearance.palette.name = storableText("palette", fractal.appearance.palette.name);
+    return fractal;
+}
+
+bool isOwnComment(QByteArrayView comment) {
+    return comment.trimmed().startsWith(prefix);
+}
+
+bool MetadataComments::read(QByteArrayView comment) {
+    if (!isOwnComment(comment)) return false;
+    ++m_ownComments;
+    const QByteArray text =
+        comment.trimmed().sliced(qsizetype(std::strlen(prefix))).toByteArray().simplified();
+    QByteArrayList values = text.split(' ');
+    const QByteArray key = values.takeFirst();
+    return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
+           readPalette(key, values) || readBranch(key, values) ||
+           m_animations.read(key, values, m_ownComments - 1);
+}
+
+// One more point, or more coordinates of the last one.
+bool MetadataComments::readPoint(const QByteArrayList& values, std::vector<Point>& points) const {
+    const bool continues = !points.empty() && points.back().isOpen;
+    Point point = continues ? points.back() : Point();
+    point.isOpen = !values.isEmpty() && values.back() == QByteArray(continued).trimmed();
+    for (const QByteArray& value : values.first(values.size() - (point.isOpen ? 1 : 0))) {
+        const auto coordinate = number(value);
+        if (!coordinate) return false;
+        point.coordinates.push_back(*coordinate);
+    }
+    const std::size_t count = point.coordinates.size();
+    if (point.isOpen ? count < 1 || count > 2 : count < 2 || count > 3) return false;
+    point.lines.push_back(m_ownComments - 1);
+    if (continues)
+        points.back() = std::move(point);
+    else
+        points.push_back(std::move(point));
+    return true;
+}
+
+bool MetadataComments::readSetting(const QByteArray& key, const QByteArrayList& values) {
+    if (key == "rest" || key == "current") {
+        auto& vertices = key == "rest" ? m_rest : m_current;
+        return vertices.size() < maxVertices && readPoint(values, vertices);
+    }
+    if (values.size() != 1) return false;
+    if (key == "deformation") {
+        if (values[0] != "affine-fit" && values[0] != "bend") return false;
+        m_deformation = values[0] == "bend" ? ifs::Deformation::Bend : ifs::Deformation::AffineFit;
+        m_deformationLines.push_back(m_ownComments - 1);
+        return true;
+    }
+    if (key == "colour-by") {
+        const auto colourBy = colourByNamed(values[0]);
+        m_appearance.colourBy = colourBy.value_or(m_appearance.colourBy);
+        return colourBy.has_value();
+    }
+    if (key == "plain" || key == "background") {
+        const auto colour = parseColour(values[0]);
+        if (colour) (key == "plain" ? m_appearance.plain : m_appearance.background) = *colour;
+        return colour.has_value();
+    }
+    const auto value = number(values[0]);
+    if (!value || !(*value > 0)) return false;
+    if (key == "brightness")
+        m_appearance.brightness = *value;
+    else if (key == "gamma")
+        m_appearance.gamma = *value;
+    else if (key == "supersample" && *value <= 4 && *value == static_cast<int>(*value))
+        m_appearance.supersample = static_cast<int>(*value);
+    else
+        return false;
+    return true;
+}
+
+bool MetadataComments::readMapSetting(const QByteArray& key, const QByteArrayList& values) {
+    if (values.isEmpty() || values.size() > 2) return false;
+    MapSetting setting;
+    if (key == "unweighted" && values.size() == 1 && values[0] == "all") {
+        m_unweighted.push_back(setting);
+        return true;
+    }
+    setting.map = values[0].toInt();
+    if (setting.map < 1) return false;
+    if (key == "unweighted" && values.size() == 1) {
+        m_unweighted.push_back(setting);
+        return true;
+    }
+    if (key == "off") {
+        setting.weight = values.size() == 2 ? number(values[1]) : std::nullopt;
+        if (values.size() == 2 && !setting.weight) return false;
+        m_off.push_back(setting);
+        return true;
+    }
+    if (key == "weight") {
+        setting.weight = values.size() == 2 ? number(values[1]) : std::nullopt;
+        if (!(setting.weight.value_or(0) > 0)) return false;
+        m_weights.push_back(setting);
+        return true;
+    }
+    const auto colour = values.size() == 2 ? parseColour(values[1]) : std::nullopt;
+    if (key != "map-colour" || !colour) return false;
+    setting.colour = *colour;
+    m_colours.push_back(setting);
+    return true;
+}
+
+bool MetadataComments::readPalette(const QByteArray& key, const QByteArrayList& values) {
+    if (key == "palette") {
+        m_paletteName = values.join(' ').toStdString();
+        return true;
+    }
+    if (key != "stop" || values.size() != 2 || m_stops.size() >= maxStops) return false;
+    const auto position = number(values[0]);
+    const auto colour = parseColour(values[1]);
+    if (!position || !colour || *position < 0 || *position > 1) return false;
+    m_stops.push_back({*position, *colour});
+    return true;
+}
+
+bool MetadataComments::readBranch(const QByteArray& key, const QByteArrayList& values) {
+    if (key == "branch") {
+        if (m_branches.empty() || !m_branches.back().by.empty()) {
+            if (m_branches.size() >= maxBranches) return false;
+            m_branches.emplace_back();
+        }
+        std::vector<int> symbols;
+        for (const QByteArray& value : values)
+            symbols.push_back(value.toInt());
+        std::vector<int>& word = m_branches.back().word;
+        if (symbols.empty() || std::ranges::min(symbols) < 1 || word.size() + symbols.size() > maxWord)
+            return false;
+        word.insert(word.end(), symbols.begin(), symbols.end());
+        m_branches.back().lines.push_back(m_ownComments - 1);
+        return true;
+    }
+    if (key != "by" || m_branches.empty()) return false;
+    std::vector<Point>& by = m_branches.back().by;
+    const bool isComplete = !by.empty() && !by.back().isOpen && by.size() > by.front().coordinates.size();
+    return !isComplete && readPoint(values, by);
+}
+
+template <int Dim> void MetadataComments::applyCage(document::Shape<Dim>& shape, Outcome& outcome) const {
+    ifs::ControlCage<Dim> cage{{}, {}, m_deformation};
+    const std::size_t before = outcome.kept.size();
+    const auto take = [&](const std::vector<Point>& points, std::vector<ifs::Vector<Dim>>& vertices) {
+        for (const Point& point : points) {
+            if (point.dimension() == Dim)
+                vertices.push_back(vectorOf<Dim>(point.coordinates));
+            else
+                append(outcome.kept, point.lines);
+        }
+    };
+    take(m_rest, cage.rest);
+    take(m_current, cage.current);
+    if (cage.rest.empty() && cage.current.empty()) {
+        if (outcome.kept.size() > before) append(outcome.kept, m_deformationLines);
+    } else if (ifs::isValid(cage)) {
+        shape.cage = std::move(cage);
+    } else {
+        outcome.sentences << (Dim == 2 ? QCoreApplication::translate(
+                                             "Text",
+                                             "The stored cage is not valid and is not applied: its lists of "
+                                             "vertices do not match, or its rest polygon is flat, crosses "
+                                             "itself or has more than 64 vertices.")
+                                       : QCoreApplication::translate(
+                                             "Text",
+                                             "The stored cage is not valid and is not applied: its lists of "
+                                             "vertices do not match, or its vertices at rest are in one "
+                                             "plane or coincide."));
+    }
+}
+
+template <int Dim> void MetadataComments::applyBranches(document::Shape<Dim>& shape, Outcome& outcome) const {
+    const auto& maps = shape.system.maps;
+    const auto isHere = [](const Point& point) { return point.dimension() == Dim; };
+    std::size_t pieces = 0;
+    for (const Branch& branch : m_branches) {
+        if (!branch.by.empty() && std::ranges::none_of(branch.by, isHere)) {
+            append(outcome.kept, branch.lines);
+            for (const Point& point : branch.by)
+                append(outcome.kept, point.lines);
+            continue;
+        }
+        document::MovedBranch<Dim> moved;
+        for (const int symbol : branch.word)
+            if (std::size_t(symbol) <= maps.size()) moved.word.push_back(maps[std::size_t(symbol - 1)].id);
+        pieces += moved.word.size() * maps.size();
+        const bool known = std::ranges::find(shape.moved, moved.word, &document::MovedBranch<Dim>::word) !=
+                           shape.moved.end();
+        if (branch.by.size() != Dim + 1 || !std::ranges::all_of(branch.by, isHere) || branch.word.empty() ||
+            moved.word.size() != branch.word.size() || known || pieces > maxPieces) {
+            outcome.sentences << QCoreApplication::translate(
+                "Text",
+                "The stored position of a branch is not valid and is not applied: its map is incomplete, its "
+                "address names maps that do not exist or occurs twice, or there are too many.");
+            continue;
+        }
+        for (int i = 0; i < Dim; ++i)
+            moved.change.linear.row(i) = vectorOf<Dim>(branch.by[std::size_t(i)].coordinates).transpose();
+        moved.change.translation = vectorOf<Dim>(branch.by[Dim].coordinates);
+        shape.moved.push_back(std::move(moved));
+    }
+}
+
+void MetadataComments::applyPalette(document::Fractal& fractal, QStringList& sentences) const {
+    if (!m_paletteName && m_stops.empty()) return;
+    const std::string name = m_paletteName.value_or(std::string());
+    const attractor::Palette* builtIn = attractor::findPalette(name);
+    if (isGradient(m_stops))
+        fractal.appearance.palette = {name, m_stops};
+    else if (m_stops.empty() && builtIn != nullptr)
+        fractal.appearance.palette = *builtIn;
+    else
+        sentences << QCoreApplication::translate("Text",
+                                                 "The stored palette “%1” is unknown and is not applied.")
+                         .arg(QString::fromStdString(name));
+}
+
+template <int Dim>
+void MetadataComments::applyToMaps(ifs::IteratedFunctionSystem<Dim>& system,
+                                   attractor::MapColours& mapColours, QStringList& sentences) const {
+    auto& maps = system.maps;
+    const auto mapAt = [&](int number) {
+        return static_cast<std::size_t>(number) <= maps.size() ? &maps[static_cast<std::size_t>(number - 1)]
+                                                               : nullptr;
+    };
+    for (const MapSetting& setting : m_unweighted) {
+        if (setting.map == 0)
+            for (auto& map : maps)
+                map.weight.reset();
+        else if (auto* map = mapAt(setting.map))
+            map->weight.reset();
+    }
+    std::vector<MapSetting> colours = m_colours;
+    std::ranges::stable_sort(colours, {}, &MapSetting::map); // as their ids are; the last one counts
+    for (const MapSetting& setting : colours)
+        if (const auto* map = mapAt(setting.map)) mapColours[map->id] = setting.colour;
+    for (const MapSetting& setting : m_off) {
+        auto* map = mapAt(setting.map);
+        if (map == nullptr || (map->weight && *map->weight != 0)) {
+            sentences << QCoreApplication::translate(
+                             "Text",
+                             "Map %1 was switched off here, but another program has given it a weight.")
+                             .arg(setting.map);
+            continue;
+        }
+        map->enabled = false;
+        map->weight = setting.weight;
+    }
+    // A row that another program has switched off stays off; without a map that lacks one, rows hold the
+    // weights themselves.
+    if (std::ranges::none_of(maps, lacksWeight<Dim>)) return;
+    for (const MapSetting& setting : m_weights)
+        if (auto* map = mapAt(setting.map); map && map->enabled && map->weight.value_or(0) > 0)
+            map->weight = setting.weight;
+}
+
+MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) const {
+    Outcome outcome;
+    fractal.appearance = m_appearance;
+    applyPalette(fractal, outcome.sentences);
+    const auto apply = [&](auto& shape) {
+        applyCage(shape, outcome);
+        applyBranches(shape, outcome);
+        if (!outcome.kept.empty())
+            outcome.sentences << QCoreApplication::translate(
+                                     "Text", "This entry is %1-dimensional, but its stored cage or moved "
+                                             "branches are not: they are not applied, and their lines are "
+                                             "kept.")
+                                     .arg(document::dimension(fractal));
+        applyToMaps(shape.system, fractal.appearance.mapColours, outcome.sentences);
+        AnimationComments::Outcome animation = m_animations.applyTo(shape);
+        outcome.sentences << animation.sentences;
+        append(outcome.kept, animation.kept);
+    };
+    if (auto* plane = document::plane(fractal)) {
+        apply(*plane);
+    } else if (auto* space = document::space(fractal)) {
+        apply(*space);
+    } else {
+        for (const auto* points : {&m_rest, &m_current})
+            for (const Point& point : *points)
+                append(outcome.kept, point.lines);
+        append(outcome.kept, m_deformationLines);
+        append(outcome.kept, m_animations.lines());
+        for (const Branch& branch : m_branches) {
+            append(outcome.kept, branch.lines);
+            for (const Point& point : branch.by)
+                append(outcome.kept, point.lines);
+        }
+    }
+    std::ranges::sort(outcome.kept);
+    return outcome;
+}
+
+} // namespace io

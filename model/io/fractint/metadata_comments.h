@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "io/fractint/animation_comments.h"
+
+#include <QByteArrayList>
+#include <QByteArrayView>
+#include <QStringList>
+
+// What a Fractint entry has no place for (cage, appearance, maps that are off) travels in comment lines
+// "; barycage: key values". docs/formats.md, "Our own lines".
+namespace io {
+
+// Lines without line ends, each under 70 bytes; none when everything is as in a new entry.
+QByteArrayList metadataComments(const document::Fractal& fractal);
+
+// What of `fractal` survives being written and read: maps renumbered in their order, colours of maps that are
+// gone dropped, texts cut to what a line can hold.
+document::Fractal asStored(document::Fractal fractal);
+
+// Whether a comment (what follows the semicolon) is one of ours, whatever its key.
+bool isOwnComment(QByteArrayView comment);
+
+// Collects the lines of one entry, then gives their values to the fractal that was read from its rows.
+class MetadataComments {
+public:
+    // False when the key or its values are not understood: such a line is kept as it is.
+    bool read(QByteArrayView comment);
+
+    struct Outcome {
+        QStringList sentences; // one for everything that did not fit the system
+        // Of the own comments read, counted from 0 and ascending: those of a cage or a branch that is not of
+        // the system's dimension, and of an animation that is not valid. They are kept as they are.
+        std::vector<std::size_t> kept;
+    };
+    // Needs the system in place. Of an entry that could not be read, the cage, all branches and the animation
+    // are kept.
+    Outcome applyTo(document::Fractal& fractal) const;
+
+private:
+    using Lines = std::vector<std::size_t>; // of the own comments read, counted from 0
+
+    struct Point {
+        std::vector<double> coordinates;
+        Lines lines;
+        bool isOpen = false; // the last line says that more coordinates follow
+
+        std::size_t dimension() const { return isOpen ? 0 : coordinates.size(); }
+    };
+    struct Branch {
+        std::vector<int> word; // of maps, 1-based
+        Lines lines;           // of the word
+        std::vector<Point> by; // rows of the linear part, then the translation
+    };
+    struct MapSetting {
+        int map = 0; // 1-based; 0: all of them
+        std::optional<double> weight;
+        attractor::Rgba colour;
+    };
+    bool readPoint(const QByteArrayList& values, std::vector<Point>& points) const;
+    bool readSetting(const QByteArray& key, const QByteArrayList& values);
+    bool readMapSetting(const QByteArray& key, const QByteArrayList& values);
+    bool readPalette(const QByteArray& key, const QByteArrayList& values);
+    bool readBranch(const QByteArray& key, const QByteArrayList& values);
+    template <int Dim> void applyCage(document::Shape<Dim>& shape, Outcome& outcome) const;
+    template <int Dim> void applyBranches(document::Shape<Dim>& shape, Outcome& outcome) const;
+    template <int Dim>
+    void applyToMaps(ifs::IteratedFunctionSystem<Dim>& system, attractor::MapColours& colours,
+                     QStringList& sentences) const;
+    void applyPalette(document::Fractal& fractal, QStringList& sentences) const;
+
+    std::size_t m_ownComments = 0; // read so far
+    std::vector<Point> m_rest;
+    std::vector<Point> m_current;
+    ifs::Deformation m_deformation = ifs::Deformation::Bend;
+    Lines m_deformationLines;
+    std::vector<Branch> m_branches;
+    AnimationComments m_animations;
+    attractor::Appearance m_appearance;
+    std::optional<std::string> m_paletteName;
+    std::vector<attractor::Palette::Stop> m_stops;
+    std::vector<MapSetting> m_colours;
+    std::vector<MapSetting> m_off;
+    std::vector<MapSetting> m_unweighted;
+    std::vector<MapSetting> m_weights;
+};
+
+} // namespace io

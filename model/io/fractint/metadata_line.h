@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/appearance.h"
+
+#include <QByteArray>
+#include <QByteArrayList>
+
+#include <optional>
+#include <string>
+
+// The form of the lines "; barycage: key values". docs/formats.md, "Our own lines".
+namespace io {
+
+inline constexpr const char* metadataPrefix = "barycage:";
+inline constexpr qsizetype maxMetadataLine = 69; // bytes
+
+QByteArray metadataLine(const char* key, const QByteArray& values);
+// The values on as many lines with this key as they need; at least one.
+QByteArrayList metadataLines(const char* key, const QByteArrayList& values);
+
+const char* nameOf(attractor::ColourBy colourBy);
+std::optional<attractor::ColourBy> colourByNamed(const QByteArray& name);
+
+// A text that is written after this key: one line, no blanks at its ends, short enough.
+std::string storableText(const char* key, const std::string& text);
+
+} // namespace io

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/colour/palette.h"
+#include "document/problem.h"
+
+#include <vector>
+
+namespace io {
+
+// What was read from a file of palettes, whichever program wrote it.
+struct PaletteFile {
+    std::vector<attractor::Palette> palettes; // empty only with an error among the problems
+    document::Problems problems;
+};
+
+} // namespace io

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "document/fractal.h"
+
+#include <QColor>
+#include <QImage>
+
+namespace io {
+
+enum class CageVisibility { Hidden, Shown };
+
+QColor cageColour();
+
+// Draws the control polygon over a picture of the fractal, the rest polygon dashed where it differs. `rows`
+// holds the rows of the picture from `firstRow` on.
+void paintCage(QImage& rows, const document::Fractal& fractal, const attractor::Camera& camera,
+               int firstRow = 0);
+
+} // namespace io

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/picture/svg_writer.h"
+
+namespace io {
+
+struct PdfPage {
+    document::Fractal fractal;
+    attractor::Camera camera;
+    SvgFormat format;
+};
+
+// The shapes of svgPicture() on pages of PDF, 96 pixels of the camera an inch. A structured picture is a nest
+// of form objects, so the file stays small.
+struct PdfPicture {
+    QByteArray bytes; // empty after a failure
+    Failure failure;  // of the first page that cannot be
+};
+PdfPicture pdfPicture(const std::vector<PdfPage>& pages, const std::stop_token& stop = {});
+
+} // namespace io

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "io/picture/solid_picture.h"
+
+#include "attractor/light/pixel_average.h"
+#include "attractor/light/solid_light.h"
+#include "attractor/render/solid_rendering.h"
+#include "ifs/extent/support_function.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace io {
+
+namespace {
+
+using attractor::Rgba16;
+
+constexpr double shareOfDrawing = 0.8; // of the progress
+constexpr int bandRows = 64;           // of the picture, lit and written at a time
+
+// Pixels drawn along each side of one of the picture.
+int sideOf(const SolidPicture& picture) {
+    const attractor::Look look = picture.appearance.look;
+    const bool isNumbers = look == attractor::Look::Depth || look == attractor::Look::Normals;
+    return isNumbers ? 1 : picture.supersample;
+}
+
+// The values of y between which colours by height run: those that the attractor reaches, or else those in
+// view.
+std::pair<double, double> heights(const attractor::SpaceRequest& request) {
+    if (!request.cage)
+        if (const auto support = ifs::SupportFunction<3>::of(ifs::activeMaps(request.system).maps)) {
+            const ifs::Vector<3> up = ifs::Vector<3>::UnitY();
+            return {-(*support)(-up).value, (*support)(up).value};
+        }
+    const double half = request.camera.height / 2;
+    return {request.camera.target.y() - half, request.camera.target.y() + half};
+}
+
+template <class Pixel>
+ExportOutcome writeLit(const attractor::DepthRaster& raster, const attractor::SolidLight& light, int side,
+                       PngWriter& writer, const Progress& progress, const std::stop_token& stop) {
+    ExportOutcome outcome;
+    const int width = raster.width / side, height = raster.height / side;
+    std::vector<Pixel> fine(static_cast<std::size_t>(raster.width) *
+                            static_cast<std::size_t>(side * bandRows));
+    std::vector<Pixel> pixels(static_cast<std::size_t>(width) * bandRows);
+    for (int row = 0; row < height && !outcome.failure; row += bandRows) {
+        if (stop.stop_requested()) {
+            outcome.stopped = true;
+            return outcome;
+        }
+        const int end = std::min(row + bandRows, height);
+        const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(end - row);
+        const std::span<Pixel> out(pixels.data(), count);
+        light.apply(raster, row * side, end * side, std::span<Pixel>(fine));
+        attractor::averagePixels(std::span<const Pixel>(fine), side, width, out);
+        outcome.failure = writer.writeRows(std::span<const Pixel>(out));
+        if (progress) progress(shareOfDrawing + (1 - shareOfDrawing) * end / height);
+    }
+    if (!outcome.failure) outcome.failure = writer.finish();
+    return outcome;
+}
+
+} // namespace
+
+std::uint64_t memoryFor(const SolidPicture& picture) {
+    const auto side = static_cast<std::uint64_t>(sideOf(picture));
+    const attractor::RasterSize& size = picture.request.camera.size;
+    const auto width = side * static_cast<std::uint64_t>(std::max(1, size.width));
+    const auto height = side * static_cast<std::uint64_t>(std::max(1, size.height));
+    return width * height * sizeof(std::uint32_t) + 2 * width * side * bandRows * sizeof(Rgba16);
+}
+
+ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const Progress& progress,
+                         const std::stop_token& stop) {
+    const int side = sideOf(picture);
+    attractor::SpaceRequest request = picture.request;
+    request.camera.size.width *= side;
+    request.camera.size.height *= side;
+    attractor::SolidRendering rendering(request);
+    ExportOutcome outcome;
+    if (!rendering.draw(stop)) {
+        outcome.stopped = true;
+        return outcome;
+    }
+    if (progress) progress(shareOfDrawing);
+    const attractor::RenderNote note = rendering.note();
+    const attractor::DepthRaster raster = rendering.takeRaster();
+    const auto [lowest, highest] = heights(request);
+    const attractor::SolidLight light(picture.appearance,
+                                      attractor::solidView(request.camera, lowest, highest));
+    outcome = picture.depth == PngFormat::Depth::Bits16
+                  ? writeLit<Rgba16>(raster, light, side, writer, progress, stop)
+                  : writeLit<std::uint32_t>(raster, light, side, writer, progress, stop);
+    outcome.note = note;
+    return outcome;
+}
+
+} // namespace io

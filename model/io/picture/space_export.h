@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/light/solid_appearance.h"
+#include "attractor/request/space_request.h"
+#include "document/fractal.h"
+#include "io/picture/png_export.h"
+
+#include <QByteArray>
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+
+namespace io {
+
+// How a system in space is shown.
+enum class SpaceLook {
+    Cloud, // the density of its measure
+    Solid, // lit, in a look of its own
+    Depth, // 16-bit grey: the depth of the nearest point in every pixel
+};
+
+struct SpaceExport {
+    document::Fractal fractal; // embedded in the picture as text
+    attractor::SpaceRequest request;
+    SpaceLook look = SpaceLook::Cloud;
+    attractor::SolidAppearance solid;
+    int supersample = 2;                              // of a solid, 1 … 4
+    PngFormat::Depth depth = PngFormat::Depth::Bits8; // of a cloud or a solid
+    std::optional<double> dotsPerInch;
+    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PngFormat
+};
+
+// Memory that drawSpacePng() takes, in bytes, about.
+std::uint64_t memoryFor(const SpaceExport& picture);
+
+// Draws the picture and encodes it. A picture of depths has two texts, barycage:near and barycage:far: depths
+// along the view from the plane of the target, away from the eye, in units of the system; a pixel v shows
+// depth near + (far − near)·v/65534, and 65535 shows nothing.
+ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& png, const Progress& progress = {},
+                           std::stop_token stop = {});
+
+} // namespace io

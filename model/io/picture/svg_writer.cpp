@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+#include "io/picture/svg_writer.h"
+
+#include "document/fractal_geometry.h"
+#include "io/fractint/entry_writer.h"
+#include "io/picture/svg_shapes.h"
+#include "io/picture/svg_system.h"
+#include "io/text/number.h"
+
+#include <QCoreApplication>
+#include <QXmlStreamWriter>
+
+#include <cmath>
+#include <set>
+
+namespace io {
+
+namespace {
+
+constexpr double goodEnough = 1;         // pixel
+constexpr qsizetype maxPath = 9'900'000; // bytes: libxml2 refuses an attribute of ten million
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+const QString svg = QStringLiteral("http://www.w3.org/2000/svg");
+const QString xlink = QStringLiteral("http://www.w3.org/1999/xlink");
+
+QString text(double number) {
+    return QString::fromLatin1(formatNumber(number));
+}
+
+// SVG writes the matrix column by column.
+QString text(const ifs::AffineMap<2>& map) {
+    const auto& m = map.linear;
+    return QStringLiteral("matrix(%1 %2 %3 %4 %5 %6)")
+        .arg(text(m(0, 0)), text(m(1, 0)), text(m(0, 1)), text(m(1, 1)), text(map.translation.x()),
+             text(map.translation.y()));
+}
+
+QString text(const attractor::Rgba& colour) {
+    return QStringLiteral("#%1%2%3")
+        .arg(colour.red, 2, 16, QLatin1Char('0'))
+        .arg(colour.green, 2, 16, QLatin1Char('0'))
+        .arg(colour.blue, 2, 16, QLatin1Char('0'));
+}
+
+template <typename Points> QString pointList(const Points& points) {
+    QString list;
+    for (const ifs::Vector<2>& p : points)
+        list +=
+            (list.isEmpty() ? QString() : QStringLiteral(" ")) + text(p.x()) + QLatin1Char(',') + text(p.y());
+    return list;
+}
+
+// XML 1.0 knows no control characters but tab and line end.
+QString withoutControls(const QString& text) {
+    QString result;
+    for (const QChar c : text)
+        if (c.unicode() >= 0x20 ? c.unicode() < 0xfffe : c == u'\t' || c == u'\n') result += c;
+    return result;
+}
+
+// To a thousandth of a pixel.
+QString pixels(const ifs::Vector<2>& point) {
+    const auto rounded = [](double number) { return text(std::round(number * 1000) / 1000); };
+    return rounded(point.x()) + QLatin1Char(' ') + rounded(point.y());
+}
+
+SvgPlan planOf(const document::Fractal& fractal, const ifs::CopyHierarchy& levels, const SvgFormat& format) {
+    SvgPlan plan;
+    plan.deepest = levels.deepest();
+    plan.depth = format.depth ? std::clamp(*format.depth, 0, plan.deepest) : levels.levelFor(goodEnough);
+    plan.references = std::max<std::uint64_t>(levels.references(plan.depth), 1);
+    plan.errorInPixels = levels.error(plan.depth);
+    plan.isCutShort = !format.depth && plan.errorInPixels > goodEnough &&
+                      levels.references(plan.depth + 1) > ifs::CopyHierarchy::comfortableReferences;
+    const ifs::ControlCage<2>* cage = document::cage2(fractal);
+    plan.unbent = cage && ifs::bends(*cage);
+    return plan;
+}
+
+class Writer {
+public:
+    Writer(const document::Fractal& fractal, const attractor::Camera& camera)
+        : m_fractal(fractal), m_camera(camera), m_xml(&m_bytes) {}
+
+    QByteArray structured(const ifs::CopyHierarchy& levels, int depth, CageVisibility cage) {
+        return picture(cage, [&] {
+            writeDefinitions(levels, depth);
+            writeBackground();
+            writeAttractor(levels, depth);
+        });
+    }
+
+    // Nothing to fill and no background: what the knife or the pen follows, and nothing else.
+    QByteArray outline(const std::vector<Ring>& rings, CageVisibility cage) {
+        return picture(cage, [&] {
+            QString path;
+            for (const Ring& ring : rings) {
+                QStringList corners;
+                for (const auto& point : ring)
+                    corners << pixels(point);
+                path += QLatin1Char('M') + corners.join(QLatin1Char(' ')) + QLatin1Char('Z');
+            }
+            startPath(QStringLiteral("outline"), path, QStringLiteral("#000000"));
+            attribute("stroke-linejoin", QStringLiteral("round"));
+        });
+    }
+
+    QByteArray points(const std::vector<ColouredPoints>& groups, CageVisibility cage) {
+        return picture(cage, [&] {
+            writeBackground();
+            startElement("g");
+            attribute("id", QStringLiteral("points"));
+            attribute("stroke-linecap", QStringLiteral("round")); // a line without length is a dot
+            for (const ColouredPoints& group : groups) {
+                QString path;
+                for (const auto& point : group.points)
+                    path += QLatin1Char('M') + pixels(point) + QLatin1String("h0");
+                startPath({}, path, text(group.colour));
+            }
+            m_xml.writeEndElement();
+        });
+    }
+
+private:
+    template <typename Content> QByteArray picture(CageVisibility cage, const Content& content) {
+        m_xml.setAutoFormatting(true);
+        m_xml.setAutoFormattingIndent(1);
+        m_xml.writeStartDocument();
+        startRoot();
+        writeMetadata();
+        content();
+        if (cage == CageVisibility::Shown) writeCage();
+        m_xml.writeEndElement();
+        m_xml.writeEndDocument();
+        return m_bytes;
+    }
+
+    void startPath(const QString& id, const QString& path, const QString& colour) {
+        m_xml.writeEmptyElement(svg, QStringLiteral("path"));
+        if (!id.isEmpty()) attribute("id", id);
+        attribute("d", path);
+        attribute("fill", QStringLiteral("none"));
+        attribute("stroke", colour);
+        attribute("stroke-width", QStringLiteral("1"));
+    }
+
+    void attribute(const char* name, const QString& value) {
+        m_xml.writeAttribute(QLatin1String(name), value);
+    }
+    void startElement(const char* name) { m_xml.writeStartElement(svg, QLatin1String(name)); }
+
+    void startRoot() {
+        m_xml.writeDefaultNamespace(svg);
+        m_xml.writeNamespace(xlink, QStringLiteral("xlink"));
+        startElement("svg");
+        const QString width = QString::number(m_camera.width);
+        const QString height = QString::number(m_camera.height);
+        attribute("version", QStringLiteral("1.1"));
+        attribute("width", width);
+        attribute("height", height);
+        attribute("viewBox", QStringLiteral("0 0 %1 %2").arg(width, height));
+        m_xml.writeTextElement(svg, QStringLiteral("title"), withoutControls(m_fractal.name));
+    }
+
+    void writeMetadata() {
+        startElement("metadata");
+        m_xml.writeNamespace(svgSystemNamespace(), QStringLiteral("barycage"));
+        m_xml.writeStartElement(svgSystemNamespace(), QStringLiteral("system"));
+        m_xml.writeCDATA(withoutControls(QString::fromUtf8(writeEntry(m_fractal))));
+        m_xml.writeEndElement();
+        m_xml.writeEndElement();
+    }
+
+    static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
+    // By the name that files have always given to it.
+    static QString projectionId(std::size_t i) { return QStringLiteral("shadow-%1").arg(i + 1); }
+
+    // What the picture needs.
+    struct Used {
+        std::set<int> levels;
+        std::set<std::size_t> projections;
+    };
+    static Used usedIn(const ifs::CopyHierarchy& levels, int depth) {
+        Used used;
+        const auto use = [&](const std::vector<ifs::Copy>& copies) {
+            for (const ifs::Copy& copy : copies) {
+                if (copy.projection)
+                    used.projections.insert(*copy.projection);
+                else
+                    used.levels.insert(copy.level);
+            }
+        };
+        use(levels.picture(depth));
+        for (auto level = used.levels.rbegin(); level != used.levels.rend() && *level > 0; ++level)
+            use(levels.copies(*level, depth));
+        return used;
+    }
+
+    void writeDefinitions(const ifs::CopyHierarchy& levels, int depth) {
+        startElement("defs");
+        const Used used = usedIn(levels, depth);
+        for (const std::size_t i : used.projections)
+            writeProjection(i, *levels.projection(i));
+        for (const int level : used.levels) {
+            if (level == 0) {
+                m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
+                attribute("id", levelId(0));
+                attribute("points", pointList(levels.outline(depth)));
+            } else {
+                startElement("g");
+                attribute("id", levelId(level));
+                for (const ifs::Copy& copy : levels.copies(level, depth))
+                    writeCopy(copy);
+                m_xml.writeEndElement();
+            }
+        }
+        m_xml.writeEndElement();
+    }
+
+    void writeProjection(std::size_t i, const ifs::CopyProjection& projection) {
+        QString path;
+        for (const auto& bar : projection.bars)
+            path += QLatin1Char('M') + pointList(bar) + QLatin1Char('z');
+        m_xml.writeEmptyElement(svg, QStringLiteral("path"));
+        attribute("id", projectionId(i));
+        attribute("d", path);
+    }
+
+    void writeCopy(const ifs::Copy& copy) {
+        m_xml.writeEmptyElement(svg, QStringLiteral("use"));
+        const QString of = copy.projection ? projectionId(*copy.projection) : levelId(copy.level);
+        m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + of);
+        if (!(copy.map == ifs::AffineMap<2>{})) attribute("transform", text(copy.map));
+    }
+
+    void writeBackground() {
+        const attractor::Rgba& colour = m_fractal.appearance.background;
+        if (colour.alpha == 0) return;
+        m_xml.writeEmptyElement(svg, QStringLiteral("rect"));
+        attribute("width", QString::number(m_camera.width));
+        attribute("height", QString::number(m_camera.height));
+        attribute("fill", text(colour));
+        if (colour.alpha != 255) attribute("fill-opacity", text(colour.alpha / 255.0));
+    }
+
+    void writeAttractor(const ifs::CopyHierarchy& levels, int depth) {
+        startElement("g");
+        attribute("id", QStringLiteral("attractor"));
+        attribute("transform", text(levels.display()));
+        attribute("fill", text(shapeColour(m_fractal.appearance)));
+        for (const ifs::Copy& copy : levels.picture(depth)) {
+            writeCopy(copy);
+            if (const auto colour = shapeColour(m_fractal, levels, copy)) attribute("fill", text(*colour));
+        }
+        m_xml.writeEndElement();
+    }
+
+    void writeCage() {
+        const ifs::ControlCage<2> cage = document::effectiveCage(m_fractal);
+        startElement("g");
+        attribute("id", QStringLiteral("control-triangle"));
+        attribute("fill", QStringLiteral("none"));
+        attribute("stroke", cageColour().name());
+        attribute("stroke-width", QStringLiteral("1.5"));
+        attribute("stroke-linejoin", QStringLiteral("round"));
+        if (cage.rest != cage.current) writePolygon("rest", cage.rest, QStringLiteral("4 4"));
+        writePolygon("current", cage.current, {});
+        m_xml.writeEndElement();
+    }
+
+    void writePolygon(const char* id, std::vector<ifs::Vector<2>> vertices, const QString& dashes) {
+        for (auto& vertex : vertices)
+            vertex = toPixel(m_camera, vertex);
+        m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
+        attribute("id", QLatin1String(id));
+        attribute("points", pointList(vertices));
+        if (!dashes.isEmpty()) attribute("stroke-dasharray", dashes);
+    }
+
+    const document::Fractal& m_fractal;
+    const attractor::Camera& m_camera;
+    QByteArray m_bytes;
+    QXmlStreamWriter m_xml;
+};
+
+// At the depth that is asked for, else at the usual one or, where that is too much, at the deepest that
+// programs read.
+SvgPicture outlinePicture(const document::Fractal& fractal, const attractor::Camera& camera,
+                          const ifs::CopyHierarchy& levels, SvgFormat format, const std::stop_token& stop) {
+    const bool mayBeShallower = !format.depth;
+    for (;;) {
+        SvgPicture picture{{}, planOf(fractal, levels, format)};
+        const int depth = picture.plan.depth;
+        picture.bytes = Writer(fractal, camera).outline(leafUnion(levels, depth, stop), format.cage);
+        if (picture.bytes.size() <= maxPath || stop.stop_requested()) return picture;
+        if (!mayBeShallower || depth == 0) {
+            picture.bytes.clear();
+            picture.plan.failure = Text::tr("The outline has more corners than other programs can read in "
+                                            "one path. Choose a smaller depth.");
+            return picture;
+        }
+        format.depth = depth - 1;
+    }
+}
+
+} // namespace
+
+SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format) {
+    const ShapeLevels levels = shapeLevels(fractal, camera);
+    if (levels.levels) return planOf(fractal, *levels.levels, format);
+    SvgPlan plan;
+    plan.failure = levels.failure;
+    return plan;
+}
+
+SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera& camera,
+                      const SvgFormat& format, const std::stop_token& stop) {
+    const ShapeLevels levels = shapeLevels(fractal, camera);
+    SvgPicture picture;
+    if (levels.failure) {
+        picture.plan.failure = levels.failure;
+        return picture;
+    }
+    picture.plan = planOf(fractal, *levels.levels, format);
+    const int depth = picture.plan.depth;
+    Writer writer(fractal, camera);
+    switch (format.style) {
+    case ShapeStyle::Structured:
+        picture.bytes = writer.structured(*levels.levels, depth, format.cage);
+        break;
+    case ShapeStyle::Outline:
+        return outlinePicture(fractal, camera, *levels.levels, format, stop);
+    case ShapeStyle::Points:
+        picture.bytes = writer.points(shapePoints(fractal, camera, format.points, format.seed), format.cage);
+        break;
+    }
+    return picture;
+}
+
+} // namespace io

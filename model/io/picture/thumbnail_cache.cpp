@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "io/picture/thumbnail_cache.h"
+
+#include "io/fractint/entry_writer.h"
+
+#include <QBuffer>
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+
+namespace io {
+
+namespace {
+
+// To be raised when the same fractal is drawn differently.
+constexpr char generation[] = "1 " BARYCAGE_VERSION;
+
+QFileInfoList picturesIn(const QString& folder) {
+    return QDir(folder).entryInfoList({QStringLiteral("*.png")}, QDir::Files, QDir::Time | QDir::Reversed);
+}
+
+} // namespace
+
+QString ThumbnailCache::usualFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
+           QStringLiteral("/barycage/thumbnails");
+}
+
+ThumbnailCache::ThumbnailCache(const QString& folder, qint64 maxBytes)
+    : m_folder(folder), m_maxBytes(maxBytes) {}
+
+QString ThumbnailCache::pathOf(const document::Fractal& fractal, int side) const {
+    document::Fractal shown = fractal; // what it is called changes no pixel
+    shown.name = QStringLiteral("x");
+    shown.headerComment.clear();
+    shown.comments.clear();
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(QByteArray(generation) + ' ' + QByteArray::number(side) + '\n' + writeEntry(shown));
+    return m_folder + QLatin1Char('/') + QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png");
+}
+
+QImage ThumbnailCache::find(const document::Fractal& fractal, int side) const {
+    QFile file(pathOf(fractal, side));
+    if (!file.open(QIODevice::ReadWrite)) return {};
+    QImage picture;
+    if (!picture.loadFromData(file.readAll(), "PNG")) return {};
+    file.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime);
+    const bool fits = picture.size() == QSize(side, side) || picture.size() == QSize(1, 1);
+    return fits ? picture.convertToFormat(QImage::Format_ARGB32_Premultiplied) : QImage();
+}
+
+void ThumbnailCache::keep(const document::Fractal& fractal, int side, const QImage& picture) {
+    QBuffer png;
+    if (!picture.save(&png, "PNG")) return;
+    if (m_bytes < 0) { // the first one; the thread of the windows does not wait for the disk
+        QDir().mkpath(m_folder);
+        QFile::setPermissions(m_folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    }
+    // Renamed when it is whole, so that no reader sees a part; a cache need not survive a power cut.
+    const QString path = pathOf(fractal, side);
+    QFile file(path + QStringLiteral(".part"));
+    if (!file.open(QIODevice::WriteOnly) || file.write(png.data()) != png.size()) return;
+    file.close();
+    QFile::remove(path);
+    if (!file.rename(path)) return;
+    makeRoom(png.size());
+}
+
+void ThumbnailCache::makeRoom(qint64 added) {
+    if (m_bytes < 0) { // not known yet; what was added is among them
+        m_bytes = 0;
+        for (const QFileInfo& file : picturesIn(m_folder))
+            m_bytes += file.size();
+    } else {
+        m_bytes += added;
+    }
+    if (m_bytes <= m_maxBytes) return;
+    for (const QFileInfo& file : picturesIn(m_folder)) { // the oldest first
+        if (m_bytes <= m_maxBytes - m_maxBytes / 4) break;
+        if (QFile::remove(file.filePath())) m_bytes -= file.size();
+    }
+}
+
+} // namespace io

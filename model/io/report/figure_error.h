@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <vector>
+
+// Figures with their errors, for a person to read.
+namespace io {
+
+// 0 where nothing of the value is known.
+inline double withoutNoise(double value, double error) {
+    return std::abs(value) <= error ? 0 : value;
+}
+
+template <class Matrix> Matrix withoutNoise(Matrix values, double error) {
+    for (auto& value : values.reshaped())
+        value = withoutNoise(value, error);
+    return values;
+}
+
+// " ± 2e-07", rounded up, when the error shows in `digits` significant digits of one of the values, or, where
+// all of them are noise, of the size of things; else nothing.
+QString errorNote(const std::vector<double>& values, double error, double size, int digits);
+
+// Whether the error leaves nothing of a figure of that size.
+inline bool isWorthless(double error, double size) {
+    return !(error < size) && error > 0;
+}
+
+} // namespace io

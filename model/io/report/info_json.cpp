@@ -1,0 +1,486 @@
+// SPDX-License-Identifier: MIT
+#include "io/report/info_json.h"
+
+#include "document/animated_fractal.h"
+#include "document/fractal_geometry.h"
+#include "ifs/extent/extent.h"
+#include "ifs/facts.h"
+#include "io/fractint/animation_lines.h"
+#include "io/report/json_writer.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace io {
+
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+template <int Dim> void writeVector(JsonWriter& json, const ifs::Vector<Dim>& v) {
+    json.beginArray(Layout::Inline);
+    for (int i = 0; i < Dim; ++i)
+        json.value(double(v[i]));
+    json.endArray();
+}
+
+template <int Dim> void writeMatrix(JsonWriter& json, const ifs::Matrix<Dim>& m) {
+    json.beginArray(Layout::Inline);
+    for (int row = 0; row < Dim; ++row)
+        writeVector<Dim>(json, m.row(row).transpose());
+    json.endArray();
+}
+
+template <int Dim, typename Points> void writePoints(JsonWriter& json, const Points& points) {
+    json.beginArray(Layout::Inline);
+    for (const ifs::Vector<Dim>& point : points)
+        writeVector<Dim>(json, point);
+    json.endArray();
+}
+
+void writeNull(JsonWriter& json, const char* key) {
+    json.key(key);
+    json.null();
+}
+
+template <int Dim> void writeMap(JsonWriter& json, const ifs::WeightedMap<Dim>& map, double probability) {
+    json.beginObject(Layout::Inline);
+    json.key("linear");
+    writeMatrix<Dim>(json, map.map.linear);
+    json.key("translation");
+    writeVector<Dim>(json, map.map.translation);
+    json.member("weight", probability);
+    json.member("weight_in_file", map.weight);
+    json.member("norm", ifs::spectralNorm<Dim>(map.map.linear));
+    json.member("determinant", ifs::determinant<Dim>(map.map.linear));
+    json.key("fixed_point");
+    if (const auto fixed = ifs::fixedPoint(map.map))
+        writeVector<Dim>(json, *fixed);
+    else
+        json.null();
+    json.endObject();
+}
+
+// Maps counted from 1, in the order of the file.
+void writeWord(JsonWriter& json, const char* key, const ifs::Word& word,
+               const std::vector<std::size_t>& indices) {
+    json.key(key);
+    json.beginArray(Layout::Inline);
+    for (const int symbol : word)
+        json.value(int(indices[std::size_t(symbol)]) + 1);
+    json.endArray();
+}
+
+QString normName(ifs::NormKind norm) {
+    switch (norm) {
+    case ifs::NormKind::Words:
+        return QStringLiteral("words");
+    case ifs::NormKind::Ellipsoidal:
+        return QStringLiteral("ellipsoidal");
+    case ifs::NormKind::Polytope:
+        return QStringLiteral("polytope");
+    case ifs::NormKind::Euclidean:
+        break;
+    }
+    return QStringLiteral("euclidean");
+}
+
+QString verdictName(ifs::Verdict verdict) {
+    switch (verdict) {
+    case ifs::Verdict::Hyperbolic:
+        return QStringLiteral("hyperbolic");
+    case ifs::Verdict::EventuallyContractive:
+        return QStringLiteral("eventually_contractive");
+    case ifs::Verdict::Undecided:
+        return QStringLiteral("undecided");
+    case ifs::Verdict::None:
+    case ifs::Verdict::Empty:
+        break;
+    }
+    return QStringLiteral("none");
+}
+
+// The contraction factor is known only where one was proved, or disproved by a witness.
+void writeExistence(JsonWriter& json, const ifs::Existence& existence,
+                    const std::vector<std::size_t>& indices) {
+    const bool settled =
+        existence.verdict != ifs::Verdict::Undecided && existence.verdict != ifs::Verdict::Empty;
+    json.key("attractor");
+    json.beginObject(Layout::Inline);
+    json.member("verdict", verdictName(existence.verdict));
+    json.member("contractivity", settled ? std::optional(existence.contractivity) : std::nullopt);
+    json.key("word_length");
+    if (settled)
+        json.value(existence.verdict == ifs::Verdict::None ? int(existence.witness.size())
+                                                           : existence.wordLength);
+    else
+        json.null();
+    json.key("norm");
+    if (settled && existence.verdict != ifs::Verdict::None)
+        json.value(normName(existence.norm));
+    else
+        json.null();
+    if (existence.verdict == ifs::Verdict::None)
+        writeWord(json, "witness", existence.witness, indices);
+    else
+        writeNull(json, "witness");
+    json.endObject();
+}
+
+template <int Dim> void writeMoments(JsonWriter& json, const ifs::Facts<Dim>& facts) {
+    if (!facts.mean)
+        writeNull(json, "mean");
+    else {
+        json.key("mean");
+        writeVector<Dim>(json, facts.mean->point);
+    }
+    json.member("mean_error", facts.mean ? std::optional(facts.mean->error) : std::nullopt);
+    json.key("covariance");
+    if (facts.moments)
+        writeMatrix<Dim>(json, facts.moments->covariance);
+    else
+        json.null();
+    json.member("covariance_error",
+                facts.moments ? std::optional(facts.moments->covarianceError) : std::nullopt);
+}
+
+template <int Dim> void writeBox(JsonWriter& json, const std::optional<ifs::BoundingBox<Dim>>& box) {
+    if (!box) return writeNull(json, "bounding_box");
+    json.key("bounding_box");
+    json.beginObject(Layout::Inline);
+    json.key("min");
+    writeVector<Dim>(json, box->min);
+    json.key("max");
+    writeVector<Dim>(json, box->max);
+    json.member("error", box->error);
+    json.endObject();
+}
+
+template <int Dim>
+void writeSimplex(JsonWriter& json, const std::optional<ifs::CanonicalSimplex<Dim>>& simplex) {
+    if (!simplex) return writeNull(json, "canonical_simplex");
+    QString orientation;
+    for (const int sign : simplex->orientation)
+        orientation += sign > 0 ? u'+' : u'-';
+    json.key("canonical_simplex");
+    json.beginObject(Layout::Inline);
+    json.member("orientation", orientation);
+    json.member("leg", simplex->leg);
+    json.key("vertices");
+    writePoints<Dim>(json, simplex->vertices);
+    json.member("error", simplex->error);
+    json.endObject();
+}
+
+// One address for each vertex, null where none is known.
+void writeAddresses(JsonWriter& json, const ifs::Facts<2>& facts) {
+    json.key("addresses");
+    json.beginArray(Layout::Inline);
+    for (const auto& point : facts.extremePoints) {
+        if (!point) {
+            json.null();
+            continue;
+        }
+        json.beginObject(Layout::Inline);
+        writeWord(json, "prefix", point->prefix, facts.active.index);
+        writeWord(json, "period", point->period, facts.active.index);
+        json.endObject();
+    }
+    json.endArray();
+}
+
+template <int Dim> void writeHull(JsonWriter& json, const ifs::Facts<Dim>& facts) {
+    const auto& hull = facts.hull;
+    if (!hull) return writeNull(json, "hull");
+    json.key("hull");
+    json.beginObject(Layout::Inline);
+    json.key("vertices");
+    writePoints<Dim>(json, hull->vertices);
+    if constexpr (Dim == 2) {
+        json.member("area", hull->area);
+        json.member("area_error", ifs::areaError(*hull));
+        writeAddresses(json, facts);
+    } else {
+        json.member("volume", hull->volume);
+        json.member("volume_error", ifs::volumeError(*hull));
+        json.key("facets");
+        json.beginArray(Layout::Inline);
+        for (const auto& facet : hull->facets) {
+            json.beginArray(Layout::Inline);
+            for (const int corner : facet)
+                json.value(corner);
+            json.endArray();
+        }
+        json.endArray();
+    }
+    json.member("error", hull->error);
+    json.endObject();
+}
+
+template <int Dim> void writeCage(JsonWriter& json, const std::optional<ifs::ControlCage<Dim>>& cage) {
+    if (!cage) return writeNull(json, "cage");
+    json.key("cage");
+    json.beginObject(Layout::Inline);
+    json.key("rest");
+    writePoints<Dim>(json, cage->rest);
+    json.key("current");
+    writePoints<Dim>(json, cage->current);
+    const bool isSimplex = cage->rest.size() == Dim + 1;
+    const bool bends = cage->deformation == ifs::Deformation::Bend;
+    json.member("deformation", isSimplex ? QStringLiteral("affine")
+                               : bends   ? QStringLiteral("bend")
+                                         : QStringLiteral("affine_fit"));
+    json.endObject();
+}
+
+void writeContacts(JsonWriter& json, const std::optional<ifs::PieceContacts>& contacts,
+                   const std::vector<std::size_t>& indices, bool isLate) {
+    using ifs::Connectedness, ifs::Separation;
+    const auto separation = contacts ? contacts->separation : Separation::Unknown;
+    const auto connectedness = contacts ? contacts->connectedness : Connectedness::Unknown;
+    if (separation == Separation::Unknown)
+        writeNull(json, "separation");
+    else
+        json.member("separation", separation == Separation::Strong ? QStringLiteral("strong")
+                                                                   : QStringLiteral("overlapping"));
+    if (connectedness == Connectedness::Unknown)
+        writeNull(json, "connectedness");
+    else
+        json.member("connectedness",
+                    connectedness == Connectedness::Disconnected ? QStringLiteral("disconnected")
+                    : connectedness == Connectedness::Connected  ? QStringLiteral("connected")
+                                                                 : QStringLiteral("connected_to_rounding"));
+    if (isLate) return writeNull(json, "overlaps");
+    json.key("overlaps");
+    json.beginArray(Layout::Inline);
+    for (const auto& overlap : contacts ? contacts->overlaps : std::vector<ifs::Overlap>()) {
+        json.beginObject(Layout::Inline);
+        writeWord(json, "first", overlap.first, indices);
+        writeWord(json, "second", overlap.second, indices);
+        json.member("exact", overlap.isExact);
+        json.endObject();
+    }
+    json.endArray();
+}
+
+template <int Dim> void writeInvariants(JsonWriter& json, const ifs::Facts<Dim>& facts) {
+    const ifs::Invariants& invariants = facts.invariants;
+    writeContacts(json, invariants.contacts, facts.active.index, facts.isLate(ifs::LongFact::Contacts));
+    const auto& radius = invariants.jointSpectralRadius;
+    if (radius && std::isfinite(radius->most)) {
+        json.key("joint_spectral_radius");
+        json.beginObject(Layout::Inline);
+        json.member("least", radius->least);
+        json.member("most", radius->most);
+        json.endObject();
+    } else
+        writeNull(json, "joint_spectral_radius");
+    json.member("entropy", invariants.entropy);
+    json.member("lyapunov_exponent", invariants.lyapunovExponent);
+    json.member("measure_dimension", invariants.measureDimension);
+}
+
+// Those that are null without the fact.
+std::vector<const char*> keysOf(ifs::LongFact fact) {
+    switch (fact) {
+    case ifs::LongFact::Existence:
+        return {"attractor", "similarity_dimension", "measure_dimension"};
+    case ifs::LongFact::Extents:
+        return {"bounding_box", "canonical_simplex"};
+    case ifs::LongFact::JointSpectralRadius:
+        return {"joint_spectral_radius"};
+    case ifs::LongFact::Contacts:
+        return {"separation", "connectedness", "overlaps"};
+    case ifs::LongFact::Hull:
+        return {"hull"};
+    case ifs::LongFact::AffinityDimension:
+        return {"affinity_dimension"};
+    case ifs::LongFact::ExtremePoints:
+        break;
+    }
+    return {"addresses"};
+}
+
+template <int Dim>
+void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& system, const QString& name,
+                 const InfoSubject& subject) {
+    const ifs::Facts<Dim> facts = factsFor(system, name, subject);
+    json.key("maps");
+    json.beginArray();
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        writeMap(json, system.maps[i], facts.probabilities[i]);
+    json.endArray();
+    if (facts.isLate(ifs::LongFact::Existence))
+        writeNull(json, "attractor");
+    else
+        writeExistence(json, facts.existence, facts.active.index);
+    writeMoments<Dim>(json, facts);
+    writeBox<Dim>(json, facts.box);
+    writeSimplex<Dim>(json, facts.simplex);
+    writeHull<Dim>(json, facts);
+    json.member("similarity_dimension", facts.similarityDimension);
+    json.member("affinity_dimension", facts.affinityDimension);
+    json.key("out_of_time");
+    json.beginArray(Layout::Inline);
+    for (const ifs::LongFact fact : facts.late)
+        for (const char* key : keysOf(fact))
+            json.value(QString::fromLatin1(key));
+    json.endArray();
+    writeInvariants(json, facts);
+}
+
+template <int Dim> void writeMovedBranches(JsonWriter& json, const document::Shape<Dim>& shape) {
+    std::vector<std::size_t> indices(shape.system.maps.size());
+    std::iota(indices.begin(), indices.end(), std::size_t(0));
+    json.key("moved_branches");
+    json.beginArray();
+    for (const auto& [word, change] : document::movedBranches(shape)) {
+        json.beginObject(Layout::Inline);
+        writeWord(json, "address", word, indices);
+        json.key("linear");
+        writeMatrix<Dim>(json, change.linear);
+        json.key("translation");
+        writeVector<Dim>(json, change.translation);
+        json.endObject();
+    }
+    json.endArray();
+}
+
+template <int Dim>
+void writeShape(JsonWriter& json, const document::Shape<Dim>& shape, const QString& name,
+                const InfoSubject& subject) {
+    writeSystem(json, shape.system, name, subject);
+    writeCage(json, shape.cage);
+    writeMovedBranches(json, shape);
+}
+
+void writeAnimation(JsonWriter& json, const document::Fractal& fractal) {
+    const auto facts = document::animationFacts(fractal);
+    if (!facts) return writeNull(json, "animation");
+    json.key("animation");
+    json.beginObject(Layout::Inline);
+    json.member("fps", QStringLiteral("%1/%2").arg(facts->rate.frames).arg(facts->rate.seconds));
+    json.key("frames");
+    json.value(facts->length);
+    json.member("loop", QString::fromLatin1(nameOf(facts->loop)));
+    json.key("tracks");
+    json.value(facts->tracks);
+    json.endObject();
+}
+
+// All facts are those of the moment asked for; the animation is that of the entry.
+void writeEntry(JsonWriter& json, const document::Fractal& entry, const InfoSubject& subject) {
+    const document::Fractal fractal =
+        subject.moment ? document::frameAt(entry, *subject.moment).fractal : entry;
+    const int dimension = document::dimension(fractal);
+    json.beginObject();
+    json.member("name", fractal.name);
+    json.key("dimension");
+    dimension == 0 ? json.null() : json.value(dimension);
+    json.member("loaded", dimension != 0);
+    if (const auto* plane = document::plane(fractal)) {
+        writeShape(json, *plane, fractal.name, subject);
+    } else if (const auto* space = document::space(fractal)) {
+        writeShape(json, *space, fractal.name, subject);
+    } else {
+        for (const char* key : {"maps",
+                                "attractor",
+                                "mean",
+                                "mean_error",
+                                "covariance",
+                                "covariance_error",
+                                "bounding_box",
+                                "canonical_simplex",
+                                "hull",
+                                "similarity_dimension",
+                                "affinity_dimension",
+                                "out_of_time",
+                                "separation",
+                                "connectedness",
+                                "overlaps",
+                                "joint_spectral_radius",
+                                "entropy",
+                                "lyapunov_exponent",
+                                "measure_dimension",
+                                "cage"})
+            writeNull(json, key);
+        json.key("moved_branches");
+        json.beginArray();
+        json.endArray();
+    }
+    writeAnimation(json, entry);
+    json.endObject();
+}
+
+void writeListed(JsonWriter& json, const document::Fractal& fractal, qsizetype number) {
+    const int dimension = document::dimension(fractal);
+    json.beginObject(Layout::Inline);
+    json.member("number", int(number));
+    json.member("name", fractal.name);
+    json.key("dimension");
+    dimension == 0 ? json.null() : json.value(dimension);
+    json.member("loaded", dimension != 0);
+    json.key("map_count");
+    if (const auto* plane = document::system2(fractal))
+        json.value(int(plane->maps.size()));
+    else if (const auto* space = document::system3(fractal))
+        json.value(int(space->maps.size()));
+    else
+        json.null();
+    json.endObject();
+}
+
+void writeProblem(JsonWriter& json, const document::Problem& problem) {
+    json.beginObject(Layout::Inline);
+    json.key("entry");
+    problem.entry.isEmpty() ? json.null() : json.value(problem.entry);
+    json.key("line");
+    problem.line > 0 ? json.value(problem.line) : json.null();
+    json.key("column");
+    problem.column > 0 ? json.value(problem.column) : json.null();
+    const bool error = problem.severity == document::Problem::Severity::Error;
+    json.member("severity", error ? QStringLiteral("error") : QStringLiteral("warning"));
+    json.member("message", problem.message);
+    json.endObject();
+}
+
+} // namespace
+
+namespace {
+
+// `write` writes the entry of an index.
+template <class Write> QByteArray report(const InfoSubject& subject, Write write) {
+    JsonWriter json;
+    json.beginObject();
+    json.member("file", subject.fileName);
+    json.member("format", subject.format);
+    json.key("problems");
+    json.beginArray();
+    for (const auto& problem : subject.problems)
+        writeProblem(json, problem);
+    json.endArray();
+    json.key("entries");
+    json.beginArray();
+    for (qsizetype i = 0; i < subject.entries.size(); ++i)
+        write(json, i);
+    json.endArray();
+    json.endObject();
+    return json.text();
+}
+
+} // namespace
+
+QByteArray infoJson(const InfoSubject& subject) {
+    return report(subject, [&](JsonWriter& json, qsizetype i) {
+        if (subject.begun) subject.begun(i);
+        writeEntry(json, *subject.entries[i].fractal, subject);
+    });
+}
+
+QByteArray listJson(const InfoSubject& subject, const QList<qsizetype>& numbers) {
+    return report(subject, [&](JsonWriter& json, qsizetype i) {
+        writeListed(json, *subject.entries[i].fractal, numbers[i]);
+    });
+}
+
+} // namespace io

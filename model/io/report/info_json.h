@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/report/info_report.h"
+
+#include <QByteArray>
+
+namespace io {
+
+// One object with everything that is known; null for what is not. docs: the manual page of barycage-cli.
+QByteArray infoJson(const InfoSubject& subject);
+
+// The same with no more of each entry than its number in the file, name, dimension and number of maps. At
+// once.
+QByteArray listJson(const InfoSubject& subject, const QList<qsizetype>& numbers);
+
+} // namespace io

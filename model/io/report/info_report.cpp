@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "io/report/info_report.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace io {
+
+template <int Dim>
+ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const QString& entry,
+                         const InfoSubject& subject) {
+    ifs::FactLimits limits = subject.limits;
+    if (subject.end) {
+        const auto left = *subject.end - ifs::ProcessorClock::now();
+        limits.together = limits.together ? std::min(*limits.together, left) : left;
+    }
+    ifs::Facts<Dim> facts = ifs::factsOf(system, subject.hullTolerance, limits);
+    const auto& wanted = subject.hullTolerance;
+    if (subject.remark && wanted && facts.hull && facts.hull->error > *wanted) {
+        document::Problem problem;
+        problem.entry = entry;
+        problem.message =
+            QCoreApplication::translate("Text", "The convex hull has an error of up to %1: the tolerance %2 "
+                                                "was not reached.")
+                .arg(facts.hull->error, 0, 'g', 3)
+                .arg(*wanted, 0, 'g', 6);
+        subject.remark(problem);
+    }
+    return facts;
+}
+
+template ifs::Facts<2> factsFor(const ifs::IteratedFunctionSystem<2>&, const QString&, const InfoSubject&);
+template ifs::Facts<3> factsFor(const ifs::IteratedFunctionSystem<3>&, const QString&, const InfoSubject&);
+
+} // namespace io

@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: MIT
+#include "io/report/info_text.h"
+
+#include "document/addresses.h"
+#include "document/animated_fractal.h"
+#include "document/fractal_geometry.h"
+#include "ifs/facts.h"
+#include "io/report/figure_error.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+QString digits(double number) {
+    return QString::number(number == 0 ? 0.0 : number, 'g', 6);
+}
+
+QString digits(const std::optional<double>& number) {
+    return number ? digits(*number) : Text::tr("unknown");
+}
+
+template <typename Vector> QString tuple(const Vector& v) {
+    QStringList parts;
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+        parts << digits(double(v[i]));
+    return QStringLiteral("(%1)").arg(parts.join(QStringLiteral(", ")));
+}
+
+template <typename Matrix> QString rows(const Matrix& m) {
+    QStringList parts;
+    for (Eigen::Index i = 0; i < m.rows(); ++i)
+        parts << tuple(m.row(i));
+    return parts.join(QStringLiteral(" "));
+}
+
+template <typename Points> QString list(const Points& points) {
+    QStringList parts;
+    for (const auto& point : points)
+        parts << tuple(point);
+    return parts.join(QStringLiteral(" "));
+}
+
+// Maps are counted from 1, in the order of the file.
+QString wordText(const ifs::Word& word, const std::vector<std::size_t>& rows) {
+    QStringList letters;
+    for (const int symbol : word)
+        letters << QString::number(rows[std::size_t(symbol)] + 1);
+    return letters.join(u' ');
+}
+
+// "= 0.85", with as many digits as it takes not to look like 1, which nothing that contracts has.
+QString belowOne(double contractivity) {
+    constexpr int usual = 6, most = 17;
+    for (int precision = usual; precision <= most; ++precision) {
+        const QString text = QString::number(contractivity, 'g', precision);
+        if (text != u"1") return QStringLiteral("= ") + text;
+    }
+    return QStringLiteral("< 1");
+}
+
+QString contractionSentence(const ifs::Existence& existence) {
+    const QString factor = belowOne(existence.contractivity);
+    switch (existence.norm) {
+    case ifs::NormKind::Ellipsoidal:
+        return Text::tr("contractive in an ellipsoidal norm, γ %1").arg(factor);
+    case ifs::NormKind::Polytope:
+        return Text::tr("contractive in a polytope norm, γ %1").arg(factor);
+    case ifs::NormKind::Euclidean:
+    case ifs::NormKind::Words:
+        break;
+    }
+    return Text::tr("eventually contractive, γ %1 from words of length %2")
+        .arg(factor)
+        .arg(existence.wordLength);
+}
+
+QString verdictSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows) {
+    switch (existence.verdict) {
+    case ifs::Verdict::Hyperbolic:
+        return Text::tr("hyperbolic, s %1").arg(belowOne(existence.contractivity));
+    case ifs::Verdict::EventuallyContractive:
+        return contractionSentence(existence);
+    case ifs::Verdict::None:
+        return Text::tr("none: ρ(A) ≥ 1 for the word %1").arg(wordText(existence.witness, rows));
+    case ifs::Verdict::Undecided:
+        return Text::tr("undecided");
+    case ifs::Verdict::Empty:
+        break;
+    }
+    return Text::tr("none: no map is active");
+}
+
+constexpr int shownDigits = 6;
+
+template <class Matrix> QString errorNote(const Matrix& values, double error, double size) {
+    QString note;
+    for (const double value : values.reshaped())
+        if (note.isEmpty() && value != 0) note = io::errorNote({value}, error, size, shownDigits);
+    if (note.isEmpty() && values.isZero(0)) note = io::errorNote({0}, error, size, shownDigits);
+    return note;
+}
+
+// The ends of an interval are rounded outwards.
+QString lowerDigits(double number) {
+    const QString text = digits(number);
+    return text.toDouble() > number ? digits(number - 1e-6 * std::abs(number)) : text;
+}
+
+QString upperDigits(double number) {
+    const QString text = digits(number);
+    return text.toDouble() < number ? digits(number + 1e-6 * std::abs(number)) : text;
+}
+
+class Lines {
+public:
+    void add(const QString& name, const QString& value) {
+        m_text += QStringLiteral("  %1  %2\n").arg(name, -22).arg(value);
+    }
+    void title(const QString& text) { m_text += text + u'\n'; }
+    const QString& text() const { return m_text; }
+
+private:
+    QString m_text;
+};
+
+QString notComputed() {
+    return Text::tr("not computed within the budget");
+}
+
+template <int Dim> QString mapLine(const ifs::WeightedMap<Dim>& map, double probability) {
+    QStringList row;
+    for (int i = 0; i < Dim; ++i)
+        for (int j = 0; j < Dim; ++j)
+            row << digits(map.map.linear(i, j)).rightJustified(11);
+    for (int i = 0; i < Dim; ++i)
+        row << digits(map.map.translation[i]).rightJustified(11);
+    row << digits(probability).rightJustified(11);
+    return row.join(u' ') + Text::tr("   norm %1, determinant %2")
+                                .arg(digits(ifs::spectralNorm<Dim>(map.map.linear)),
+                                     digits(ifs::determinant<Dim>(map.map.linear)));
+}
+
+template <int Dim> void addMoments(Lines& lines, const ifs::Facts<Dim>& facts) {
+    const auto spread = facts.moments ? facts.moments->covariance.trace() : 0;
+    const double size =
+        facts.box ? (facts.box->max - facts.box->min).norm() : std::sqrt(std::max(spread, 0.0));
+    if (facts.mean) {
+        const auto [point, error] = *facts.mean;
+        const auto known = withoutNoise(point, error);
+        lines.add(Text::tr("mean"), isWorthless(error, std::max(size, point.norm()))
+                                        ? Text::tr("unknown")
+                                        : tuple(known) + errorNote(known, error, size));
+    }
+    if (facts.moments) {
+        const double error = facts.moments->covarianceError;
+        const auto known = withoutNoise(facts.moments->covariance, error);
+        lines.add(Text::tr("covariance"), isWorthless(error, std::max(spread, size * size))
+                                              ? Text::tr("unknown")
+                                              : rows(known) + errorNote(known, error, size * size));
+    }
+}
+
+template <int Dim> void addBoxAndSimplex(Lines& lines, const ifs::Facts<Dim>& facts) {
+    if (facts.isLate(ifs::LongFact::Extents)) {
+        lines.add(Text::tr("bounding box"), notComputed());
+        lines.add(Text::tr("canonical simplex"), notComputed());
+    }
+    if (facts.box) {
+        const auto& [min, max, error] = *facts.box;
+        const double size = (max - min).norm();
+        const auto low = withoutNoise(min, error), high = withoutNoise(max, error);
+        Eigen::Matrix<double, Dim, 2> corners;
+        corners << low, high;
+        lines.add(Text::tr("bounding box"),
+                  isWorthless(error, std::max(size, 1e-9 * max.norm()))
+                      ? Text::tr("unknown")
+                      : tuple(low) + QStringLiteral(" ") + tuple(high) + errorNote(corners, error, size));
+    }
+    if (facts.simplex) {
+        std::vector<ifs::Vector<Dim>> corners;
+        QString note;
+        const double error = facts.simplex->error, leg = facts.simplex->leg;
+        for (const auto& vertex : facts.simplex->vertices) {
+            corners.push_back(withoutNoise(vertex, error));
+            if (note.isEmpty()) note = errorNote(corners.back(), error, leg);
+        }
+        lines.add(Text::tr("canonical simplex"),
+                  isWorthless(error, leg) ? Text::tr("unknown") : list(corners) + note);
+    }
+}
+
+// The size of the attractor, as far as it is known: that of the hull, if no box is.
+template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
+    if (facts.box) return (facts.box->max - facts.box->min).norm();
+    ifs::Vector<Dim> low = facts.hull->vertices.front(), high = low;
+    for (const auto& vertex : facts.hull->vertices) {
+        low = low.cwiseMin(vertex);
+        high = high.cwiseMax(vertex);
+    }
+    return (high - low).norm();
+}
+
+void addHull(Lines& lines, const ifs::Facts<2>& facts) {
+    if (facts.isLate(ifs::LongFact::Hull)) lines.add(Text::tr("convex hull"), notComputed());
+    if (!facts.hull) return;
+    const double error = ifs::areaError(*facts.hull), size = std::pow(sizeOf(facts), 2);
+    const QString area =
+        isWorthless(error, std::max(facts.hull->area, 1e-3 * size))
+            ? Text::tr("unknown")
+            : digits(facts.hull->area) + io::errorNote({facts.hull->area}, error, size, shownDigits);
+    if (facts.isLate(ifs::LongFact::ExtremePoints))
+        return lines.add(Text::tr("convex hull"),
+                         Text::tr("%1 vertices, area %2; error at most %3; periodic addresses not computed "
+                                  "within the budget")
+                             .arg(facts.hull->vertices.size())
+                             .arg(area, digits(facts.hull->error)));
+    lines.add(Text::tr("convex hull"),
+              Text::tr("%1 vertices, %2 of them with periodic addresses, area %3; error at most %4")
+                  .arg(facts.hull->vertices.size())
+                  .arg(std::ranges::count_if(facts.extremePoints,
+                                             [](const auto& point) { return point.has_value(); }))
+                  .arg(area, digits(facts.hull->error)));
+}
+
+void addHull(Lines& lines, const ifs::Facts<3>& facts) {
+    if (facts.isLate(ifs::LongFact::Hull)) lines.add(Text::tr("convex hull"), notComputed());
+    if (!facts.hull) return;
+    const double size = std::pow(sizeOf(facts), 3);
+    const double error = ifs::volumeError(*facts.hull);
+    lines.add(Text::tr("convex hull"),
+              Text::tr("%1 vertices, %2 facets, volume %3; error at most %4")
+                  .arg(facts.hull->vertices.size())
+                  .arg(facts.hull->facets.size())
+                  .arg(isWorthless(error, std::max(facts.hull->volume, 1e-3 * size))
+                           ? Text::tr("unknown")
+                           : digits(facts.hull->volume) +
+                                 io::errorNote({facts.hull->volume}, error, size, shownDigits),
+                       digits(facts.hull->error)));
+}
+
+// What makes of Moran's number the dimension of the attractor, or only an upper bound.
+QString similarityNote(const ifs::Invariants& invariants) {
+    switch (invariants.contacts ? invariants.contacts->separation : ifs::Separation::Unknown) {
+    case ifs::Separation::Strong:
+        return u' ' + Text::tr("(of the attractor: its pieces are disjoint)");
+    case ifs::Separation::Overlapping:
+        return u' ' + Text::tr("(upper bound: pieces coincide)");
+    case ifs::Separation::Unknown:
+        break;
+    }
+    return u' ' + Text::tr("(if the open set condition holds; else an upper bound)");
+}
+
+QString separationText(ifs::Separation separation) {
+    switch (separation) {
+    case ifs::Separation::Strong:
+        return Text::tr("strong: no two pieces meet");
+    case ifs::Separation::Overlapping:
+        return Text::tr("none: pieces coincide");
+    case ifs::Separation::Unknown:
+        break;
+    }
+    return Text::tr("unknown");
+}
+
+QString connectednessText(ifs::Connectedness connectedness) {
+    switch (connectedness) {
+    case ifs::Connectedness::Connected:
+        return Text::tr("connected");
+    case ifs::Connectedness::ConnectedToRounding:
+        return Text::tr("connected, as far as rounding tells");
+    case ifs::Connectedness::Disconnected:
+        return Text::tr("not connected");
+    case ifs::Connectedness::Unknown:
+        break;
+    }
+    return Text::tr("unknown");
+}
+
+template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts) {
+    const ifs::Invariants& invariants = facts.invariants;
+    const auto& index = facts.active.index;
+    if (facts.isLate(ifs::LongFact::Contacts)) {
+        lines.add(Text::tr("separation"), notComputed());
+        lines.add(Text::tr("connectedness"), notComputed());
+    }
+    if (const auto& contacts = invariants.contacts) {
+        lines.add(Text::tr("separation"), separationText(contacts->separation));
+        lines.add(Text::tr("connectedness"), connectednessText(contacts->connectedness));
+        for (const auto& overlap : contacts->overlaps)
+            lines.add(Text::tr("overlap"),
+                      (overlap.isExact ? Text::tr("the words %1 and %2 are the same map")
+                                       : Text::tr("the words %1 and %2 are the same map to rounding"))
+                          .arg(wordText(overlap.first, index), wordText(overlap.second, index)));
+    }
+    if (facts.isLate(ifs::LongFact::JointSpectralRadius))
+        lines.add(Text::tr("joint spectral radius"), notComputed());
+    if (const auto& radius = invariants.jointSpectralRadius; radius && std::isfinite(radius->most))
+        lines.add(Text::tr("joint spectral radius"),
+                  Text::tr("between %1 and %2").arg(lowerDigits(radius->least), upperDigits(radius->most)));
+    if (invariants.entropy) lines.add(Text::tr("entropy"), digits(*invariants.entropy));
+    if (invariants.lyapunovExponent)
+        lines.add(Text::tr("Lyapunov exponent"), digits(*invariants.lyapunovExponent));
+    if (invariants.measureDimension)
+        lines.add(Text::tr("dimension of measure"),
+                  digits(*invariants.measureDimension) + similarityNote(invariants));
+}
+
+template <int Dim>
+void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, const QString& name,
+               const InfoSubject& subject) {
+    const ifs::Facts<Dim> facts = factsFor(system, name, subject);
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        lines.add(Text::tr("map %1").arg(i + 1), mapLine(system.maps[i], facts.probabilities[i]));
+    const bool isExistenceLate = facts.isLate(ifs::LongFact::Existence);
+    lines.add(Text::tr("attractor"),
+              isExistenceLate ? notComputed() : verdictSentence(facts.existence, facts.active.index));
+    addMoments<Dim>(lines, facts);
+    addBoxAndSimplex<Dim>(lines, facts);
+    addHull(lines, facts);
+    lines.add(Text::tr("similarity dimension"),
+              isExistenceLate
+                  ? notComputed()
+                  : digits(facts.similarityDimension) +
+                        (facts.similarityDimension ? similarityNote(facts.invariants) : QString()));
+    if (facts.isLate(ifs::LongFact::AffinityDimension))
+        lines.add(Text::tr("affinity dimension"), notComputed());
+    else if (subject.limits.withAffinityDimension)
+        lines.add(Text::tr("affinity dimension"), digits(facts.affinityDimension));
+    addInvariants(lines, facts);
+}
+
+QString mapCount(std::size_t maps) {
+    return maps == 1 ? Text::tr("1 map") : Text::tr("%1 maps").arg(maps);
+}
+
+// "maple — in the plane, 4 maps"
+QString titleOf(const document::Fractal& fractal) {
+    const auto* space = document::system3(fractal);
+    return space ? Text::tr("%1 — in space, %2").arg(fractal.name, mapCount(space->maps.size()))
+                 : Text::tr("%1 — in the plane, %2")
+                       .arg(fractal.name, mapCount(document::system2(fractal)->maps.size()));
+}
+
+template <int Dim>
+void addShape(Lines& lines, const document::Shape<Dim>& shape, const QString& name,
+              const InfoSubject& subject) {
+    addSystem(lines, shape.system, name, subject);
+    if (shape.cage) {
+        lines.add(Text::tr("cage at rest"), list(shape.cage->rest));
+        lines.add(Text::tr("cage now"), list(shape.cage->current));
+        if (shape.cage->rest.size() > Dim + 1)
+            lines.add(Text::tr("deformation"), shape.cage->deformation == ifs::Deformation::Bend
+                                                   ? Text::tr("bend")
+                                                   : Text::tr("affine fit"));
+    }
+    for (const auto& [word, change] : document::movedBranches(shape))
+        lines.add(Text::tr("moved branch"), document::addressText(word, word.size()));
+}
+
+QString loopText(animation::Loop loop) {
+    switch (loop) {
+    case animation::Loop::Cycle:
+        return Text::tr("in a cycle");
+    case animation::Loop::ThereAndBack:
+        return Text::tr("there and back");
+    case animation::Loop::Off:
+        break;
+    }
+    return Text::tr("once");
+}
+
+void addAnimation(Lines& lines, const document::Fractal& fractal) {
+    const auto facts = document::animationFacts(fractal);
+    if (!facts) return;
+    lines.add(Text::tr("animation"),
+              Text::tr("%1 frames at %2 per second, %3; %4 tracks, %5 motions")
+                  .arg(facts->length)
+                  .arg(digits(double(facts->rate.frames) / facts->rate.seconds), loopText(facts->loop))
+                  .arg(facts->tracks)
+                  .arg(facts->motions));
+}
+
+void addEntry(Lines& lines, const document::Entry& entry, const InfoSubject& subject) {
+    const document::Fractal fractal =
+        subject.moment ? document::frameAt(*entry.fractal, *subject.moment).fractal : *entry.fractal;
+    if (const auto* plane = document::plane(fractal)) {
+        lines.title(titleOf(fractal));
+        addShape(lines, *plane, fractal.name, subject);
+        addAnimation(lines, *entry.fractal);
+    } else if (const auto* space = document::space(fractal)) {
+        lines.title(titleOf(fractal));
+        addShape(lines, *space, fractal.name, subject);
+        addAnimation(lines, *entry.fractal);
+    } else {
+        lines.title(Text::tr("%1 — could not be read").arg(fractal.name));
+        for (const auto& problem : entry.problems)
+            if (problem.severity == document::Problem::Severity::Error)
+                lines.add(Text::tr("reason"), problem.message);
+    }
+}
+
+} // namespace
+
+QString listText(const QList<document::Entry>& entries, const QList<qsizetype>& numbers) {
+    QString text;
+    for (qsizetype i = 0; i < entries.size(); ++i) {
+        const document::Fractal& fractal = *entries[i].fractal;
+        const int dimension = document::dimension(fractal);
+        const auto* space = document::system3(fractal);
+        const QString size =
+            dimension == 0 ? Text::tr("could not be read")
+            : space        ? Text::tr("in space, %1").arg(mapCount(space->maps.size()))
+                    : Text::tr("in the plane, %1").arg(mapCount(document::system2(fractal)->maps.size()));
+        text += QStringLiteral("%1  %2  %3\n")
+                    .arg(numbers[i], 5)
+                    .arg(size, -24)
+                    .arg(QString(fractal.name).replace(u'\n', u' '));
+    }
+    return text;
+}
+
+QString infoText(const InfoSubject& subject) {
+    Lines lines;
+    for (qsizetype i = 0; i < subject.entries.size(); ++i) {
+        const document::Entry& entry = subject.entries[i];
+        if (subject.begun) subject.begun(i);
+        if (!lines.text().isEmpty()) lines.title({});
+        addEntry(lines, entry, subject);
+    }
+    return lines.text();
+}
+
+} // namespace io

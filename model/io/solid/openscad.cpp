@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "io/solid/openscad.h"
+
+#include "attractor/samples/prepared_space.h"
+#include "ifs/extent/extent.h"
+#include "io/text/number.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <vector>
+
+namespace io {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+constexpr double usualParts = 1000;
+
+QByteArray vectorText(const ifs::Vector<3>& v) {
+    return '[' + formatNumber(v.x()) + ", " + formatNumber(v.y()) + ", " + formatNumber(v.z()) + ']';
+}
+
+QByteArray matrixText(const ifs::AffineMap<3>& map) {
+    QByteArray text = "multmatrix([";
+    for (int row = 0; row < 3; ++row) {
+        text += '[';
+        for (int column = 0; column < 3; ++column)
+            text += formatNumber(map.linear(row, column)) + ", ";
+        text += formatNumber(map.translation[row]) + "], ";
+    }
+    return text + "[0, 0, 0, 1]])";
+}
+
+// The largest diagonal of the images of the box by words of one length: no part is larger. Walks the words
+// that are larger than `enough`, at most maxParts of them; infinite beyond.
+double largestPart(const std::vector<ifs::AffineMap<3>>& maps, const ifs::Matrix<3>& box, int depth) {
+    std::vector<ifs::Matrix<3>> words{box};
+    for (int level = 0; level < depth; ++level) {
+        if (double(words.size()) * double(maps.size()) > double(OpenScad::maxParts)) return HUGE_VAL;
+        std::vector<ifs::Matrix<3>> longer;
+        longer.reserve(words.size() * maps.size());
+        for (const ifs::AffineMap<3>& map : maps)
+            for (const ifs::Matrix<3>& word : words)
+                longer.push_back(map.linear * word);
+        words = std::move(longer);
+    }
+    double largest = 0;
+    for (const ifs::Matrix<3>& word : words)
+        largest = std::max(largest, word.cwiseAbs().rowwise().sum().norm());
+    return 2 * largest;
+}
+
+int usualDepth(std::size_t maps) {
+    constexpr int deepest = 12;
+    int depth = 1;
+    for (double parts = double(maps); depth < deepest && parts * double(maps) <= usualParts; ++depth)
+        parts *= double(maps);
+    return depth;
+}
+
+QByteArray programText(const document::Fractal& fractal, const attractor::PreparedSpace& system,
+                       const ifs::BoundingBox<3>& box, int depth) {
+    const ifs::Vector<3> error = ifs::Vector<3>::Constant(box.error);
+    const QString name = fractal.name.simplified();
+    QByteArray text = "// " + name.toUtf8() + ", written by Barycage\n";
+    text += "// Every level multiplies the number of parts by " +
+            QByteArray::number(int(system.maps.size())) + ".\ndepth = " + QByteArray::number(depth) +
+            ";\n\nmodule part(level) {\n";
+    text += "  if (level == 0)\n    translate(" + vectorText(box.min - error) + ") cube(" +
+            vectorText(box.max - box.min + 2 * error) + ");\n  else {\n";
+    for (const ifs::AffineMap<3>& map : system.maps)
+        text += "    " + matrixText(map) + " part(level - 1);\n";
+    text += "  }\n}\n\n";
+    const auto& cage = document::space(fractal)->cage;
+    const ifs::AffineMap<3> placement = cage ? ifs::displayMap(*cage) : ifs::AffineMap<3>();
+    if (!(placement == ifs::AffineMap<3>())) text += matrixText(placement) + ' ';
+    return text + "part(depth);\n";
+}
+
+} // namespace
+
+OpenScad openScad(const document::Fractal& fractal, double detail) {
+    OpenScad result;
+    const document::Shape<3>* shape = document::space(fractal);
+    if (!shape) {
+        result.failure = Text::tr("“%1” is not a system in space, so it has no solid.").arg(fractal.name);
+        return result;
+    }
+    if (shape->cage && ifs::bends(*shape->cage)) {
+        result.failure =
+            Text::tr("The cage of “%1” bends the picture, so its solid cannot be written.").arg(fractal.name);
+        return result;
+    }
+    const attractor::PreparedSpace system = attractor::preparedSpace(shape->system);
+    const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
+    if (!support) {
+        result.failure = Text::tr("“%1” has no certified attractor, so it has no solid.").arg(fractal.name);
+        return result;
+    }
+    const ifs::BoundingBox<3> box = ifs::boundingBox(*support, 1e-6 * support->radius());
+    const ifs::Matrix<3> placed =
+        shape->cage ? ifs::displayMap(*shape->cage).linear : ifs::Matrix<3>::Identity();
+    const ifs::Matrix<3> half = ((box.max - box.min) / 2 + ifs::Vector<3>::Constant(box.error)).asDiagonal();
+    const double stretch = ifs::spectralNorm<3>(placed);
+    result.depth = detail > 0 ? 0 : usualDepth(system.maps.size());
+    result.bound = stretch * largestPart(system.maps, half, result.depth);
+    while (detail > 0 && result.bound > detail && result.bound < HUGE_VAL)
+        result.bound = stretch * largestPart(system.maps, half, ++result.depth);
+    if (!(result.bound < HUGE_VAL)) {
+        result.failure = Text::tr("“%1” would need more than %2 parts in OpenSCAD. Choose larger voxels.")
+                             .arg(fractal.name)
+                             .arg(OpenScad::maxParts);
+        return result;
+    }
+    result.text = programText(fractal, system, box, result.depth);
+    return result;
+}
+
+} // namespace io

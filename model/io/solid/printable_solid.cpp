@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "io/solid/printable_solid.h"
+
+#include "attractor/voxels/voxel_cover.h"
+#include "ifs/extent/extent.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <cmath>
+#include <numbers>
+
+namespace io {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+using attractor::VoxelCover;
+
+// √3 (g + the fineness of the cover + the bars) ≤ √3 h.
+constexpr double gridShare = 1 / (1 + VoxelCover::fineness + 1.0 / attractor::latticePerVoxel);
+
+struct Box {
+    ifs::Vector<3> min;
+    ifs::Vector<3> max;
+};
+
+Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& placement) {
+    constexpr double fine = 1e-7; // of the size
+    const auto reach = [&](const ifs::Vector<3>& u) {
+        const ifs::Vector<3> inner = placement.linear.transpose() * u;
+        const auto value = support(inner, fine * support.radius() * inner.norm());
+        return value.value + value.error + u.dot(placement.translation);
+    };
+    Box box;
+    for (int k = 0; k < 3; ++k) {
+        box.max[k] = reach(ifs::Vector<3>::Unit(k));
+        box.min[k] = -reach(-ifs::Vector<3>::Unit(k));
+    }
+    return box;
+}
+
+QString failureOf(VoxelCover::Outcome outcome, const QString& name) {
+    if (outcome == VoxelCover::Outcome::TooManyVoxels)
+        return Text::tr("The solid of “%1” would need more than %2 million voxels. Choose larger voxels.")
+            .arg(name)
+            .arg(attractor::VoxelGrid::maxVoxels / 1'000'000);
+    return Text::tr(
+               "The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger "
+               "voxels.")
+        .arg(name);
+}
+
+// Whether neighbouring points of the lattice stay apart in the numbers of the file.
+bool keepsPointsApart(const PrintableSolid& solid) {
+    for (const auto& point : solid.mesh.points)
+        for (int k = 0; k < 3; ++k) {
+            const double at = solid.origin[k] + solid.unit * point[std::size_t(k)];
+            if (!(float(at + solid.unit) > float(at)) || !std::isfinite(float(at + solid.unit))) return false;
+        }
+    return true;
+}
+
+QString number(double value) {
+    return QLocale::c().toString(value, 'g', 6);
+}
+
+class Maker {
+public:
+    Maker(const document::Fractal& fractal, const SolidOptions& options)
+        : m_fractal(fractal), m_options(options) {}
+
+    PrintableSolid make(const Progress& progress, const std::stop_token& stop) {
+        m_solid.failure = prepare();
+        if (m_solid.failure) return std::move(m_solid);
+        const attractor::VoxelRequest request{m_system,  m_placement, m_box.min,
+                                              m_box.max, m_side,      m_dilation};
+        VoxelCover cover = attractor::voxelCover(request, progress, stop);
+        m_solid.stopped = cover.outcome == VoxelCover::Outcome::Stopped;
+        if (m_solid.stopped) return std::move(m_solid);
+        if (cover.outcome != VoxelCover::Outcome::Done) {
+            m_solid.failure = failureOf(cover.outcome, m_fractal.name);
+            return std::move(m_solid);
+        }
+        build(cover);
+        if (progress) progress(1);
+        return std::move(m_solid);
+    }
+
+private:
+    Failure prepare() {
+        const document::Shape<3>* shape = document::space(m_fractal);
+        if (!shape) return Text::tr("“%1” is not a system in space, so it has no solid.").arg(m_fractal.name);
+        if (shape->cage && ifs::bends(*shape->cage))
+            return Text::tr("The cage of “%1” bends the picture, so its solid cannot be written.")
+                .arg(m_fractal.name);
+        m_system = attractor::preparedSpace(shape->system);
+        const auto support = m_system.isCertified ? ifs::SupportFunction<3>::of(m_system.maps) : std::nullopt;
+        if (!support)
+            return Text::tr("“%1” has no certified attractor, so it has no solid.").arg(m_fractal.name);
+        if (shape->cage) m_placement = ifs::displayMap(*shape->cage);
+        m_box = boxOf(*support, m_placement);
+        const double longest = (m_box.max - m_box.min).maxCoeff();
+        if (!(longest < HUGE_VAL)) return Text::tr("“%1” is too large for a solid.").arg(m_fractal.name);
+        if (!(longest > 0) && (m_options.voxel == 0 || m_options.longest > 0))
+            return Text::tr("“%1” is a single point: only the size of its voxel can be chosen.")
+                .arg(m_fractal.name);
+        const double scale = m_options.longest > 0 ? m_options.longest / longest : 1;
+        m_placement = {scale * m_placement.linear, scale * m_placement.translation};
+        m_box = {scale * m_box.min, scale * m_box.max};
+        m_solid.facts.voxel =
+            m_options.voxel > 0 ? m_options.voxel : scale * longest / std::max(1, m_options.resolution);
+        m_side = gridShare * m_solid.facts.voxel;
+        const double thicker = std::ceil((m_options.wall / m_side - 1) / 2);
+        if (!(thicker < double(SolidOptions::maxResolution)))
+            return Text::tr("The wall is too thick for voxels of this size. Choose larger voxels.");
+        m_dilation = std::max(0, int(thicker));
+        m_solid.facts.dilation = std::numbers::sqrt3 * m_side * m_dilation;
+        m_solid.facts.bound = std::numbers::sqrt3 * m_solid.facts.voxel + m_solid.facts.dilation;
+        return std::nullopt;
+    }
+
+    void build(VoxelCover& cover) {
+        SolidFacts& facts = m_solid.facts;
+        cover.grid.dilate(m_dilation);
+        const attractor::Cavities cavities =
+            m_options.fillsCavities ? fillCavities(cover.grid) : cavitiesOf(cover.grid);
+        facts.cavities = cavities.count;
+        facts.cavityVolume = double(cavities.voxels) * m_side * m_side * m_side;
+        facts.islands = countIslands(cover.grid);
+        auto mesh = attractor::voxelSurface(cover.grid);
+        if (!mesh) {
+            m_solid.failure =
+                Text::tr("The surface of “%1” would have more than %2 million triangles. Choose "
+                         "larger voxels.")
+                    .arg(m_fractal.name)
+                    .arg(attractor::SurfaceMesh::maxTriangles / 1'000'000);
+            return;
+        }
+        m_solid.mesh = *std::move(mesh);
+        m_solid.origin = cover.origin;
+        m_solid.unit = m_side / attractor::latticePerVoxel;
+        facts.triangles = m_solid.mesh.triangles.size();
+        facts.volume = enclosedVolume(m_solid.mesh) * std::pow(m_solid.unit, 3);
+        facts.size = sizeOf();
+        if (m_solid.mesh.triangles.empty() || flawOf(m_solid.mesh) != attractor::SurfaceFlaw::None)
+            m_solid.failure =
+                Text::tr("The surface of “%1” is not closed, so it was not written.").arg(m_fractal.name);
+        else if (!keepsPointsApart(m_solid))
+            m_solid.failure =
+                Text::tr("“%1” is too small for its distance from the origin: the numbers of the "
+                         "file cannot tell its points apart. Move it to the origin.")
+                    .arg(m_fractal.name);
+    }
+
+    ifs::Vector<3> sizeOf() const {
+        ifs::Vector<3> low = ifs::Vector<3>::Constant(HUGE_VAL);
+        ifs::Vector<3> high = -low;
+        for (const auto& point : m_solid.mesh.points) {
+            const ifs::Vector<3> p(point[0], point[1], point[2]);
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+        return m_solid.unit * (high - low);
+    }
+
+    const document::Fractal& m_fractal;
+    const SolidOptions& m_options;
+    PrintableSolid m_solid;
+    attractor::PreparedSpace m_system;
+    ifs::AffineMap<3> m_placement; // the code's coordinates → mm
+    Box m_box;
+    double m_side = 1;  // of a voxel, mm
+    int m_dilation = 0; // voxels
+};
+
+} // namespace
+
+QString summaryOf(const SolidFacts& facts, const SolidOptions& options) {
+    QStringList lines;
+    lines << Text::tr("Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.")
+                 .arg(number(facts.size.x()), number(facts.size.y()), number(facts.size.z()),
+                      number(facts.volume))
+                 .arg(facts.triangles);
+    lines << Text::tr("Distance from the attractor: at most %1 mm = √3 · %2 mm + %3 mm for the wall.")
+                 .arg(number(facts.bound), number(facts.voxel), number(facts.dilation));
+    if (facts.cavities > 0)
+        lines << (options.fillsCavities ? Text::tr("Cavities filled: %1, with %2 mm³.")
+                                        : Text::tr("Closed cavities: %1, with %2 mm³."))
+                     .arg(facts.cavities)
+                     .arg(number(facts.cavityVolume));
+    if (facts.islands > 1) lines << Text::tr("Separate bodies: %1.").arg(facts.islands);
+    return lines.join(u'\n') + u'\n';
+}
+
+PrintableSolid printableSolid(const document::Fractal& fractal, const SolidOptions& options,
+                              const Progress& progress, const std::stop_token& stop) {
+    return Maker(fractal, options).make(progress, stop);
+}
+
+} // namespace io

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/voxels/voxel_surface.h"
+#include "document/fractal.h"
+#include "io/picture/png_export.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <stop_token>
+
+namespace io {
+
+// How a fractal in space becomes a body to print. Lengths are millimetres.
+struct SolidOptions {
+    static constexpr int maxResolution = 4096;
+
+    double longest = 0;   // of the sides of the attractor's box; 0: one unit of the system is a millimetre
+    double voxel = 0;     // h; 0: by the resolution
+    int resolution = 128; // h is the longest side divided by this
+    double wall = 0;      // every point of the body lies in a ball of this diameter within it
+    bool fillsCavities = false;
+};
+
+// What is certain of the body S of an attractor A: A ⊂ S, and every point of S that is not in a filled cavity
+// is within `bound` of A. docs/mathematics.md, "Voxels".
+struct SolidFacts {
+    ifs::Vector<3> size = ifs::Vector<3>::Zero(); // mm
+    double volume = 0;                            // mm³
+    double voxel = 0;                             // h
+    double dilation = 0;                          // for the wall
+    double bound = 0;                             // √3 h + dilation
+    std::uint64_t islands = 0;                    // bodies that do not touch
+    std::uint64_t cavities = 0;                   // closed off from outside, filled or not
+    double cavityVolume = 0;                      // mm³
+    std::uint64_t triangles = 0;
+};
+QString summaryOf(const SolidFacts& facts, const SolidOptions& options); // lines, each with its end
+
+// A body in millimetres: point i is origin + unit·mesh.points[i].
+struct PrintableSolid {
+    attractor::SurfaceMesh mesh;
+    ifs::Vector<3> origin = ifs::Vector<3>::Zero();
+    double unit = 1;
+    SolidFacts facts;
+    Failure failure;
+    bool stopped = false;
+};
+
+// Its surface is closed and a manifold, or there is a failure.
+PrintableSolid printableSolid(const document::Fractal& fractal, const SolidOptions& options,
+                              const Progress& progress = {}, const std::stop_token& stop = {});
+
+} // namespace io

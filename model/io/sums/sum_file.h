@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/cells/cell_sums.h"
+#include "attractor/folds/picture_part.h"
+#include "io/file/save_file.h"
+
+#include <QByteArray>
+#include <QIODevice>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace io {
+
+// Units of one pass that were counted, in some rows.
+struct SumShare {
+    int firstRow = 0; // of pixels
+    int endRow = 0;
+    std::size_t pass = 0;
+    attractor::PicturePart part; // its units count from the first pass on
+
+    friend bool operator==(const SumShare&, const SumShare&) = default;
+};
+
+struct SumHeader {
+    QByteArray request; // what is drawn: pictureRequest()
+    attractor::CellKind kind = attractor::CellKind::Count;
+    int columns = 0; // cells of the whole picture
+    int rows = 0;
+    std::vector<std::uint64_t> passes; // samples of each
+    std::vector<SumShare> shares;      // what the sums hold
+};
+
+// The sums of 256 × 16 cells, fewer at the right and lower edge, row by row: the samples of each cell, with
+// CellKind::Colour followed by its red, green and blue.
+struct SumTile {
+    std::uint32_t number = 0; // row by row from the top left corner of the whole picture
+    std::vector<std::uint64_t> values;
+
+    SumTile& operator+=(const SumTile& other); // of the same number
+};
+
+// Where tiles are, in cells.
+class TileGrid {
+public:
+    static constexpr int tileColumns = 256;
+    static constexpr int tileRows = 16;
+
+    explicit TileGrid(const SumHeader& header)
+        : m_columns(header.columns), m_rows(header.rows), m_values(valuesPerCell(header.kind)) {}
+
+    static std::size_t valuesPerCell(attractor::CellKind kind) {
+        return kind == attractor::CellKind::Colour ? 4 : 1;
+    }
+    std::uint32_t across() const { return std::uint32_t(m_columns - 1) / tileColumns + 1; }
+    std::uint32_t count() const { return across() * (std::uint32_t(m_rows - 1) / tileRows + 1); }
+    attractor::CellRegion region(std::uint32_t tile) const;
+    std::size_t valuesIn(std::uint32_t tile) const;
+
+private:
+    int m_columns;
+    int m_rows;
+    std::size_t m_values;
+};
+
+// Writes a file of sums (docs/formats.md). Tiles come in rising order, those of zeros alone are left out. Any
+// failure of the device is the device's to remember.
+class SumWriter {
+public:
+    SumWriter(QIODevice& device, const SumHeader& header); // the device outlives the writer
+    void write(const SumTile& tile);
+    void finish();
+
+private:
+    void putNumber(std::uint32_t number);
+
+    QIODevice& m_device;
+    std::uint32_t m_count = 0;
+};
+
+// Reads one. Hostile bytes are refused with a sentence.
+class SumReader {
+public:
+    // Reads and checks all of the file. The device is open, random access, and outlives the reader.
+    explicit SumReader(QIODevice& device);
+
+    const Failure& failure() const { return m_failure; } // the first
+    const SumHeader& header() const { return m_header; }
+    // Of each tile that the file holds, where it begins.
+    const std::map<std::uint32_t, qint64>& tiles() const { return m_tiles; }
+    std::optional<SumTile> read(std::uint32_t number); // nullopt: not in the file, or a failure
+
+private:
+    bool readHeader();
+    bool readTiles();
+    std::optional<std::uint32_t> number();
+    std::optional<QByteArray> block(std::uint32_t maxSize, std::uint32_t tile = 0);
+    void fail();
+
+    QIODevice& m_device;
+    SumHeader m_header;
+    std::map<std::uint32_t, qint64> m_tiles;
+    Failure m_failure;
+};
+
+} // namespace io

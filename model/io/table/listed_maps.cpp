@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "io/table/listed_maps.h"
+
+#include "io/table/table_columns.h"
+#include "io/text/literal_lists.h"
+#include "io/text/number.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace io {
+
+namespace {
+
+using Kind = Literal::Kind;
+using Numbers = std::vector<double>;
+
+constexpr qsizetype maxSystems = 1000;
+constexpr std::array weightKeys{"p",    "w",     "weight",      "weights",
+                                "prob", "probs", "probability", "probabilities"};
+constexpr std::array matrixKeys{"linear",    "matrix", "m",      "mat",         "a",
+                                "transform", "coefs",  "coeffs", "coefficients"};
+constexpr std::array vectorKeys{"translation", "translate", "offset", "shift", "vector", "t", "b", "v"};
+
+template <typename Keys> bool isOneOf(const QString& key, const Keys& keys) {
+    return std::ranges::any_of(
+        keys, [&](const char* known) { return key.compare(QLatin1String(known), Qt::CaseInsensitive) == 0; });
+}
+
+bool isNumber(const Literal& literal) {
+    return literal.kind == Kind::Number;
+}
+
+// Lists around a list alone, as array([…]).
+const Literal& bare(const Literal& literal) {
+    const Literal* inner = &literal;
+    while (inner->kind == Kind::List && inner->items.size() == 1 && inner->items[0].kind == Kind::List)
+        inner = &inner->items[0];
+    return *inner;
+}
+
+std::optional<Numbers> numbersOf(const Literal& list) {
+    if (list.kind != Kind::List || list.items.isEmpty() || !std::ranges::all_of(list.items, isNumber))
+        return std::nullopt;
+    Numbers numbers;
+    for (const Literal& item : list.items)
+        numbers.push_back(item.number);
+    return numbers;
+}
+
+// Rows of numbers, all of one length.
+std::optional<std::vector<Numbers>> rowsOf(const Literal& list) {
+    std::vector<Numbers> rows;
+    for (const Literal& item : list.items) {
+        auto row = numbersOf(item);
+        if (!row || (!rows.empty() && row->size() != rows.front().size()) || rows.size() > 4)
+            return std::nullopt;
+        rows.push_back(*std::move(row));
+    }
+    if (rows.empty()) return std::nullopt;
+    return rows;
+}
+
+// A map as its matrix, row by row, and its vector.
+struct Map {
+    QStringList names; // of the numbers; empty: nothing says what they are
+    Numbers numbers;
+    bool hasWeight = false;
+    bool isNamed = false; // its numbers had these names in the text
+};
+
+QStringList letters(std::size_t count) {
+    const QString all = count > 7 ? QStringLiteral("abcdefghijkl") : QStringLiteral("abcdef");
+    return all.split(QString(), Qt::SkipEmptyParts);
+}
+
+// 2×3, 3×4, or the same with 0 0 1 below.
+std::optional<Map> ofAugmented(std::vector<Numbers> rows) {
+    if (rows.size() == rows.front().size()) {
+        Numbers unit(rows.size(), 0);
+        unit.back() = 1;
+        if (rows.back() != unit) return std::nullopt;
+        rows.pop_back();
+    }
+    const std::size_t dim = rows.size();
+    if ((dim != 2 && dim != 3) || rows.front().size() != dim + 1) return std::nullopt;
+    Map map{letters(dim * (dim + 1)), {}, false, false};
+    for (const Numbers& row : rows)
+        map.numbers.insert(map.numbers.end(), row.begin(), row.end() - 1);
+    for (const Numbers& row : rows)
+        map.numbers.push_back(row.back());
+    return map;
+}
+
+std::optional<Map> ofParts(const Literal& matrix, const Literal& vector) {
+    const auto shift = numbersOf(bare(vector));
+    if (!shift || (shift->size() != 2 && shift->size() != 3)) return std::nullopt;
+    const std::size_t dim = shift->size();
+    Numbers linear;
+    if (const auto flat = numbersOf(bare(matrix)))
+        linear = *flat;
+    else if (const auto rows = rowsOf(bare(matrix)))
+        for (const Numbers& row : *rows)
+            linear.insert(linear.end(), row.begin(), row.end());
+    if (linear.size() != dim * dim) return std::nullopt;
+    linear.insert(linear.end(), shift->begin(), shift->end());
+    QStringList names = letters(linear.size());
+    return Map{std::move(names), std::move(linear), false, false};
+}
+
+void addWeight(Map& map, double weight) {
+    map.numbers.push_back(weight);
+    map.hasWeight = true;
+    if (!map.names.isEmpty()) map.names << QStringLiteral("p");
+}
+
+std::optional<Map> mapOf(const Literal& literal);
+
+// The numbers a … l of a map in space, brought into this order.
+std::optional<Map> inSpace(const QStringList& names, const Numbers& numbers) {
+    Map map{letters(12), {}, false, true};
+    for (const QString& letter : map.names) {
+        const qsizetype index = names.indexOf(letter);
+        if (index < 0 || names.size() != map.names.size()) return std::nullopt;
+        map.numbers.push_back(numbers[std::size_t(index)]);
+    }
+    return map;
+}
+
+// Numbers by their names, or a matrix and a vector by theirs.
+std::optional<Map> ofKeys(const Literal& object) {
+    QStringList names;
+    Numbers numbers;
+    std::optional<double> weight;
+    const Literal* matrix = nullptr;
+    const Literal* vector = nullptr;
+    for (const Literal& item : object.items) {
+        const QString key = item.key.toLower();
+        if (item.kind == Kind::List && !vector && isOneOf(key, vectorKeys))
+            vector = &item;
+        else if (item.kind == Kind::List && !matrix && isOneOf(key, matrixKeys))
+            matrix = &item;
+        else if (isNumber(item) && isOneOf(key, weightKeys))
+            weight = item.number;
+        else if (isNumber(item) && ((key.size() == 1 && QStringLiteral("abcdefghijklrs").contains(key)) ||
+                                    key == u"theta" || key == u"phi")) {
+            names << key;
+            numbers.push_back(item.number);
+        }
+    }
+    std::optional<Map> map;
+    if (matrix && vector)
+        map = ofParts(*matrix, *vector);
+    else if (matrix)
+        map = mapOf(*matrix);
+    else if (tableColumns(names))
+        map = Map{names, numbers, false, true};
+    else
+        map = inSpace(names, numbers);
+    if (map && !map->hasWeight && weight) addWeight(*map, *weight);
+    return map;
+}
+
+std::optional<Map> mapOf(const Literal& literal) {
+    const Literal& list = bare(literal);
+    if (list.kind != Kind::List || list.items.isEmpty()) return std::nullopt;
+    if (!list.items[0].key.isEmpty()) return ofKeys(list);
+    if (auto flat = numbersOf(list)) {
+        const std::size_t count = flat->size();
+        if (count != 6 && count != 7 && count != 12 && count != 13) return std::nullopt;
+        return Map{{}, *std::move(flat), count % 6 == 1, false};
+    }
+    if (const auto rows = rowsOf(list); rows && rows->front().size() > 2) return ofAugmented(*rows);
+    if (list.items.size() > 3) return std::nullopt;
+    QList<const Literal*> lists;
+    std::optional<double> weight;
+    for (const Literal& item : list.items) {
+        if (item.kind == Kind::List)
+            lists << &item;
+        else if (isNumber(item) && !weight)
+            weight = item.number;
+        else
+            return std::nullopt;
+    }
+    if (lists.size() != 2 && !(lists.size() == 1 && weight)) return std::nullopt;
+    auto map = lists.size() == 2 ? ofParts(*lists[0], *lists[1]) : mapOf(*lists[0]);
+    if (map && weight && !map->hasWeight) addWeight(*map, *weight);
+    return map;
+}
+
+class Finder {
+public:
+    QList<ListedMaps> find(const Literal& root) && {
+        search(root, {}, 0);
+        return std::move(m_found);
+    }
+
+private:
+    void search(const Literal& list, const QString& name, int depth) {
+        const QString own = nameIn(list, name);
+        if (depth > 0 && take(list, own, nullptr)) return;
+        const Literal* weights = nullptr;
+        for (const Literal& item : list.items)
+            if (isOneOf(item.key, weightKeys) && numbersOf(bare(item))) weights = &item;
+        for (const Literal& item : list.items) {
+            if (item.kind != Kind::List || m_found.size() >= maxSystems) continue;
+            const bool isUseless = item.key.isEmpty() || isOneOf(item.key, mapsKeys);
+            const QString shown = isUseless ? own : item.key;
+            if (!take(item, shown, weights)) search(item, shown, depth + 1);
+        }
+    }
+
+    static QString nameIn(const Literal& list, const QString& otherwise) {
+        for (const Literal& item : list.items)
+            if (item.kind == Kind::Text && !item.text.isEmpty() &&
+                (item.key.compare(u"name", Qt::CaseInsensitive) == 0 ||
+                 item.key.compare(u"title", Qt::CaseInsensitive) == 0))
+                return item.text;
+        return otherwise;
+    }
+
+    // A list of maps alike; one alone only under names, since six numbers may be anything.
+    bool take(const Literal& list, const QString& name, const Literal* weights) {
+        if (list.kind != Kind::List || list.items.isEmpty()) return false;
+        std::vector<Map> maps;
+        for (const Literal& item : list.items) {
+            auto map = mapOf(item);
+            if (!map || (!maps.empty() && (map->names != maps.front().names ||
+                                           map->numbers.size() != maps.front().numbers.size())))
+                return list.items.size() == 1 && take(list.items[0], name, weights);
+            maps.push_back(*std::move(map));
+        }
+        if (maps.size() == 1 && !maps.front().isNamed) return false;
+        const auto chances = weights ? numbersOf(bare(*weights)) : std::nullopt;
+        if (chances && chances->size() == maps.size() && !maps.front().hasWeight)
+            for (std::size_t i = 0; i < maps.size(); ++i)
+                addWeight(maps[i], (*chances)[i]);
+        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size())};
+        return true;
+    }
+
+    static QString tableOf(const std::vector<Map>& maps) {
+        QString table;
+        if (const QStringList& names = maps.front().names; !names.isEmpty())
+            table = names.join(u'\t') + u'\n';
+        for (const Map& map : maps) {
+            QByteArrayList cells;
+            for (const double number : map.numbers)
+                cells << formatNumber(number);
+            table += QString::fromLatin1(cells.join('\t')) + u'\n';
+        }
+        return table;
+    }
+
+    static constexpr std::array mapsKeys{"maps", "transforms", "transformations", "functions", "affine",
+                                         "ifs",  "system",     "attractor",       "transform", "data",
+                                         "rules"};
+    QList<ListedMaps> m_found;
+};
+
+// "| a | b |" and "a & b \\" become tabs between the cells.
+std::optional<ListedMaps> ruledTable(const QString& text) {
+    constexpr qsizetype maxRows = 250'000;
+    QStringList rows;
+    for (qsizetype begin = 0, end = 0; begin < text.size() && rows.size() <= maxRows; begin = end + 1) {
+        end = text.indexOf(u'\n', begin);
+        if (end < 0) end = text.size();
+        const QStringView line = QStringView(text).sliced(begin, end - begin);
+        const QChar mark = line.count(u'|') >= 5 ? u'|' : line.count(u'&') >= 5 ? u'&' : QChar();
+        if (mark.isNull()) continue;
+        QString row = line.trimmed().toString();
+        if (mark == u'&') row.remove(QStringLiteral("\\hline")).remove(QStringLiteral("\\\\")).remove(u'$');
+        if (row.startsWith(mark)) row.remove(0, 1);
+        if (row.endsWith(mark)) row.chop(1);
+        QStringList cells;
+        for (const QString& cell : row.split(mark))
+            cells << cell.trimmed().remove(u'*').remove(u'`');
+        const bool isRule = std::ranges::all_of(cells, [](const QString& cell) {
+            return std::ranges::all_of(cell, [](QChar c) { return c == u'-' || c == u':'; });
+        });
+        if (!isRule) rows << cells.join(u'\t');
+    }
+    if (rows.size() < 2) return std::nullopt;
+    return ListedMaps{{}, rows.join(u'\n') + u'\n', rows.size()};
+}
+
+} // namespace
+
+QList<ListedMaps> listedMaps(const QString& text) {
+    QList<ListedMaps> found;
+    if (const Literals literals = literalsIn(text); !literals.isCut) found = Finder().find(literals.root);
+    if (found.isEmpty())
+        if (const auto ruled = ruledTable(text)) found << *ruled;
+    return found;
+}
+
+} // namespace io

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "io/table/table_cells.h"
+
+#include "io/text/expression.h"
+#include "io/text/number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+
+namespace {
+
+bool isSeparator(QChar c, Separator separator) {
+    switch (separator) {
+    case Separator::Semicolon:
+        return c == u';';
+    case Separator::Tab:
+        return c == u'\t';
+    case Separator::Comma:
+        return c == u',';
+    case Separator::Blank:
+        break;
+    }
+    return false;
+}
+
+class LineReader {
+public:
+    LineReader(QStringView text, int line, const Dialect& dialect)
+        : m_text(text), m_line(line), m_dialect(dialect) {}
+
+    Row read(qsizetype most) && {
+        bool isField = false; // whether the field that begins here has a cell
+        skipBlanks();
+        while (!atEnd() && m_cells.size() <= most) {
+            if (isSeparator(m_text[m_at], m_dialect.separator)) {
+                if (!isField) m_cells << cellHere();
+                isField = false;
+                advance();
+            } else {
+                Cell cell = m_text[m_at] == u'"' ? quoted() : plain();
+                cell.isContinued = isField && m_dialect.separator != Separator::Blank;
+                m_cells << cell;
+                isField = true;
+            }
+            skipBlanks();
+        }
+        while (!m_cells.isEmpty() && m_cells.last().text.isEmpty())
+            m_cells.removeLast();
+        return std::move(m_cells);
+    }
+
+private:
+    bool atEnd() const {
+        return m_at >= m_text.size() || (m_text[m_at] == u';' && m_dialect.separator != Separator::Semicolon);
+    }
+    Cell cellHere() const { return {{}, m_line, m_column, false}; }
+
+    void advance() {
+        const char16_t c = m_text[m_at++].unicode();
+        // Halves of a surrogate pair make 4 bytes together.
+        m_column += c < 0x80 ? 1 : c < 0x800 || QChar::isSurrogate(c) ? 2 : 3;
+    }
+
+    void skipBlanks() {
+        while (!atEnd() && m_text[m_at].isSpace() && !isSeparator(m_text[m_at], m_dialect.separator))
+            advance();
+    }
+
+    Cell plain() {
+        Cell cell = cellHere();
+        for (; !atEnd() && !m_text[m_at].isSpace() && !isSeparator(m_text[m_at], m_dialect.separator);
+             advance())
+            cell.text += m_text[m_at];
+        return cell;
+    }
+
+    // "" inside is a quotation mark. Without an end it is text like any other.
+    Cell quoted() {
+        const qsizetype from = m_at;
+        Cell cell = cellHere();
+        for (qsizetype i = from + 1; i < m_text.size(); ++i) {
+            const bool isMark = m_text[i] == u'"';
+            const bool isDoubled = isMark && i + 1 < m_text.size() && m_text[i + 1] == u'"';
+            if (isMark && !isDoubled) {
+                while (m_at <= i)
+                    advance();
+                cell.text = cell.text.trimmed();
+                return cell;
+            }
+            cell.text += m_text[i];
+            if (isDoubled) ++i;
+        }
+        return plain();
+    }
+
+    QStringView m_text;
+    int m_line;
+    const Dialect& m_dialect;
+    qsizetype m_at = 0;
+    int m_column = 1;
+    Row m_cells;
+};
+
+} // namespace
+
+QList<Dialect> dialectsOf(QStringView text) {
+    constexpr qsizetype minSeparators = 5;
+    bool semicolons = false;
+    bool tabs = false;
+    bool commas = false; // outside of comments
+    bool blanks = false; // between two signs that are no commas
+    for (const QStringView line : text.tokenize(u'\n')) {
+        semicolons = semicolons || line.count(u';') >= minSeparators;
+        tabs = tabs || line.trimmed().count(u'\t') >= minSeparators;
+        const qsizetype comment = line.indexOf(u';');
+        const QString content = line.first(comment < 0 ? line.size() : comment).toString().simplified();
+        commas = commas || content.contains(u',');
+        for (qsizetype i = content.indexOf(u' '); i > 0 && !blanks; i = content.indexOf(u' ', i + 1))
+            blanks = content[i - 1] != u',' && content[i + 1] != u',';
+    }
+    if (semicolons) return {{Separator::Semicolon, text.contains(u',')}};
+    if (tabs) return {{Separator::Tab, commas}};
+    if (!commas) return {{Separator::Blank, false}};
+    if (!blanks) return {{Separator::Comma, false}};
+    return {{Separator::Comma, false, true}, {Separator::Blank, true}};
+}
+
+Row cellsOf(QStringView text, int line, const Dialect& dialect, qsizetype most) {
+    return LineReader(text, line, dialect).read(most);
+}
+
+std::optional<double> numberIn(const Cell& cell, const Dialect& dialect) {
+    QString text = cell.text;
+    text.replace(QChar(0x2212), u'-');
+    // Between commas only quotation marks let one into a cell: it is decimal.
+    if (dialect.decimalComma || dialect.separator == Separator::Comma) {
+        if (dialect.decimalComma && text.contains(u'.')) return std::nullopt;
+        if (text.contains(u'.') && text.contains(u',')) return std::nullopt;
+        text.replace(u',', u'.');
+    }
+    const qsizetype sign = text.startsWith(u'-') || text.startsWith(u'+') ? 1 : 0;
+    if (text.size() == sign + 1) { // ½ → 1⁄2; 1½ is none
+        const QString parts = text.normalized(QString::NormalizationForm_KD);
+        if (parts.contains(QChar(0x2044))) text = parts;
+    }
+    text.replace(QChar(0x2044), u'/');
+    const qsizetype slash = text.indexOf(u'/');
+    // Names of columns such as “e” and “phi” are constants as well.
+    const bool hasDigit = std::ranges::any_of(text, [](QChar c) { return c.isDigit(); });
+    if (slash < 0) return hasDigit ? evaluate(text) : parseNumber(text);
+    const auto numerator = parseNumber(text.left(slash));
+    const auto denominator = parseNumber(text.mid(slash + 1));
+    if (!numerator || !denominator) return evaluate(text);
+    return std::isfinite(*numerator / *denominator) ? std::optional(*numerator / *denominator) : std::nullopt;
+}
+
+} // namespace io

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "io/table/table_columns.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace io {
+
+namespace {
+
+using enum TableColumn;
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+constexpr double degree = std::numbers::pi / 180;
+
+struct Name {
+    const char* name;
+    TableColumn column;
+};
+// The first name of a column is the one we write.
+constexpr std::array columnsByName{
+    Name{"a", A},           Name{"b", B},         Name{"c", C},         Name{"d", D},
+    Name{"e", E},           Name{"f", F},         Name{"p", Weight},    Name{"r", R},
+    Name{"s", S},           Name{"theta", Theta}, Name{"phi", Phi},     Name{"cumulative", Cumulative},
+    Name{"θ", Theta},       Name{"φ", Phi},       Name{"ϕ", Phi},       Name{"ϑ", Theta},
+    Name{"h", E},           Name{"k", F},         Name{"prob", Weight}, Name{"probability", Weight},
+    Name{"weight", Weight}, Name{"p%", Weight},   Name{"%", Weight}};
+
+bool isWeight(TableColumn column) {
+    return column == Weight || column == Cumulative;
+}
+
+bool isPolar(TableColumn column) {
+    return column >= R && column <= Phi;
+}
+
+std::optional<TableColumn> columnOf(const QString& name) {
+    const auto* const known =
+        std::find_if(columnsByName.begin(), columnsByName.end(), [&name](const Name& candidate) {
+            return name.compare(QString::fromUtf8(candidate.name), Qt::CaseInsensitive) == 0;
+        });
+    return known == columnsByName.end() ? std::nullopt : std::optional(known->column);
+}
+
+bool isComplete(TableColumns columns) {
+    std::sort(columns.begin(), columns.end());
+    return columns == TableColumns{A, B, C, D, E, F, Weight} ||
+           columns == TableColumns{A, B, C, D, E, F, Cumulative} ||
+           columns == TableColumns{R, S, Theta, Phi, E, F, Weight} ||
+           columns == TableColumns{R, S, Theta, Phi, E, F, Cumulative};
+}
+
+// The words, or the letters of the only one.
+QStringList namesIn(QString text) {
+    text.replace(u',', u' ');
+    const QStringList names = text.simplified().split(u' ', Qt::SkipEmptyParts);
+    if (names.size() != 1) return names;
+    QStringList letters;
+    for (const QChar letter : names.first())
+        letters << QString(letter);
+    return letters;
+}
+
+} // namespace
+
+TableColumns fractintColumns() {
+    return {A, B, C, D, E, F, Weight};
+}
+
+std::optional<TableColumns> tableColumns(const QStringList& names) {
+    TableColumns columns;
+    for (const QString& name : names) {
+        const std::optional<TableColumn> column = columnOf(name);
+        if (!column) return std::nullopt;
+        columns.push_back(*column);
+    }
+    if (std::none_of(columns.begin(), columns.end(), isWeight)) columns.push_back(Weight);
+    return isComplete(columns) ? std::optional(columns) : std::nullopt;
+}
+
+std::optional<TableColumns> tableColumns(const QString& text) {
+    return tableColumns(namesIn(text));
+}
+
+QString columnsObstacle(const QString& text) {
+    TableColumns columns;
+    for (const QString& name : namesIn(text)) {
+        const std::optional<TableColumn> column = columnOf(name);
+        if (!column)
+            return Text::tr("There is no column “%1”: the columns are a b c d or r s theta phi, e f, and p "
+                            "or cumulative.")
+                .arg(name);
+        if (std::find(columns.begin(), columns.end(), *column) != columns.end())
+            return Text::tr("“%1” occurs twice.").arg(name);
+        columns.push_back(*column);
+    }
+    if (std::count_if(columns.begin(), columns.end(), isWeight) > 1)
+        return Text::tr("A row has only one weight: p or cumulative.");
+    const bool polar = std::any_of(columns.begin(), columns.end(), isPolar);
+    TableColumns missing = polar ? TableColumns{R, S, Theta, Phi, E, F} : TableColumns{A, B, C, D, E, F};
+    for (const TableColumn column : columns)
+        if (std::erase(missing, column) == 0 && !isWeight(column))
+            return Text::tr("a b c d and r s theta phi cannot be combined.");
+    if (missing.empty()) return {};
+    return Text::tr("Missing: %1.").arg(columnNames(missing).join(u' '));
+}
+
+QStringList columnNames(const TableColumns& columns) {
+    QStringList names;
+    for (const TableColumn column : columns)
+        names << QString::fromUtf8(
+            std::find_if(columnsByName.begin(), columnsByName.end(), [column](const Name& known) {
+                return known.column == column;
+            })->name);
+    return names;
+}
+
+ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> numbers) {
+    std::array<double, 12> value{};
+    std::optional<double> weight;
+    const bool hasWeight = numbers.size() == columns.size();
+    std::size_t next = 0;
+    for (const TableColumn column : columns) {
+        if (!isWeight(column))
+            value[std::size_t(column)] = numbers[next++];
+        else if (hasWeight)
+            weight = numbers[next++];
+    }
+    const auto of = [&value](TableColumn column) { return value[std::size_t(column)]; };
+    ifs::WeightedMap<2> row;
+    row.map = ifs::affineMap(of(A), of(B), of(C), of(D), of(E), of(F));
+    if (std::find(columns.begin(), columns.end(), R) != columns.end())
+        row.map = ifs::affineMap(of(R) * std::cos(of(Theta) * degree), -of(S) * std::sin(of(Phi) * degree),
+                                 of(R) * std::sin(of(Theta) * degree), of(S) * std::cos(of(Phi) * degree),
+                                 of(E), of(F));
+    row.weight = weight;
+    return row;
+}
+
+std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight) {
+    const auto& m = map.linear;
+    std::vector<double> numbers;
+    for (const TableColumn column : columns) {
+        switch (column) {
+        case A:
+            numbers.push_back(m(0, 0));
+            break;
+        case B:
+            numbers.push_back(m(0, 1));
+            break;
+        case C:
+            numbers.push_back(m(1, 0));
+            break;
+        case D:
+            numbers.push_back(m(1, 1));
+            break;
+        case E:
+            numbers.push_back(map.translation.x());
+            break;
+        case F:
+            numbers.push_back(map.translation.y());
+            break;
+        case R:
+            numbers.push_back(m.col(0).norm());
+            break;
+        case S:
+            numbers.push_back(m.col(1).norm());
+            break;
+        case Theta:
+            numbers.push_back(std::atan2(m(1, 0), m(0, 0)) / degree);
+            break;
+        case Phi:
+            numbers.push_back(std::atan2(-m(0, 1), m(1, 1)) / degree);
+            break;
+        case Weight:
+        case Cumulative:
+            numbers.push_back(weight);
+            break;
+        }
+    }
+    return numbers;
+}
+
+} // namespace io

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/iterated_function_system.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+// What the columns of a table of maps mean. Programs and books differ in their order.
+namespace io {
+
+// x' = A x + B y + E, y' = C x + D y + F, weight P; or the linear part as scales R, S and angles Theta, Phi
+// in degrees: A = R cos Theta, B = −S sin Phi, C = R sin Theta, D = S cos Phi. Cumulative: the sum of the
+// weights up to this row.
+enum class TableColumn { A, B, C, D, R, S, Theta, Phi, E, F, Weight, Cumulative };
+
+// All of A B C D or all of R S Theta Phi, E and F, each once; and one of Weight and Cumulative.
+using TableColumns = std::vector<TableColumn>;
+
+TableColumns fractintColumns(); // a b c d e f p
+
+// Out of names like "a", "theta" or "h" (another name for e); nullopt when they do not say everything. A
+// weight that is not named comes last.
+std::optional<TableColumns> tableColumns(const QStringList& names);
+// The same out of "a b c d e f p" or "abecdfp".
+std::optional<TableColumns> tableColumns(const QString& text);
+
+// Why a text names no such order, as a sentence; empty when it does.
+QString columnsObstacle(const QString& text);
+
+QStringList columnNames(const TableColumns& columns);
+
+// One number for every column, or none for the weight when it is missing from the row (`numbers` is one
+// shorter).
+ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> numbers);
+// `weight` is what stands under Weight or Cumulative.
+std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight);
+
+} // namespace io

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/problem.h"
+#include "io/table/table_columns.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace io {
+
+// Rows of numbers as people paste them or a spreadsheet writes them: blanks, tabs, commas or semicolons
+// between 6 or 7 numbers a row (12 or 13 of a map in space), with or without a label and a header; one column
+// per map when the rows are labelled a, b, c …; or a count followed, for every map, by its weight and a 3×3
+// matrix. The order of the columns is the one given, else the header's, else Fractint's "a b c d e f [p]". A
+// row that is not understood in one way alone is an error.
+struct Table {
+    std::vector<ifs::WeightedMap<2>> rows;      // without ids
+    std::vector<ifs::WeightedMap<3>> spaceRows; // or these
+    std::vector<int> lines;                     // of the text, for every row
+    document::Problems problems;                // any error: nothing is to be pasted
+    bool isTable = false;                       // there was a row that could be read, or a header over one
+    bool isOrdered = false; // the text itself says what its columns are, or the caller did
+};
+enum class TableMaps { Plane, PlaneOrSpace }; // which are wanted; others are an error
+Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt,
+                TableMaps wanted = TableMaps::Plane);
+bool hasErrors(const Table& table);
+// Whether the text is a table that does not say what its columns are, and could be read if one said it.
+bool isOrderOpen(const QString& text);
+
+// The rows as a system, numbered from 1.
+ifs::IteratedFunctionSystem<2> systemOf(const Table& table);
+ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table);
+
+constexpr qsizetype maxTable = 64 * 1024 * 1024; // characters
+
+// Whether a text is a table whose numbers Fractint would take for other rows: a count and matrices, or
+// semicolons between the numbers, where they begin comments.
+bool isTableToFractintUnknown(const QString& beginning);
+
+// Tab-separated rows a b c d e f p, as they are.
+QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows);
+
+// A whole system with a header and a weight in every row (0: switched off), lines end in LF; RFC 4180 for
+// commas.
+enum class TableSeparator { Comma, Tab };
+QByteArray writeTable(const ifs::IteratedFunctionSystem<2>& system, const TableColumns& columns,
+                      TableSeparator separator);
+// Columns a … i of the matrix, row by row, j k l of the vector, and p.
+QByteArray writeTable(const ifs::IteratedFunctionSystem<3>& system, TableSeparator separator);
+
+} // namespace io

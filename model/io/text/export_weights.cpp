@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "io/text/export_weights.h"
+
+#include <QCoreApplication>
+
+namespace io {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+} // namespace
+
+template <int Dim> std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
+    const auto active = ifs::activeMaps(system);
+    bool allGiven = true;
+    for (const std::size_t i : active.index)
+        allGiven = allGiven && system.maps[i].weight;
+    std::vector<double> weights(system.maps.size());
+    for (std::size_t k = 0; k < active.index.size(); ++k) {
+        const std::size_t i = active.index[k];
+        weights[i] = allGiven ? *system.maps[i].weight : active.probabilities[k];
+    }
+    return weights;
+}
+
+template std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<2>&);
+template std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<3>&);
+
+std::optional<QString> weightRemark(std::size_t map, double weight) {
+    if (weight < 0)
+        return Text::tr("The weight of map %1 is negative; the map is treated as switched off.").arg(map);
+    if (weight == 0) return Text::tr("The weight of map %1 is 0, so the map is inactive.").arg(map);
+    return std::nullopt;
+}
+
+} // namespace io

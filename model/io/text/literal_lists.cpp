@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "io/text/literal_lists.h"
+
+#include "io/text/number.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace io {
+
+namespace {
+
+constexpr int maxDepth = 64;
+constexpr qsizetype maxItems = 2'000'000;
+constexpr qsizetype maxKey = 200;
+
+bool isWordLetter(QChar c) {
+    return c.isLetterOrNumber() || c == u'_' || c == u'$' || c == u'.';
+}
+
+QChar closing(QChar open) {
+    return open == u'(' ? u')' : open == u'[' ? u']' : u'}';
+}
+
+class Parser {
+public:
+    explicit Parser(QStringView text) : m_text(text) {}
+
+    Literals read() && {
+        Literals literals;
+        while (!isAtEnd()) {
+            readItems(literals.root, QChar(), 0);
+            ++m_at; // a bracket that closes nothing
+        }
+        literals.isCut = m_isCut;
+        return literals;
+    }
+
+private:
+    bool isAtEnd() const { return m_at >= m_text.size() || m_isCut; }
+    QChar at(qsizetype offset = 0) const {
+        return m_at + offset < m_text.size() ? m_text[m_at + offset] : QChar();
+    }
+
+    // Up to what closes the list, or any bracket that closes none.
+    void readItems(Literal& list, QChar end, int depth) {
+        QString key;
+        QString word; // the last one, which may name a list or be a key
+        const auto flush = [&] {
+            if (!word.isEmpty() && depth > 0) add(list, {Literal::Kind::Other, 0, key, word, {}});
+            if (!word.isEmpty()) key.clear();
+            word.clear();
+        };
+        while (!isAtEnd()) {
+            const QChar c = at();
+            if (c == u')' || c == u']' || c == u'}') break;
+            if (c.isSpace() || c == u',' || c == u';') {
+                if (c == u',' || c == u';' || c == u'\n') flush(); // "k :" and "f (…)" have a blank
+                ++m_at;
+            } else if (c == u':' || c == u'=') {
+                key = std::exchange(word, {});
+                while (at() == u':' || at() == u'=' || at() == u'>')
+                    ++m_at;
+            } else if (c == u'#' || (c == u'/' && (at(1) == u'/' || at(1) == u'*'))) {
+                skipComment();
+            } else if (c == u'"' || c == u'\'') {
+                flush();
+                readText(list, key, word);
+            } else if (c == u'(' || c == u'[' || c == u'{') {
+                readList(list, std::exchange(key, {}), std::exchange(word, {}), depth);
+            } else if (const auto number = readNumber()) {
+                flush();
+                const Literal::Kind kind = isOperator(at()) ? Literal::Kind::Other : Literal::Kind::Number;
+                if (depth > 0 || !key.isEmpty()) add(list, {kind, *number, std::exchange(key, {}), {}, {}});
+            } else if (isWordLetter(c)) {
+                flush();
+                word = readWord();
+            } else {
+                flush();
+                if (depth > 0) add(list, {Literal::Kind::Other, 0, std::exchange(key, {}), {}, {}});
+                ++m_at;
+            }
+        }
+        flush();
+        if (at() == end && !end.isNull()) ++m_at;
+    }
+
+    static bool isOperator(QChar c) { return c == u'*' || c == u'/' || c == u'^' || c == u'+' || c == u'-'; }
+
+    void add(Literal& list, Literal&& item) {
+        if (++m_items > maxItems) {
+            m_isCut = true;
+            return;
+        }
+        list.items.append(std::move(item));
+    }
+
+    void readList(Literal& list, QString&& key, QString&& name, int depth) {
+        const QChar open = at();
+        ++m_at;
+        Literal item{Literal::Kind::List, 0, std::move(key), std::move(name), {}};
+        if (depth >= maxDepth) {
+            m_isCut = true;
+            return;
+        }
+        readItems(item, closing(open), depth + 1);
+        add(list, std::move(item));
+    }
+
+    // A key if a colon follows; else the text itself, where the line ends it.
+    void readText(Literal& list, QString& key, QString& word) {
+        const QChar mark = at();
+        qsizetype end = m_at + 1;
+        while (m_at >= m_openUntil && end < m_text.size() && m_text[end] != mark && m_text[end] != u'\n')
+            end += m_text[end] == u'\\' ? 2 : 1;
+        if (m_at < m_openUntil || end >= m_text.size() || m_text[end] != mark) {
+            m_openUntil = std::max(m_openUntil, end); // an apostrophe: this line is not looked through again
+            ++m_at;
+            return;
+        }
+        const QString text = m_text.sliced(m_at + 1, end - m_at - 1).left(maxKey).toString();
+        m_at = end + 1;
+        qsizetype next = m_at;
+        while (next < m_text.size() && m_text[next].isSpace())
+            ++next;
+        if (next < m_text.size() && (m_text[next] == u':' || m_text[next] == u'='))
+            word = text;
+        else
+            add(list, {Literal::Kind::Text, 0, std::exchange(key, {}), text, {}});
+    }
+
+    QString readWord() {
+        const qsizetype begin = m_at;
+        while (m_at < m_text.size() && isWordLetter(at()))
+            ++m_at;
+        return m_text.sliced(begin, m_at - begin).left(maxKey).toString();
+    }
+
+    void skipComment() {
+        const bool isBlock = at() == u'/' && at(1) == u'*';
+        const qsizetype end = isBlock ? m_text.indexOf(u"*/", m_at + 2) : m_text.indexOf(u'\n', m_at);
+        m_at = end < 0 ? m_text.size() : end + (isBlock ? 2 : 0);
+    }
+
+    // Digits with a sign, a point and an exponent, perhaps over others, with the f of a float behind.
+    std::optional<double> readNumber() {
+        const auto first = digitsAt(m_at);
+        if (!first) return std::nullopt;
+        qsizetype end = first->end;
+        double value = first->value;
+        if (end < m_text.size() && m_text[end] == u'/')
+            if (const auto second = digitsAt(end + 1); second && second->value != 0) {
+                value /= second->value;
+                end = second->end;
+            }
+        if (end < m_text.size() && (m_text[end] == u'f' || m_text[end] == u'F') &&
+            (end + 1 >= m_text.size() || !isWordLetter(m_text[end + 1])))
+            ++end;
+        if (end < m_text.size() && isWordLetter(m_text[end])) return std::nullopt; // 2x
+        m_at = end;
+        return value;
+    }
+
+    struct Digits {
+        double value;
+        qsizetype end;
+    };
+    std::optional<Digits> digitsAt(qsizetype begin) const {
+        qsizetype end = begin;
+        const auto letter = [&](qsizetype i) { return i < m_text.size() ? m_text[i] : QChar(); };
+        if (letter(end) == u'-' || letter(end) == u'+' || letter(end) == QChar(0x2212)) ++end;
+        const qsizetype digits = end;
+        const auto isDigit = [&](qsizetype i) { return letter(i) >= u'0' && letter(i) <= u'9'; };
+        if (!isDigit(end) && !(letter(end) == u'.' && isDigit(end + 1))) return std::nullopt;
+        while (isDigit(end) || letter(end) == u'.')
+            ++end;
+        if (letter(end) == u'e' || letter(end) == u'E') {
+            const qsizetype exponent = end + (letter(end + 1) == u'-' || letter(end + 1) == u'+' ? 2 : 1);
+            if (isDigit(exponent)) {
+                end = exponent;
+                while (isDigit(end))
+                    ++end;
+            }
+        }
+        const auto value = parseNumber(m_text.sliced(digits, end - digits));
+        if (!value) return std::nullopt;
+        const bool isNegative = digits > begin && letter(begin) != u'+';
+        return Digits{isNegative ? -*value : *value, end};
+    }
+
+    QStringView m_text;
+    qsizetype m_at = 0;
+    qsizetype m_items = 0;
+    qsizetype m_openUntil = 0; // quotation marks before are no more than signs
+    bool m_isCut = false;
+};
+
+} // namespace
+
+Literals literalsIn(const QString& text) {
+    return Parser(text).read();
+}
+
+} // namespace io

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QList>
+#include <QString>
+
+namespace io {
+
+// What brackets in a text hold, whether it is JSON, a program in Python, C or JavaScript, or close to one.
+struct Literal {
+    enum class Kind {
+        Number,
+        Other, // a name, an expression: no number by itself
+        Text,  // in quotation marks
+        List,  // (…), […] or {…}
+    };
+    Kind kind = Kind::List;
+    double number = 0;
+    QString key;  // before ":", "=" or "=>"; empty without one
+    QString text; // of Text; of a List the name before it, as in array([…])
+    QList<Literal> items;
+};
+
+// All lists of the text as the items of one, with what stands between them left out. Comments (#, //, /*) are
+// skipped. 1/3 is a number, and so is what is within the limits: 64 levels, 2 000 000 items.
+// `isCut` says that there was more.
+struct Literals {
+    Literal root;
+    bool isCut = false;
+};
+Literals literalsIn(const QString& text);
+
+} // namespace io

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "io/text/lost_parts.h"
+
+#include "document/edits/cage_edits.h"
+#include "document/fractal_geometry.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace io {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+struct Held {
+    bool cage = false;
+    bool moved = false;
+};
+
+Held heldBy(const document::Fractal& fractal) {
+    const auto of = [](const auto& shape) { return Held{shape.cage.has_value(), !shape.moved.empty()}; };
+    if (const auto* plane = document::plane(fractal)) return of(*plane);
+    if (const auto* space = document::space(fractal)) return of(*space);
+    return {};
+}
+
+} // namespace
+
+std::optional<QString> lossBeside(const KeptParts& kept, const document::Fractal& fractal) {
+    const attractor::Appearance usual = document::Fractal{}.appearance;
+    attractor::Appearance rest = fractal.appearance;
+    const Held held = heldBy(fractal);
+    QStringList lost;
+    if (held.cage) lost << Text::tr("its cage");
+    if (held.moved) lost << Text::tr("its moved branches");
+    if (!kept.palette && !(rest.palette == usual.palette)) lost << Text::tr("its palette");
+    if (!kept.background && !(rest.background == usual.background)) lost << Text::tr("its background");
+    rest.palette = usual.palette;
+    rest.background = usual.background;
+    if (kept.colourBy) rest.colourBy = usual.colourBy;
+    if (kept.mapColours) rest.mapColours = usual.mapColours;
+    if (!(rest == usual)) lost << Text::tr("its other colour settings");
+    if (lost.isEmpty()) return std::nullopt;
+    const QString last = lost.takeLast();
+    const QString all =
+        lost.isEmpty() ? last : Text::tr("%1 and %2").arg(lost.join(QStringLiteral(", ")), last);
+    const bool isDifferent = held.moved || !document::isAtRest(fractal);
+    return isDifferent ? Text::tr("“%1” is written without %2: other programs will draw a different picture.")
+                             .arg(fractal.name, all)
+                       : Text::tr("“%1” is written without %2.").arg(fractal.name, all);
+}
+
+} // namespace io

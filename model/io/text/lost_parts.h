@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace io {
+
+// The parts of a fractal beside its code that a form of text has a place for.
+struct KeptParts {
+    bool palette = false;
+    bool background = false;
+    bool colourBy = false;
+    bool mapColours = false;
+};
+
+// What is lost, as a sentence; nullopt when nothing is, or only what is as in a new entry.
+std::optional<QString> lossBeside(const KeptParts& kept, const document::Fractal& fractal);
+
+} // namespace io

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+#include "animation/animation.h"
+#include "animation/motion_presets.h"
+#include "ifs/canonical_systems.h"
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include <cstring>
+#include <numbers>
+#include <random>
+
+using namespace animation;
+using namespace canonical;
+using ifs::AffineMap, ifs::MapId, ifs::Matrix, ifs::Vector;
+
+namespace {
+
+template <int Dim> ifs::IteratedFunctionSystem<Dim> systemOf(const std::vector<AffineMap<Dim>>& maps) {
+    ifs::IteratedFunctionSystem<Dim> system;
+    for (const auto& map : maps)
+        ifs::append(system, map, 0.25);
+    return system;
+}
+
+template <int Dim> bool isSameBits(const AffineMap<Dim>& a, const AffineMap<Dim>& b) {
+    return std::memcmp(a.linear.data(), b.linear.data(), sizeof(double) * Dim * Dim) == 0 &&
+           std::memcmp(a.translation.data(), b.translation.data(), sizeof(double) * Dim) == 0;
+}
+
+template <int Dim> bool isSameBits(const Pose<Dim>& a, const Pose<Dim>& b) {
+    if (!(a.system == b.system && a.cage == b.cage && a.appearance == b.appearance)) return false;
+    for (std::size_t i = 0; i < a.system.maps.size(); ++i)
+        if (!isSameBits<Dim>(a.system.maps[i].map, b.system.maps[i].map)) return false;
+    return a.orbit == b.orbit && a.camera == b.camera;
+}
+
+// Random keys for every track, and every motion.
+template <int Dim> Animation<Dim> randomAnimation(Random& random, const Pose<Dim>& still, Loop loop) {
+    Animation<Dim> animation;
+    animation.length = 40;
+    animation.loop = loop;
+    std::uniform_real_distribution<double> share(0, 1);
+    std::mt19937_64 engine(std::uint64_t(loop) + Dim);
+    for (const auto& map : still.system.maps) {
+        MapTrack<Dim> track{map.id, {}};
+        for (const int frame : {0, 7, 13, 40}) {
+            if (loop == Loop::Cycle && frame == 40) continue;
+            const Ease ease = cubicEase(share(engine), share(engine), share(engine), share(engine));
+            const double weight = 0.1 + share(engine);
+            track.keys.push_back({frame, {randomContractions<Dim>(random, 1, 0.9)[0], weight}, ease});
+        }
+        animation.maps.push_back(track);
+    }
+    for (const int frame : {0, 20}) {
+        CagePose<Dim> pose;
+        for (std::size_t i = 0; i < still.cage->rest.size(); ++i)
+            pose.push_back(randomVector<Dim>(random, 2));
+        animation.cage.push_back({frame, pose, {}});
+        Look look = lookOf(still.appearance);
+        look.palette = attractor::builtInPalettes()[frame == 0 ? 0 : 2];
+        look.brightness = 5 + frame;
+        animation.look.push_back({frame, look, {}});
+        CameraPose<Dim> camera;
+        camera.height = 1 + frame;
+        animation.camera.push_back({frame, camera, {Ease::Kind::Both}});
+    }
+    return animation;
+}
+
+template <int Dim> Pose<Dim> stillPose(Random& random) {
+    Pose<Dim> still{systemOf<Dim>(randomContractions<Dim>(random, 3, 0.9))};
+    ifs::ControlCage<Dim> cage;
+    cage.rest.push_back(Vector<Dim>::Zero());
+    for (int i = 0; i < Dim; ++i)
+        cage.rest.push_back(Vector<Dim>::Unit(i));
+    cage.current = cage.rest;
+    still.cage = cage;
+    return still;
+}
+
+template <int Dim> void addMotions(Animation<Dim>& animation) {
+    for (const SwayPreset& preset : swayPresets())
+        animation.motions.push_back(swayOf<Dim>(preset, {}, Vector<Dim>::Ones()));
+    animation.motions.push_back(Turn<Dim>{{}, 2});
+    animation.motions.push_back(Turn<Dim>{{MapId(2)}, -3, Vector<Dim>::Ones()});
+    animation.motions.push_back(Orbit<Dim>{1});
+    animation.motions.push_back(Breathe<Dim>{{}, 0.1, 3});
+    animation.motions.push_back(PaletteCycle{1});
+}
+
+template <int Dim> void everyKeyIsHit() {
+    Random random(Dim);
+    const Pose<Dim> still = stillPose<Dim>(random);
+    for (const Loop loop : {Loop::Off, Loop::Cycle, Loop::ThereAndBack}) {
+        const Animation<Dim> animation = randomAnimation<Dim>(random, still, loop);
+        QVERIFY(isValid(animation));
+        for (std::size_t i = 0; i < animation.maps.size(); ++i)
+            for (const auto& key : animation.maps[i].keys) {
+                const Pose<Dim> pose = animation.at(moment(key.frame), still);
+                QVERIFY(isSameBits<Dim>(pose.system.maps[i].map, key.value.map));
+                QCOMPARE(pose.system.maps[i].weight, key.value.weight);
+            }
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Pose<Dim> pose = animation.at(moment(animation.cage[k].frame), still);
+            QCOMPARE(pose.cage->current, animation.cage[k].value);
+            QCOMPARE(lookOf(pose.appearance), animation.look[k].value);
+            QCOMPARE(*pose.camera, animation.camera[k].value);
+        }
+    }
+}
+
+// With motions: frame L is frame 0 in every bit, and so is frame 2L there and back.
+template <int Dim> void loopsClose() {
+    Random random(Dim + 10);
+    const Pose<Dim> still = stillPose<Dim>(random);
+    for (const Loop loop : {Loop::Cycle, Loop::ThereAndBack}) {
+        Animation<Dim> animation = randomAnimation<Dim>(random, still, loop);
+        addMotions(animation);
+        QVERIFY(isValid(animation));
+        const Pose<Dim> first = animation.at(moment(0), still);
+        QVERIFY(isSameBits(animation.at(moment(lastFrame(loop, animation.length)), still), first));
+        QVERIFY(!isSameBits(animation.at(moment(11), still), first));
+        QVERIFY(isSameBits(animation.at(moment(11), still), animation.at(moment(22, 2), still)));
+        const int mirrored = loop == Loop::Cycle ? 40 + 11 : 80 - 11;
+        QVERIFY(isSameBits(animation.at(moment(mirrored), still), animation.at(moment(11), still)));
+    }
+    // Motions alone begin with the entry as it stands, but for the phases of the wind.
+    Animation<Dim> motions;
+    motions.length = 7;
+    motions.motions = {Turn<Dim>{{}, 5}, Orbit<Dim>{-2}, Breathe<Dim>{{}, 0.5, 2}, PaletteCycle{3},
+                       swayOf<Dim>(swayPresets().back(), {}, Vector<Dim>::Ones())};
+    QVERIFY(isSameBits(motions.at(moment(0), still), still));
+    QVERIFY(isSameBits(motions.at(moment(7), still), still));
+}
+
+// ‖A(t)‖ ≤ the larger end, in the norm in which both ends contract.
+template <int Dim> void pathsContract(int pairs) {
+    Random random(Dim + 20);
+    std::mt19937_64 engine(Dim);
+    std::uniform_real_distribution<double> share(0, 1);
+    int missed = 0;
+    for (int n = 0; n < pairs; ++n) {
+        const auto ends = randomContractions<Dim>(random, 2, 0.999);
+        Matrix<Dim> shear = Matrix<Dim>::Identity();
+        if (n % 2 == 1) shear(0, Dim - 1) = 4 * share(engine); // seen askew, norms may be above 1
+        const auto seen = [&](const AffineMap<Dim>& map) {
+            return AffineMap<Dim>{shear * map.linear * shear.inverse(), shear * map.translation};
+        };
+        const std::vector<AffineMap<Dim>> maps{seen(ends[0]), seen(ends[1])};
+        const auto norm = commonNorm<Dim>(maps);
+        if (!norm && n % 2 == 1) { // not every pair that has one shows it
+            ++missed;
+            continue;
+        }
+        QVERIFY(norm.has_value());
+        const auto length = [&](const AffineMap<Dim>& map) {
+            return ifs::spectralNorm<Dim>(norm->root * map.linear * norm->inverse);
+        };
+        const double largest = std::max(length(maps[0]), length(maps[1]));
+        QVERIFY(largest < 1);
+        const double t = share(engine);
+        const auto map = between<Dim>({maps[0], 0.5}, {maps[1], 0.7}, t, Vector<Dim>::Ones(), *norm);
+        QVERIFY2(length(map.map) <= largest * (1 + 1e-12), qPrintable(QString::number(length(map.map))));
+        QVERIFY(length(straight<Dim>(maps[0], maps[1], t)) <= largest * (1 + 1e-12));
+        QCOMPARE(*map.weight, (1 - t) * 0.5 + t * 0.7);
+        const Vector<Dim> image = (1 - t) * maps[0](Vector<Dim>::Ones()) + t * maps[1](Vector<Dim>::Ones());
+        QVERIFY((map.map(Vector<Dim>::Ones()) - image).norm() < 1e-10);
+    }
+    qInfo("in %d dimensions, no common norm found for %d of %d sheared pairs", Dim, missed, pairs / 2);
+    QVERIFY(missed < pairs / 2);
+}
+
+} // namespace
+
+class AnimationTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyKeyIsHitExactly() {
+        everyKeyIsHit<2>();
+        everyKeyIsHit<3>();
+    }
+
+    void frameLIsFrame0() {
+        loopsClose<2>();
+        loopsClose<3>();
+    }
+
+    void pathsStayContractive() {
+        pathsContract<2>(10'000);
+        pathsContract<3>(1'000);
+    }
+
+    // P = [[15/2, 35/2], [35/2, 100]] of maps that contract together, but not in the Euclidean norm.
+    void commonNormOfASum() {
+        const auto norm = commonNorm<2>(eventual());
+        QVERIFY(norm && !norm->isEuclidean);
+        Matrix<2> form;
+        form << 7.5, 17.5, 17.5, 100;
+        QVERIFY((norm->root * norm->root - form).norm() < 1e-9);
+    }
+
+    void noCommonNormOfMapsThatExpandTogether() {
+        const std::vector<AffineMap<2>> maps{ifs::affineMap(.5, 2, 0, .5, 0, 0),
+                                             ifs::affineMap(.5, 0, 2, .5, 0, 0)};
+        QVERIFY(!commonNorm<2>(maps)); // their product expands
+        QVERIFY(commonNorm<2>(std::vector{maps[0]}));
+    }
+
+    void halfwayInMaple() {
+        ifs::IteratedFunctionSystem<2> system = systemOf<2>(maple());
+        Animation<2> animation;
+        animation.length = 2;
+        animation.maps = {{MapId(3), {{0, {maple()[2], 0.25}, {}}, {2, {maple()[3], 0.25}, {}}}}};
+        const Matrix<2> linear = animation.at(moment(1), {system}).system.maps[2].map.linear;
+        Matrix<2> expected;
+        expected << 0.682530784204, 0.011884611023, -0.061757061898, 0.595299372995;
+        QVERIFY((linear - expected).cwiseAbs().maxCoeff() < 1e-12);
+    }
+
+    // The share of the centre's way at half time.
+    void cameraZoomsGeometrically() {
+        const auto share = [](double ratio) {
+            const attractor::View view =
+                between(attractor::View{{0, 0}, 2}, attractor::View{{1, 0}, 2 * ratio}, 0.5);
+            if (std::abs(view.height - 2 * std::sqrt(ratio)) > 1e-12) return -1.0;
+            return double(view.centre.x());
+        };
+        QVERIFY(std::abs(share(4) - 1.0 / 3) < 1e-14);
+        QVERIFY(std::abs(share(100) - 1.0 / 11) < 1e-14);
+        QVERIFY(std::abs(share(0.25) - 2.0 / 3) < 1e-14);
+        QCOMPARE(share(1), 0.5);
+        for (const double near : {1e-3, 1e-4, 1.1e-5, 0.9e-5, 1e-9, -1e-5})
+            QVERIFY(std::abs(share(1 + near) - 1 / (std::sqrt(1 + near) + 1)) < 1e-9);
+        attractor::OrbitCamera camera;
+        camera.orientation = attractor::orbit(10, 20);
+        QVERIFY(orbited(camera, 90).orientation.angularDistance(attractor::orbit(100, 20)) < 1e-7);
+        attractor::OrbitCamera far = camera;
+        far.orientation = attractor::orbit(70, 20);
+        far.height = 4;
+        QVERIFY(std::abs(between(camera, far, 0.5).height - 2) < 1e-14);
+    }
+
+    void looksMixInOklab() {
+        Look dark = lookOf({}), light = dark;
+        dark.plain = {0, 0, 0, 255};
+        light.plain = {255, 255, 255, 255};
+        dark.brightness = 1;
+        light.brightness = 100;
+        const Look middle = between(dark, light, 0.5);
+        // Oklab lightness ½ is linear light ⅛.
+        QCOMPARE(middle.plain, (attractor::Rgba{99, 99, 99, 255}));
+        QVERIFY(std::abs(middle.brightness - 10) < 1e-12);
+        const attractor::Palette palette = attractor::builtInPalettes()[1];
+        QCOMPARE(cycled(palette, 0), palette);
+        const attractor::Palette half = cycled(palette, 0.5); // at its far end, and on its way back
+        QCOMPARE(half.stops.front().colour, palette.stops.back().colour);
+        QCOMPARE(half.stops.back().colour, palette.stops.front().colour);
+        QCOMPARE(half.stops.size(), palette.stops.size());
+        QCOMPARE(cycled(palette, 0.3).stops.front().position, 0.0);
+        QCOMPARE(cycled(palette, 0.3).stops.back().position, 1.0);
+    }
+
+    void motionsKeepTheirPivots() {
+        Random random(7);
+        const Pose<2> still = stillPose<2>(random);
+        Animation<2> animation;
+        animation.length = 9;
+        const Vector<2> root(0.4, -2);
+        animation.motions = {Turn<2>{{MapId(2)}, 1, root}};
+        for (int frame = 0; frame < 9; ++frame) {
+            const Pose<2> pose = animation.at(moment(frame), still);
+            QCOMPARE(pose.system.maps[0].map, still.system.maps[0].map);
+            const auto& map = pose.system.maps[1].map;
+            QVERIFY((map(root) - still.system.maps[1].map(root)).norm() < 1e-14);
+            const double angle = 2 * std::numbers::pi * frame / 9;
+            const Matrix<2> turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+            QVERIFY((map.linear - turn * still.system.maps[1].map.linear).norm() < 1e-14);
+        }
+        animation.motions = {Sway<2>{{}, 30, root, Vector<3>::UnitZ(), {{1, 1, 90, 0}}}};
+        const Pose<2> pose = animation.at(moment(0), still);
+        const Matrix<2> turn = Eigen::Rotation2Dd(std::numbers::pi / 6).toRotationMatrix();
+        QVERIFY((pose.system.maps[0].map.linear - turn * still.system.maps[0].map.linear).norm() < 1e-14);
+        // A cage that is carried once round turns the picture, and keeps its size half way.
+        animation.motions = {Orbit<2>{1, {1, 1}}};
+        animation.length = 4;
+        const auto cage = *animation.at(moment(1), still).cage;
+        QVERIFY((cage.current[0] - Vector<2>(2, 0)).norm() < 1e-15);
+    }
+
+    void cagesTurnWithoutShrinking() {
+        Random random(8);
+        Pose<2> still = stillPose<2>(random);
+        Animation<2> animation;
+        animation.length = 2;
+        const std::vector<Vector<2>> rest = still.cage->rest;
+        std::vector<Vector<2>> turned;
+        for (const auto& vertex : rest)
+            turned.emplace_back(-vertex.y(), vertex.x());
+        animation.cage = {{0, rest, {}}, {2, turned, {}}};
+        const auto half = animation.at(moment(1), still).cage->current;
+        QVERIFY(std::abs((half[1] - half[0]).norm() - 1) < 1e-14);
+        QVERIFY(std::abs((half[2] - half[1]).norm() - std::numbers::sqrt2) < 1e-14);
+        still.cage.reset(); // nothing to move
+        QVERIFY(!animation.at(moment(1), still).cage);
+    }
+
+    void strangersMoveNothing() {
+        Random random(9);
+        const Pose<2> still = stillPose<2>(random);
+        Animation<2> animation;
+        animation.maps = {{MapId(77), {{0, {maple()[0], 1.0}, {}}}}};
+        animation.cage = {{0, {{0, 0}}, {}}};
+        QVERIFY(isSameBits(animation.at(moment(3), still), still));
+    }
+
+    void invalidAnimationsAreKnown() {
+        const auto key = [](int frame) { return Key<MapPose<2>>{frame, {maple()[0], 1.0}, {}}; };
+        Animation<2> good;
+        good.maps = {{MapId(1), {key(0), key(48)}}};
+        QVERIFY(isValid(good));
+        const auto isBad = [&](auto change) {
+            Animation<2> bad = good;
+            change(bad);
+            return !isValid(bad);
+        };
+        QVERIFY(isBad([](auto& a) { a.length = 0; }));
+        QVERIFY(isBad([](auto& a) { a.length = 47; }));
+        QVERIFY(isBad([](auto& a) { a.rate.seconds = 0; }));
+        QVERIFY(isBad([](auto& a) { a.maps[0].keys[0].frame = -1; }));
+        QVERIFY(isBad([](auto& a) { a.maps[0].keys[0].frame = 48; }));
+        QVERIFY(isBad([](auto& a) { a.maps[0].keys[0].value.map.linear(0, 0) = NAN; }));
+        QVERIFY(isBad([](auto& a) { a.maps[0].keys[0].ease = {Ease::Kind::Cubic, 1, 0, 0, 1}; }));
+        QVERIFY(isBad([](auto& a) { a.maps[0].keys.clear(); }));
+        QVERIFY(isBad([](auto& a) { a.maps.push_back(a.maps[0]); }));
+        QVERIFY(isBad([](auto& a) { a.motions = {Turn<2>{{}, 0}}; }));
+        QVERIFY(isBad([](auto& a) { a.motions = {Breathe<2>{{}, 1, 1}}; }));
+        QVERIFY(isBad([](auto& a) { a.motions = {Sway<2>()}; }));
+        QVERIFY(isBad([](auto& a) { a.camera = {{0, {{0, 0}, 0}, {}}}; }));
+    }
+
+    // 64 tracks with 100 keys each.
+    void evaluationIsFast() {
+        Random random(11);
+        Pose<2> still{systemOf<2>(randomContractions<2>(random, 64, 0.9))};
+        Animation<2> animation;
+        animation.length = 990;
+        for (const auto& map : still.system.maps) {
+            MapTrack<2> track{map.id, {}};
+            for (int k = 0; k < 100; ++k)
+                track.keys.push_back(
+                    {10 * k, {randomContractions<2>(random, 1, 0.9)[0], 0.5}, {Ease::Kind::Both}});
+            animation.maps.push_back(track);
+        }
+        qint64 best = std::numeric_limits<qint64>::max();
+        for (int n = 0; n < 50; ++n) {
+            QElapsedTimer timer;
+            timer.start();
+            const Pose<2> pose = animation.at(moment(17 * n + 3), still);
+            best = std::min(best, timer.nsecsElapsed());
+            QVERIFY(pose.system.maps.size() == 64);
+        }
+        qInfo("time.at_us: %.1f", double(best) / 1000);
+        QVERIFY(best < 2'000'000);
+    }
+};
+
+QTEST_APPLESS_MAIN(AnimationTest)
+#include "animation_test.moc"

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/command_line.h"
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QProcess>
+#include <QRandomGenerator>
+#include <QTest>
+
+// barycage-cli animate, and --frame of info and render.
+class CliAnimateTest : public CommandLineTest {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void infoSaysWhatMoves();
+    void factsAreThoseOfTheFrame();
+    void frameLIsFrame0();
+    void framesOutsideAreRefused();
+    void aMorphReplacesNothingElse();
+    void aFrameAloneIsTheFrameOfTheSequence();
+    void picturesCarryTheAnimation();
+    void renderDrawsTheSamePixels();
+    void chunksShareTheFrames();
+    void listsNameFiles();
+    void completeFramesAreSkipped();
+    void staleAndDamagedFramesAreDrawnAgain();
+    void existingFilesCanBeReplacedOrRefused();
+    void keysMoveTheCamera();
+    void spaceMoves();
+    void aMomentWithoutAttractorIsNamed();
+    void wrongUsageIsRefused_data();
+    void wrongUsageIsRefused();
+    void killedAtAnyTimeLeavesWholeFiles();
+
+private:
+    QStringList files(const QByteArray& folder) const {
+        return QDir(path(folder)).entryList(QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+    }
+    QByteArray text(const QByteArray& file, const QString& key) const {
+        return QImage(path(file)).text(key).toUtf8();
+    }
+};
+
+namespace {
+
+constexpr const char* small = " --size 48x36 --points 20000 ";
+
+QByteArray animated(const QByteArray& name, const QByteArray& header) {
+    return name + " {\n; barycage: animation " + header +
+           "\n; barycage: track map 2\n; barycage: key 0 both\n; barycage: value 0.61 0 0 0.31 0.07 3.5 .25\n"
+           "; barycage: key 4 linear\n; barycage: value 0.5 0.2 -0.2 0.4 0 3 .3\n"
+           "; barycage: motion sway\n; barycage: strength 4\n; barycage: pivot 0 0\n"
+           "; barycage: wave 1\n; barycage: value 1 0 25\n"
+           " -0.04 0 -0.23 -0.65 -0.08 0.26 .25\n 0.61 0 0 0.31 0.07 3.5 .25\n"
+           " 0.65 0.29 -0.3 0.48 0.74 0.39 .25\n 0.64 -0.3 0.16 0.56 -0.56 0.60 .25\n}\n";
+}
+
+} // namespace
+
+void CliAnimateTest::init() {
+    write("wind.ifs", "still {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n" +
+                          animated("wind", "6 24/1 cycle") + animated("once", "6 30/1 off") +
+                          animated("back", "6 30/1 there-and-back"));
+    for (const char* folder : {"a", "b", "c", "d"}) {
+        QDir(path(folder)).removeRecursively();
+        QDir().mkpath(path(folder));
+    }
+}
+
+void CliAnimateTest::infoSaysWhatMoves() {
+    const Result result = run("info --json wind.ifs");
+    QCOMPARE(result.status, 0);
+    QVERIFY(result.entry(0)[QLatin1String("animation")].isNull());
+    const QJsonObject animation = result.entry(1)[QLatin1String("animation")].toObject();
+    QCOMPARE(animation, (QJsonObject{{QStringLiteral("fps"), QStringLiteral("24/1")},
+                                     {QStringLiteral("frames"), 6},
+                                     {QStringLiteral("loop"), QStringLiteral("cycle")},
+                                     {QStringLiteral("tracks"), 1}}));
+    QVERIFY(run("info wind.ifs --entry wind").out.contains("6 frames"));
+}
+
+void CliAnimateTest::factsAreThoseOfTheFrame() {
+    const Result key = run("info --json wind.ifs --entry once --frame 4");
+    QCOMPARE(key.status, 0);
+    const QJsonObject map = key.entry()[QLatin1String("maps")][1].toObject();
+    QCOMPARE(map[QLatin1String("weight_in_file")].toDouble(), 0.3);
+    QVERIFY(!key.entry()[QLatin1String("animation")].isNull());
+    const Result still = run("info --json wind.ifs --entry still --frame 4");
+    QCOMPARE(still.out, run("info --json wind.ifs --entry still").out);
+    QCOMPARE(run("info --json wind.ifs --entry once --frame 2.5").out,
+             run("info --json wind.ifs --entry once --frame 5/2").out);
+    QVERIFY(run("info --json wind.ifs --entry once --frame 2.5").out != key.out);
+}
+
+void CliAnimateTest::frameLIsFrame0() {
+    QCOMPARE(run("info --json wind.ifs --entry wind --frame 6").out,
+             run("info --json wind.ifs --entry wind --frame 0").out);
+    QCOMPARE(run("info --json wind.ifs --entry back --frame 12").out,
+             run("info --json wind.ifs --entry back --frame 0").out);
+    QVERIFY(run("info --json wind.ifs --entry once --frame 6").out !=
+            run("info --json wind.ifs --entry once --frame 0").out);
+}
+
+void CliAnimateTest::framesOutsideAreRefused() {
+    const Result result = run("info wind.ifs --entry once --entry still --frame 6.5");
+    QCOMPARE(result.status, 1);
+    QVERIFY(result.err.contains("frames 0 to 6"));
+    QVERIFY(result.out.startsWith("still"));
+    QVERIFY(!result.out.contains("once"));
+    QCOMPARE(run("render wind.ifs --entry wind --frame 7 -o x.png").status, 2);
+    QCOMPARE(run("render wind.ifs --entry wind --frame -1 -o x.png").status, 2);
+    const Result still = run(QByteArray("render wind.ifs --entry still --frame 3 -o still.png") + small);
+    QCOMPARE(still.status, 0);
+    QVERIFY(still.err.contains("no animation"));
+}
+
+void CliAnimateTest::aMorphReplacesNothingElse() {
+    const QByteArray before = read("wind.ifs");
+    QVERIFY(!before.isEmpty());
+    const QByteArray morph = "morph wind.ifs --from still --to wind -o ";
+    for (const char* output : {"wind.ifs", "./wind.ifs", "morph.png", "morph"}) {
+        QCOMPARE(run(morph + output).status, 2);
+        QCOMPARE(read("wind.ifs"), before);
+        QVERIFY(!QFile::exists(path("morph.png")) && !QFile::exists(path("morph")));
+    }
+    QCOMPARE(run(morph + "morph.IFS").status, 0);
+    QVERIFY(read("morph.IFS").contains("animation"));
+}
+
+void CliAnimateTest::aFrameAloneIsTheFrameOfTheSequence() {
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.####.png") + small).status, 0);
+    QCOMPARE(files("a").size(), 6);
+    QCOMPARE(files("a").first(), QStringLiteral("f.0001.png"));
+    for (int number = 1; number <= 6; ++number) {
+        const QByteArray name = "f.000" + QByteArray::number(number) + ".png";
+        QCOMPARE(
+            run("animate wind.ifs -o b/f.####.png --threads 1 --frames " + QByteArray::number(number) + small)
+                .status,
+            0);
+        QVERIFY(!read("a/" + name).isEmpty());
+        QCOMPARE(read("b/" + name), read("a/" + name));
+    }
+    QVERIFY(read("a/f.0001.png") != read("a/f.0002.png"));
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry once -o c/f.#.png") + small).status, 0);
+    QCOMPARE(files("c").size(), 7);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o d/f.###.png") + small).status, 0);
+    QCOMPARE(files("d").size(), 12);
+    QCOMPARE(QImage(path("d/f.002.png")), QImage(path("d/f.012.png")));
+}
+
+void CliAnimateTest::picturesCarryTheAnimation() {
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --frames 3") + small).status, 0);
+    QCOMPARE(text("a/f.3.png", QStringLiteral("barycage:request")).size(), 64);
+    const QJsonObject entry = run("info --json a/f.3.png").entry();
+    QCOMPARE(entry[QLatin1String("animation")][QLatin1String("frames")].toInt(), 6);
+    QCOMPARE(entry[QLatin1String("maps")],
+             run("info --json wind.ifs --entry wind").entry()[QLatin1String("maps")]);
+}
+
+void CliAnimateTest::renderDrawsTheSamePixels() {
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --frames 4") + small).status, 0);
+    QCOMPARE(run(QByteArray("render wind.ifs --entry wind --frame 3 -o a/r.png") + small).status, 0);
+    QVERIFY(!QImage(path("a/r.png")).isNull());
+    QCOMPARE(QImage(path("a/r.png")).convertToFormat(QImage::Format_RGB32),
+             QImage(path("a/f.4.png")).convertToFormat(QImage::Format_RGB32));
+}
+
+void CliAnimateTest::chunksShareTheFrames() {
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o a/f.##.png") + small).status, 0);
+    for (const char* chunk : {"4/5", "0/5", "2/5", "1/5", "3/5"}) {
+        const int before = int(files("b").size());
+        QCOMPARE(
+            run(QByteArray("animate wind.ifs --entry back -o b/f.##.png --chunk ") + chunk + small).status,
+            0);
+        QVERIFY(files("b").size() - before == 2 || files("b").size() - before == 3);
+    }
+    QCOMPARE(files("b"), files("a"));
+    for (const QString& file : files("a"))
+        QCOMPARE(read("b/" + file.toUtf8()), read("a/" + file.toUtf8()));
+}
+
+void CliAnimateTest::listsNameFiles() {
+    const Result result = run(QByteArray("animate wind.ifs -o a/f.#.png --frames 1-5x2,4,90-95") + small);
+    QCOMPARE(result.status, 0);
+    QCOMPARE(files("a"), (QStringList{QStringLiteral("f.1.png"), QStringLiteral("f.3.png"),
+                                      QStringLiteral("f.4.png"), QStringLiteral("f.5.png")}));
+    QVERIFY(result.err.contains("6 frames"));
+    const Result none = run(QByteArray("animate wind.ifs -o b/f.#.png --frames 7") + small);
+    QCOMPARE(none.status, 0);
+    QVERIFY(files("b").isEmpty() && !none.err.isEmpty());
+    const Result few = run(QByteArray("animate wind.ifs -o b/f.#.png --frames 2 --chunk 3/4") + small);
+    QCOMPARE(few.status, 0);
+    QVERIFY(files("b").isEmpty());
+}
+
+void CliAnimateTest::completeFramesAreSkipped() {
+    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png --frames 1-2") + small;
+    QCOMPARE(run(command).status, 0);
+    const auto stamp = [this] { return QFileInfo(path("a/f.1.png")).lastModified(); };
+    const QDateTime before = stamp();
+    QTest::qWait(20);
+    QCOMPARE(run(command + "--threads 1 --simd scalar").status, 0);
+    QCOMPARE(stamp(), before); // neither threads nor instructions are part of the request
+    QCOMPARE(run(command + "--existing replace").status, 0);
+    QVERIFY(stamp() != before);
+}
+
+void CliAnimateTest::staleAndDamagedFramesAreDrawnAgain() {
+    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png --frames 1") + small;
+    QCOMPARE(run(command).status, 0);
+    const QByteArray whole = read("a/f.1.png");
+    QByteArray flipped = whole;
+    flipped[whole.size() / 2] = char(flipped[whole.size() / 2] ^ 1);
+    for (const QByteArray& damaged :
+         {whole.first(whole.size() - 1), whole.first(whole.size() / 2), whole.first(8), QByteArray(), flipped,
+          whole + '\n', whole.first(whole.size() - 12)}) {
+        write("a/f.1.png", damaged);
+        QCOMPARE(run(command).status, 0);
+        QCOMPARE(read("a/f.1.png"), whole);
+    }
+    const QByteArray more =
+        QByteArray("animate wind.ifs -o a/f.#.png --frames 1 --size 48x36 --points 20001");
+    QCOMPARE(run(more).status, 0);
+    QVERIFY(read("a/f.1.png") != whole);
+    QCOMPARE(run(command).status, 0);
+    // Another request by its options, by its frame or by its entry.
+    for (const char* option : {"--seed 2", "--gamma 3", "--margin 6", "--background black", "--palette Fern",
+                               "--bits 16", "--supersample 2"}) {
+        QCOMPARE(run(command + option).status, 0);
+        QVERIFY2(read("a/f.1.png") != whole, option);
+        QCOMPARE(run(command).status, 0);
+        QCOMPARE(read("a/f.1.png"), whole);
+    }
+    QCOMPARE(run(QByteArray("animate wind.ifs -o b/f.#.png --frames 2") + small).status, 0);
+    write("a/f.1.png", read("b/f.2.png"));
+    QCOMPARE(run(command).status, 0);
+    QCOMPARE(read("a/f.1.png"), whole);
+    write("wind.ifs", read("wind.ifs").replace("strength 4", "strength 5"));
+    QCOMPARE(run(command).status, 0);
+    QVERIFY(read("a/f.1.png") != whole);
+}
+
+void CliAnimateTest::existingFilesCanBeReplacedOrRefused() {
+    write("a/f.2.png", "mine");
+    const Result result = run(QByteArray("animate wind.ifs -o a/f.#.png --existing fail") + small);
+    QCOMPARE(result.status, 3);
+    QVERIFY(result.err.contains("f.2.png"));
+    QCOMPARE(files("a").size(), 1);
+    QCOMPARE(read("a/f.2.png"), QByteArray("mine"));
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --existing fail --frames 1") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --existing replace --frames 2") + small).status,
+             0);
+    QVERIFY(read("a/f.2.png") != "mine");
+}
+
+void CliAnimateTest::keysMoveTheCamera() {
+    write("zoom.ifs", "zoom {\n; barycage: animation 2 24/1 off\n; barycage: track camera\n"
+                      "; barycage: key 0 linear\n; barycage: value 0 0 1 1\n"
+                      "; barycage: key 2 linear\n; barycage: value 3 0 4 1\n"
+                      " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n .5 0 0 .5 0 .5 .5\n}\n");
+    QCOMPARE(run(QByteArray("animate zoom.ifs -o a/f.#.png") + small).status, 0);
+    // Half way, a third of the way, at twice the height.
+    QCOMPARE(run(QByteArray("render zoom.ifs --view 1,0,2 -o a/half.png") + small).status, 0);
+    QCOMPARE(QImage(path("a/f.2.png")), QImage(path("a/half.png")));
+    QCOMPARE(run(QByteArray("render zoom.ifs --view 3,0,4 -o a/end.png") + small).status, 0);
+    QCOMPARE(QImage(path("a/f.3.png")), QImage(path("a/end.png")));
+}
+
+void CliAnimateTest::spaceMoves() {
+    QByteArray cube = "cube (3D) {\n; barycage: animation 4 24/1 cycle\n; barycage: motion orbit\n"
+                      "; barycage: count 1\n; barycage: pivot 0 0 0\n";
+    for (int k = 0; k < 4; ++k)
+        cube += ".5 0 0 0 .5 0 0 0 .5 " + QByteArray(k & 1 ? ".5 " : "0 ") + (k & 2 ? ".5 " : "0 ") +
+                (k == 3 ? ".5 1\n" : "0 1\n");
+    write("cube.ifs", cube + "}\n");
+    QCOMPARE(run("animate cube.ifs -o a/f.#.png --size 48x36").status, 0);
+    QCOMPARE(files("a").size(), 4);
+    QCOMPARE(text("a/f.1.png", QStringLiteral("barycage:request")).size(), 64);
+    QVERIFY(read("a/f.1.png") != read("a/f.2.png"));
+    QCOMPARE(run("render cube.ifs -o a/turned.png --size 48x36 --orbit 120,20 --view 0.5,0.5,0.5,2").status,
+             0);
+    QCOMPARE(run("render cube.ifs -o a/frame.png --size 48x36 --orbit 30,20 --view 0.5,0.5,0.5,2 --frame 1")
+                 .status,
+             0);
+    const QImage turned(path("a/turned.png")), frame(path("a/frame.png"));
+    int different = 0;
+    for (int y = 0; y < 36; ++y)
+        for (int x = 0; x < 48; ++x)
+            different += turned.pixel(x, y) != frame.pixel(x, y);
+    QVERIFY2(different < 48 * 36 / 50, qPrintable(QString::number(different))); // but for rounding
+}
+
+void CliAnimateTest::aMomentWithoutAttractorIsNamed() {
+    write("lost.ifs", "lost {\n; barycage: animation 32 24/1 off\n; barycage: track map 1\n"
+                      "; barycage: key 0 linear\n; barycage: value .5 0 0 .5 0 0 1\n"
+                      "; barycage: key 32 linear\n; barycage: value 1.5 0 0 .5 0 0 1\n"
+                      " .5 0 0 .5 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
+    const Result result = run(QByteArray("animate lost.ifs -o a/f.##.png --frames 1") + small);
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.contains("At frame 16 "), result.err.constData()); // where the map is 1 wide
+}
+
+void CliAnimateTest::wrongUsageIsRefused_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<int>("status");
+    const auto row = [](const char* arguments, int status = 2) {
+        QTest::newRow(arguments) << QByteArray(arguments) << status;
+    };
+    row("wind.ifs -o a/f.png");
+    row("wind.ifs -o a/#/f.#.png");
+    row("wind.ifs -o a/#-#.png");
+    row("wind.ifs -o a/f.#.mp4");
+    row("wind.ifs -o -");
+    row("wind.ifs -o a/f.#.png --frames 0");
+    row("wind.ifs -o a/f.#.png --frames 5-2");
+    row("wind.ifs -o a/f.#.png --frames 1-5x0");
+    row("wind.ifs -o a/f.#.png --frames 1,,2");
+    row("wind.ifs -o a/f.#.png --frames one");
+    row("wind.ifs -o a/f.#.png --chunk 2/2");
+    row("wind.ifs -o a/f.#.png --chunk -1/2");
+    row("wind.ifs -o a/f.#.png --chunk 1");
+    row("wind.ifs -o a/f.#.png --existing keep");
+    row("wind.ifs -o a/f.#.png --entry wind --entry once");
+    row("wind.ifs -o a/f.#.png --cage \"0,0 1,0 0,1\"");
+    row("wind.ifs -o a/f.#.png --orbit 0,0");
+    row("wind.ifs -o a/f.#.png --entry still", 1);
+    row("systems.ifs -o a/f.#.png", 1);
+    row("missing.ifs -o a/f.#.png", 3);
+    row("wind.ifs -o missing/f.#.png --size 8x8 --points 100", 3);
+}
+
+void CliAnimateTest::wrongUsageIsRefused() {
+    QFETCH(QByteArray, arguments);
+    QFETCH(int, status);
+    const Result result = run("animate " + arguments);
+    QCOMPARE(result.status, status);
+    QVERIFY(!result.err.isEmpty());
+    QVERIFY(files("a").isEmpty());
+}
+
+// kill −9 at any time leaves only whole files, and the same command finishes the work.
+void CliAnimateTest::killedAtAnyTimeLeavesWholeFiles() {
+    const QByteArray command = "animate wind.ifs --entry back -o a/f.##.png --size 320x240 --points 400000";
+    QCOMPARE(run(QByteArray(command).replace("a/", "b/")).status, 0);
+    QRandomGenerator random(3);
+    for (int n = 0; n < 12; ++n) {
+        QProcess process;
+        start(process, command + " --existing replace");
+        QVERIFY(process.waitForStarted());
+        process.waitForFinished(50 + random.bounded(400));
+        process.kill();
+        process.waitForFinished();
+        for (const QString& file : files("a"))
+            QVERIFY2(read("a/" + file.toUtf8()) == read("b/" + file.toUtf8()), qPrintable(file));
+    }
+    QCOMPARE(run(command).status, 0);
+    QCOMPARE(files("a"), files("b"));
+    for (const QString& file : files("b"))
+        QCOMPARE(read("a/" + file.toUtf8()), read("b/" + file.toUtf8()));
+}
+
+QTEST_GUILESS_MAIN(CliAnimateTest)
+#include "cli_animate_test.moc"

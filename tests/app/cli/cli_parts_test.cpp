@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/command_line.h"
+
+#include <QFile>
+#include <QTest>
+
+// barycage-cli render --part, --band and --resume, and merge.
+class CliPartsTest : public CommandLineTest {
+    Q_OBJECT
+
+private slots:
+    void partsMergeToTheSameBytes();
+    void bandsMergeToTheSameBytes();
+    void aPartIsTheSameForAnyThreadsAndInstructions();
+    void aPictureIsResumed();
+    void aPartIsNotMergedTwice();
+    void whatMakesNoSenseIsRefused_data();
+    void whatMakesNoSenseIsRefused();
+};
+
+namespace {
+const QByteArray maple = "systems.ifs --entry maple --size 240x180 --points 20M ";
+}
+
+void CliPartsTest::partsMergeToTheSameBytes() {
+    QCOMPARE(run("render " + maple + "-o whole.png").status, 0);
+    for (const char* part : {"0", "1", "2"})
+        QCOMPARE(run("render " + maple + "--part " + part + "/3 -o p" + part + ".sum").status, 0);
+    const Result merged = run("merge p2.sum p0.sum p1.sum -o merged.png");
+    QCOMPARE(merged.err, QByteArray());
+    QCOMPARE(merged.status, 0);
+    QVERIFY(!read("whole.png").isEmpty());
+    QVERIFY(read("merged.png") == read("whole.png"));
+}
+
+void CliPartsTest::bandsMergeToTheSameBytes() {
+    QCOMPARE(run("render " + maple + "-o whole.png").status, 0);
+    QCOMPARE(run("render " + maple + "--band 0/2 -o top.sum").status, 0);
+    QCOMPARE(run("render " + maple + "--band 1/2 --part 0/2 -o left.sum").status, 0);
+    QCOMPARE(run("render " + maple + "--band 1/2 --part 1/2 -o right.sum").status, 0);
+    QCOMPARE(run("merge left.sum right.sum -o bottom.sum").status, 0);
+    QCOMPARE(run("merge top.sum bottom.sum -o merged.png").status, 0);
+    QVERIFY(read("merged.png") == read("whole.png"));
+}
+
+void CliPartsTest::aPartIsTheSameForAnyThreadsAndInstructions() {
+    QCOMPARE(run("render " + maple + "--part 1/2 --threads 1 -o a.sum").status, 0);
+    QCOMPARE(run("render " + maple + "--part 1/2 --threads 3 --simd scalar -o b.sum").status, 0);
+    QVERIFY(!read("a.sum").isEmpty());
+    QVERIFY(read("a.sum") == read("b.sum"));
+}
+
+void CliPartsTest::aPictureIsResumed() {
+    QCOMPARE(run("render " + maple + "-o all.sum").status, 0);
+    QCOMPARE(run("render --resume all.sum --points 30M -o more.png").status, 0);
+    QCOMPARE(run("render --resume all.sum --points 30M --part 0/2 -o m0.sum").status, 0);
+    QCOMPARE(run("render --resume all.sum --points 30M --part 1/2 -o m1.sum").status, 0);
+    QCOMPARE(run("merge m0.sum m1.sum all.sum -o merged.png").status, 0);
+    QVERIFY(read("merged.png") == read("more.png"));
+    // Into its own file.
+    QCOMPARE(run("render --resume all.sum --points 30M -o all.sum").status, 0);
+    QCOMPARE(run("merge all.sum -o again.png").status, 0);
+    QVERIFY(read("again.png") == read("more.png"));
+}
+
+void CliPartsTest::aPartIsNotMergedTwice() {
+    QCOMPARE(run("render " + maple + "--part 0/2 -o p0.sum").status, 0);
+    const Result twice = run("merge p0.sum p0.sum -o x.sum");
+    QCOMPARE(twice.status, 1);
+    QVERIFY(twice.err.contains("counted twice"));
+    const Result half = run("merge p0.sum -o x.png");
+    QCOMPARE(half.status, 1);
+    QVERIFY(half.err.contains("50 %"));
+    write("x.sum", "BaryCSum and then nothing of the kind");
+    const Result damaged = run("merge x.sum -o x.png");
+    QCOMPARE(damaged.status, 1);
+    QVERIFY(damaged.err.contains("x.sum"));
+    QCOMPARE(run("merge absent.sum -o x.png").status, 3);
+    QVERIFY(!QFile::exists(path("x.png")));
+}
+
+void CliPartsTest::whatMakesNoSenseIsRefused_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<QByteArray>("sentence");
+    const auto row = [](const char* name, const QByteArray& arguments, const char* sentence) {
+        QTest::newRow(name) << arguments << QByteArray(sentence);
+    };
+    row("beyond", "render " + maple + "--part 3/3 -o x.sum", "i counts from 0");
+    row("no numbers", "render " + maple + "--part half -o x.sum", "write i/n");
+    row("a picture", "render " + maple + "--part 0/2 -o x.png", ".sum");
+    row("bands", "render " + maple + "--band 0/2 -o x.png", ".sum");
+    row("many bands", "render " + maple + "--band 1/999 -o x.sum", "no rows");
+    row("chaos game", "render " + maple + "--part 0/2 --algorithm chaos-game -o x.sum", "--algorithm");
+    row("no points", "render --resume all.sum -o x.png", "--points");
+    row("two sources", "render systems.ifs --resume all.sum --points 1e9 -o x.png", "--resume");
+    row("another size", "render --resume all.sum --size 10x10 --points 1e9 -o x.png", "--size");
+    row("merged to shapes", "merge a.sum -o x.svg", ".png or a .sum");
+}
+
+void CliPartsTest::whatMakesNoSenseIsRefused() {
+    QFETCH(const QByteArray, arguments);
+    QFETCH(const QByteArray, sentence);
+    const Result result = run(arguments);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.err.contains(sentence), result.err.constData());
+}
+
+QTEST_GUILESS_MAIN(CliPartsTest)
+#include "cli_parts_test.moc"

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/command_line.h"
+
+#include <QFile>
+#include <QImage>
+#include <QTest>
+
+#include <cmath>
+
+// barycage-cli render for entries in space.
+class CliSpaceTest : public CommandLineTest {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void depthsAreThoseOfTheSystem();
+    void drawsACloud();
+    void sameBytesForAnyThreadsAndInstructions();
+    void theCageMovesThePicture();
+    void aFlatCageIsDrawn();
+    void theFirstEntryMayLieInSpace();
+    void optionsThatMakeNoSenseAreRefused_data();
+    void optionsThatMakeNoSenseAreRefused();
+
+private:
+    struct Depths {
+        QImage image;
+        double near = NAN;
+        double far = NAN;
+        bool isEmpty(int x, int y) const { return value(x, y) == 65535; }
+        double at(int x, int y) const { return near + (far - near) * value(x, y) / 65534; }
+        int value(int x, int y) const { return reinterpret_cast<const quint16*>(image.constScanLine(y))[x]; }
+    };
+    Depths depths(const QByteArray& arguments);
+};
+
+// A solid cube, [0, 1]³, out of eight.
+void CliSpaceTest::init() {
+    QByteArray maps;
+    for (int k = 0; k < 8; ++k) {
+        maps += ".5 0 0 0 .5 0 0 0 .5";
+        for (int axis = 0; axis < 3; ++axis)
+            maps += (k >> axis & 1) != 0 ? " .5" : " 0";
+        maps += " 1\n";
+    }
+    write("cube.ifs", "cube (3D) {\n" + maps + "}\n");
+}
+
+CliSpaceTest::Depths CliSpaceTest::depths(const QByteArray& arguments) {
+    const Result result = run("render cube.ifs -o depth.png --look depth " + arguments);
+    Depths found;
+    if (result.status != 0) {
+        qWarning("%s", result.err.constData());
+        return found;
+    }
+    found.image = QImage(path("depth.png"));
+    found.near = found.image.text(QStringLiteral("barycage:near")).toDouble();
+    found.far = found.image.text(QStringLiteral("barycage:far")).toDouble();
+    return found;
+}
+
+// Along the view from the plane of the target, away from the eye, in units of the system.
+void CliSpaceTest::depthsAreThoseOfTheSystem() {
+    const Depths front = depths("--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,2");
+    QCOMPARE(front.image.format(), QImage::Format_Grayscale16);
+    QCOMPARE(front.image.size(), QSize(80, 60));
+    QVERIFY(front.isEmpty(20, 10));
+    QVERIFY(!front.isEmpty(30, 20));
+    const double pixel = 2.0 / 60;
+    for (int y = 16; y < 44; ++y)
+        for (int x = 26; x < 54; ++x)
+            QVERIFY(std::abs(front.at(x, y) + 0.5) < pixel);
+    // A target farther away is seen in front of its plane.
+    QVERIFY(std::abs(depths("--size 80x60 --orbit 0,0 --view 0.5,0.5,-3,2").at(40, 30) + 4) < pixel);
+    // From above the top is what is nearest.
+    QVERIFY(std::abs(depths("--size 80x60 --orbit 0,90 --view 0.5,0.5,0.5,2").at(40, 30) + 0.5) < pixel);
+    // The edge towards the eye: half a diagonal of the cube.
+    const Depths edge = depths("--size 81x61 --orbit 45,0 --view 0.5,0.5,0.5,2");
+    QVERIFY(std::abs(edge.at(40, 30) + std::sqrt(0.5)) < 2 * pixel);
+    // In perspective the front is larger than the plane of the target shows it.
+    const Depths wide = depths("--size 80x60 --orbit 0,0 --perspective 60 --view 0.5,0.5,0.5,2");
+    QVERIFY(std::abs(wide.at(40, 30) + 0.5) < pixel);
+    int across = 0;
+    for (int x = 0; x < 80; ++x)
+        across += wide.isEmpty(x, 30) ? 0 : 1;
+    const double eye = 1 / std::tan(M_PI / 6);
+    QVERIFY(std::abs(across - 30 * eye / (eye - 0.5)) < 2);
+}
+
+void CliSpaceTest::drawsACloud() {
+    QCOMPARE(run("render cube.ifs -o cloud.png --look cloud --size 90x60 --points 200000 --background black")
+                 .status,
+             0);
+    const QImage image(path("cloud.png"));
+    QCOMPARE(image.size(), QSize(90, 60));
+    QCOMPARE(image.pixelColor(1, 1), QColor(Qt::black));
+    QVERIFY(image.pixelColor(45, 30).lightness() > 60);
+    QCOMPARE(
+        run("render cube.ifs -o deep.png --look cloud --size 90x60 --points 200000 --bits 16 --colour map")
+            .status,
+        0);
+    QCOMPARE(QImage(path("deep.png")).depth(), 64);
+}
+
+void CliSpaceTest::sameBytesForAnyThreadsAndInstructions() {
+    for (const QByteArray look : {"cloud", "depth"}) {
+        const QByteArray call = "render cube.ifs --size 120x90 --perspective 50 --look " + look + " -o ";
+        QCOMPARE(run(call + "one.png --threads 1").status, 0);
+        QCOMPARE(run(call + "three.png --threads 3").status, 0);
+        QCOMPARE(run(call + "scalar.png --threads 2 --simd scalar").status, 0);
+        QVERIFY(!read("one.png").isEmpty());
+        QCOMPARE(read("three.png"), read("one.png"));
+        QCOMPARE(read("scalar.png"), read("one.png"));
+    }
+}
+
+void CliSpaceTest::theCageMovesThePicture() {
+    const QByteArray view =
+        "--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,2 --rest-cage \"0,0,0 1,0,0 0,1,0 0,0,1\"";
+    const Depths moved = depths(view + " --cage \"0,0,0.25 1,0,0.25 0,1,0.25 0,0,1.25\"");
+    QVERIFY(std::abs(moved.at(40, 30) + 0.75) < 2.0 / 60);
+    const Depths box = depths("--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,2 --rest-cage box");
+    QVERIFY(std::abs(box.at(40, 30) + 0.5) < 2.0 / 60);
+}
+
+// A tetrahedron pressed into a plane has a picture all the same, and its opposite has the first one's bytes.
+void CliSpaceTest::aFlatCageIsDrawn() {
+    const QByteArray call = "render cube.ifs --look depth --size 80x60 --view 0.5,0.5,0.5,2 "
+                            "--rest-cage \"0,0,0 1,0,0 0,1,0 0,0,1\" ";
+    const Result flat = run(call + "-o flat.png --cage \"0,0,0 1,0,0 0,1,0 1,1,0\"");
+    QCOMPARE(flat.status, 0);
+    QVERIFY(flat.err.contains("flat"));
+    QVERIFY(!QImage(path("flat.png")).isNull());
+    QCOMPARE(run(call + "-o open.png --cage \"0,0,0 1,0,0 0,1,0 0,0,1\"").status, 0);
+    QCOMPARE(run(call + "-o rest.png").status, 0);
+    QCOMPARE(read("open.png"), read("rest.png"));
+}
+
+void CliSpaceTest::theFirstEntryMayLieInSpace() {
+    write("both.ifs", read("cube.ifs") + "line {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
+    QCOMPARE(run("render both.ifs --size 30x20 --look depth -o first.png").status, 0);
+    QCOMPARE(run("render both.ifs --size 30x20 --entry line -o line.png").status, 0);
+}
+
+void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<QByteArray>("message");
+    QTest::newRow("look") << QByteArray("cube.ifs -o a.png --look marble") << QByteArray("depth or normals");
+    QTest::newRow("orbit") << QByteArray("cube.ifs -o a.png --orbit 30") << QByteArray("azimuth");
+    QTest::newRow("view") << QByteArray("cube.ifs -o a.png --view 0,0,1") << QByteArray("target");
+    QTest::newRow("margin") << QByteArray("cube.ifs -o a.png --view 0,0,0,1 --margin 3")
+                            << QByteArray("--margin");
+    QTest::newRow("angle") << QByteArray("cube.ifs -o a.png --perspective 180") << QByteArray("below 180");
+    QTest::newRow("y") << QByteArray("cube.ifs -o a.png --y-down") << QByteArray("plane");
+    QTest::newRow("algorithm") << QByteArray("cube.ifs -o a.png --algorithm chaos-game")
+                               << QByteArray("plane");
+    QTest::newRow("svg") << QByteArray("cube.ifs -o a.svg") << QByteArray("only as .png");
+    QTest::newRow("points") << QByteArray("cube.ifs -o a.png --look depth --points 9")
+                            << QByteArray("--points");
+    QTest::newRow("bits") << QByteArray("cube.ifs -o a.png --look depth --bits 8") << QByteArray("16 bits");
+    QTest::newRow("corners") << QByteArray("cube.ifs -o a.png --cage \"0,0 1,0 0,1 1,1\"")
+                             << QByteArray("points in space");
+    QTest::newRow("number") << QByteArray(
+                                   "cube.ifs -o a.png --rest-cage box --cage \"0,0,0 1,0,0 0,1,0 0,0,1\"")
+                            << QByteArray("same number");
+    QTest::newRow("flat rest") << QByteArray("cube.ifs -o a.png --rest-cage \"0,0,0 1,0,0 0,1,0 1,1,0\"")
+                               << QByteArray("one plane");
+    QTest::newRow("bent") << QByteArray("cube.ifs -o a.png --rest-cage box --cage \"0,0,0 1,0,0 0,1,0 1,1,0 "
+                                        "0,0,1 1,0,1 0,1,1 2,2,2\"")
+                          << QByteArray("more than four");
+    QTest::newRow("hull") << QByteArray("cube.ifs -o a.png --rest-cage hull") << QByteArray("canonical, box");
+    QTest::newRow("large") << QByteArray("cube.ifs -o a.png --size 100000x100000") << QByteArray("4 GB");
+    QTest::newRow("plane") << QByteArray("systems.ifs -o a.png --orbit 30,20") << QByteArray("in space");
+    QTest::newRow("plane look") << QByteArray("systems.ifs -o a.png --look depth") << QByteArray("in space");
+}
+
+void CliSpaceTest::optionsThatMakeNoSenseAreRefused() {
+    QFETCH(QByteArray, arguments);
+    QFETCH(QByteArray, message);
+    const Result result = run("render " + arguments);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.err.contains(message), result.err.constData());
+    QVERIFY(!QFile::exists(path("a.png")));
+}
+
+QTEST_GUILESS_MAIN(CliSpaceTest)
+#include "cli_space_test.moc"

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "bars/branch_bar.h"
+#include "canvas/canvas_view.h"
+#include "dialogs/command_palette.h"
+#include "document/edits/cage_edits.h"
+#include "document/fractal_geometry.h"
+#include "session_fixture.h"
+#include "welcome.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QHash>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSet>
+#include <QStatusBar>
+#include <QTest>
+#include <QToolBar>
+
+#include <algorithm>
+
+// What the menus offer, and what they say where a command would do nothing.
+class ActionMenuTest : public SessionFixture {
+    Q_OBJECT
+
+private slots:
+    void commandsOfThePanelsAreFound();
+    void buttonsAreFoundAsCommands();
+    void cageCommandsAreOfferedWhereTheyDoSomething();
+    void menusHaveEveryLetterOnce();
+    void whatIsDisabledSaysWhy();
+    void toolsOfThePlaneAreNotOfferedInSpace();
+};
+
+void ActionMenuTest::commandsOfThePanelsAreFound() {
+    MainWindow* window = shown({});
+    QHash<QString, QAction*> found;
+    for (const view::NamedAction& action : view::actionsOf(*window)) {
+        QVERIFY2(!found.contains(action.path), qPrintable(action.path));
+        found.insert(action.path, action.action);
+    }
+    const std::pair<const char*, QKeySequence> wanted[] = {
+        {"Maps › Add", QKeySequence(QStringLiteral("Ctrl+Ins"))},
+        {"Maps › Duplicate", QKeySequence(Qt::Key_Insert)},
+        {"Maps › Delete", QKeySequence(Qt::Key_Delete)},
+        {"Maps › Move Up", QKeySequence(QStringLiteral("Alt+Up"))},
+        {"Maps › Copy Rows", QKeySequence(QKeySequence::Copy)},
+        {"Maps › Weights › By |Determinant|", {}},
+        {"Maps › Weights › Normalise", {}},
+        {"Entries › Add Entry", {}},
+        {"Entries › Duplicate", QKeySequence(Qt::Key_Insert)},
+        {"Entries › Rename", QKeySequence(Qt::Key_F2)},
+        {"Entries › Move Down", QKeySequence(QStringLiteral("Alt+Down"))},
+        {"Collection › Favourite", QKeySequence(QStringLiteral("Ctrl+D"))},
+        {"Collection › Add to This File", QKeySequence(QStringLiteral("Shift+Return"))},
+        {"Edit › Undo", QKeySequence(QStringLiteral("Ctrl+Z"))},
+    };
+    for (const auto& [path, keys] : wanted) {
+        QAction* action = found.value(QString::fromUtf8(path));
+        QVERIFY2(action, path);
+        QCOMPARE(action->shortcut(), keys);
+    }
+    // A key that two commands have is the window's in at most one of them.
+    QSet<QKeySequence> ofTheWindow;
+    for (const QAction* action : std::as_const(found))
+        for (const QKeySequence& keys : action->shortcuts()) {
+            if (action->shortcutContext() != Qt::WindowShortcut) continue;
+            QVERIFY2(!ofTheWindow.contains(keys), qPrintable(keys.toString()));
+            ofTheWindow.insert(keys);
+        }
+    // A step in the history does not change what the command is called.
+    auto* add = found.value(QStringLiteral("Maps › Add"));
+    add->trigger();
+    QVERIFY(found.value(QStringLiteral("Edit › Undo"))->text() != QStringLiteral("&Undo"));
+    bool named = false;
+    for (const view::NamedAction& action : view::actionsOf(*window))
+        named = named || action.path == QStringLiteral("Edit › Undo");
+    QVERIFY(named);
+}
+
+void ActionMenuTest::buttonsAreFoundAsCommands() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    const auto command = [window](const char* path) -> QAction* {
+        for (const view::NamedAction& action : view::actionsOf(*window))
+            if (action.path == QString::fromUtf8(path)) return action.action;
+        return nullptr;
+    };
+    for (const char* path : {"Cage › Show the rest cage", "Analysis › On the canvas › Hull",
+                             "Analysis › On the canvas › Cylinders", "Appearance › Reset to Default",
+                             "Appearance › Edit Palette", "Maps › Show columns: Effective code",
+                             "How It Is Built › Steps Wⁿ", "How It Is Built › Chaos Game"})
+        QVERIFY2(command(path), path);
+    // Those of what is not unfolded come with it.
+    const char* reverse = "Appearance › Palette editor › Reverse";
+    QVERIFY(!command(reverse));
+    command("Appearance › Edit Palette")->trigger();
+    const attractor::Palette before = window->document().fractal().appearance.palette;
+    QVERIFY(command(reverse));
+    command(reverse)->trigger();
+    QVERIFY(!(window->document().fractal().appearance.palette == before));
+    // A button that can do nothing does nothing as a command.
+    QVERIFY(command("Appearance › Reset to Default")->isEnabled());
+    command("Appearance › Reset to Default")->trigger();
+    QVERIFY(!command("Appearance › Reset to Default")->isEnabled());
+
+    // Where the button is, is shown.
+    const auto* bar = window->findChild<QToolBar*>(QStringLiteral("arising"));
+    QVERIFY(bar->isHidden() && !command("How It Is Built › Play"));
+    view::CommandPalette palette(view::actionsOf(*window));
+    palette.show();
+    QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("built chaos"));
+    QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+    QVERIFY(bar->isVisible());
+    QVERIFY(command("How It Is Built › Play"));
+    window->document().undoStack()->setClean();
+}
+
+void ActionMenuTest::cageCommandsAreOfferedWhereTheyDoSomething() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    document::Document& document = window->document();
+    const auto offered = [window](const char* name) {
+        for (const view::NamedAction& action : view::actionsOf(window->menuWidget()))
+            if (action.path == QString::fromUtf8(name)) return action.action->isEnabled();
+        return false;
+    };
+    const auto offers = [&](bool reset, bool bake, bool unbake) {
+        return offered("Cage › Reset") == reset && offered("Cage › Bake") == bake &&
+               offered("Cage › Unbake") == unbake;
+    };
+    const QList<const char*> ofThePlane{"File › Export Picture", "File › Copy Picture",
+                                        "File › Print",          "Edit › Transform",
+                                        "Edit › Mutate",         "Cage › Fit Minimal Canonical Simplex",
+                                        "Cage › Make Regular",   "Cage › Affine Invariant Form"};
+    QVERIFY(std::all_of(ofThePlane.begin(), ofThePlane.end(), offered));
+    QVERIFY(offers(false, false, true)); // at rest
+    document::Fractal fractal = document.fractal();
+    document::plane(fractal)->cage = document::effectiveCage(fractal);
+    document::plane(fractal)->cage->current[0] += ifs::Vector<2>(1, 1);
+    document.edit(QStringLiteral("place"), fractal);
+    QVERIFY(offers(true, true, false));
+    document::plane(fractal)->cage->current[0] =
+        document::plane(fractal)->cage->current[1]; // flat: it can be opened, and nothing else
+    document.edit(QStringLiteral("flatten"), fractal);
+    QVERIFY(offers(true, false, false));
+    document.undoStack()->undo();
+    QVERIFY(offers(true, true, false));
+    document.undoStack()->undo();
+    QVERIFY(offers(false, false, true));
+    document::Fractal space;
+    space.shape = document::Shape<3>();
+    document.edit(QStringLiteral("space"), space);
+    QVERIFY(offers(false, false, false));
+    QVERIFY(std::none_of(ofThePlane.begin(), ofThePlane.end(), offered));
+    QVERIFY(!offered("File › Revert")); // it has no file
+    document.undoStack()->setClean();
+}
+
+// The panels beside the canvas do not take the keys of the bar, either.
+void ActionMenuTest::menusHaveEveryLetterOnce() {
+    MainWindow* window = shown({});
+    const auto letter = [](const QString& text) { return QKeySequence::mnemonic(text).toString(); };
+    QList<const QWidget*> menus{window->menuBar()};
+    QSet<QString> ofTheBar;
+    for (const QAction* action : window->menuBar()->actions()) {
+        menus << action->menu();
+        ofTheBar << letter(action->text());
+    }
+    for (const QWidget* menu : menus) {
+        QSet<QString> taken;
+        for (const QAction* action : menu->actions()) {
+            const QString key = letter(action->text());
+            QVERIFY2(key.isEmpty() || !taken.contains(key), qPrintable(action->text()));
+            taken << key;
+        }
+    }
+    Welcome::offer(window);
+    for (const QWidget* part : {static_cast<const QWidget*>(window->findChild<Welcome*>()),
+                                static_cast<const QWidget*>(window->findChild<view::BranchBar*>())}) {
+        for (const auto* button : part->findChildren<QAbstractButton*>())
+            QVERIFY2(!ofTheBar.contains(letter(button->text())), qPrintable(button->text()));
+        for (const auto* label : part->findChildren<QLabel*>())
+            QVERIFY2(!ofTheBar.contains(letter(label->text())), qPrintable(label->text()));
+    }
+}
+
+void ActionMenuTest::whatIsDisabledSaysWhy() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    QAction* bake = nullptr;
+    for (auto* action : window->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QStringLiteral("Ctrl+B"))) bake = action;
+    QVERIFY(bake && !bake->isEnabled());
+    const QString why = document::bakeObstacle(window->document().fractal());
+    QVERIFY(!why.isEmpty());
+    QCOMPARE(bake->statusTip(), why);
+    QCOMPARE(bake->toolTip(), why);
+    for (const QAction* menu : window->menuBar()->actions())
+        QVERIFY(menu->menu()->toolTipsVisible());
+    QTest::keyClick(window->findChild<view::CanvasView*>(), Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(window->statusBar()->currentMessage(), why);
+    // Once it can be done the key does it.
+    document::Fractal fractal = window->document().fractal();
+    document::plane(fractal)->cage = document::effectiveCage(fractal);
+    document::plane(fractal)->cage->current[0] += ifs::Vector<2>(1, 1);
+    window->document().edit(QStringLiteral("place"), fractal);
+    QVERIFY(bake->isEnabled() && bake->statusTip() != why);
+    QTest::keyClick(window->findChild<view::CanvasView*>(), Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(window->document().undoStack()->count(), 2);
+    window->document().undoStack()->setClean();
+}
+
+void ActionMenuTest::toolsOfThePlaneAreNotOfferedInSpace() {
+    using Tool = view::CanvasView::Tool;
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    auto* canvas = window->findChild<view::CanvasView*>();
+    QTest::keyClick(canvas, Qt::Key_M);
+    QCOMPARE(canvas->tool(), Tool::Maps);
+    document::Fractal fractal = window->document().fractal();
+    document::Shape<3> half;
+    for (int side = 0; side < 2; ++side)
+        ifs::append<3>(half.system, {0.5 * ifs::Matrix<3>::Identity(), ifs::Vector<3>(side / 2.0, 0, 0)});
+    fractal.shape = half;
+    window->document().edit(QStringLiteral("space"), fractal);
+    QCOMPARE(canvas->tool(), Tool::Cage);
+    const QString why = document::planeObstacle(window->document().fractal());
+    for (const Qt::Key key : {Qt::Key_M, Qt::Key_B, Qt::Key_D, Qt::Key_G, Qt::Key_A, Qt::Key_Y}) {
+        window->statusBar()->clearMessage();
+        QTest::keyClick(window->focusWidget(), key);
+        QCOMPARE(window->statusBar()->currentMessage(), why);
+        QCOMPARE(canvas->tool(), Tool::Cage);
+    }
+    window->document().undoStack()->undo();
+    QTest::keyClick(window->focusWidget(), Qt::Key_M);
+    QCOMPARE(canvas->tool(), Tool::Maps);
+    window->document().undoStack()->setClean();
+}
+
+QTEST_MAIN(ActionMenuTest)
+#include "action_menu_test.moc"

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_view.h"
+#include "desktop/preferences.h"
+#include "dialogs/paste_table_dialog.h"
+#include "dialogs/preferences_dialog.h"
+#include "flame_banner.h"
+#include "panels/entries/entries_panel.h"
+#include "panels/maps/maps_panel.h"
+#include "recovery.h"
+#include "session.h"
+#include "session_fixture.h"
+#include "support/forget_settings.h"
+#include "support/paths.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListView>
+#include <QMessageBox>
+#include <QSettings>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolBar>
+
+// The window as a whole: what it opens, and what reaches it from elsewhere.
+class MainWindowTest : public SessionFixture {
+    Q_OBJECT
+
+private slots:
+    void brokenPathsShareOneWindow();
+    void saysWhenWorkCannotBeKept();
+    void preferencesReachEveryWindow();
+    void theFilesOfTheLastRunAreKnown();
+    void theColumnsOfATableAreAskedFor();
+    void aWindowMayGoWhileANameIsTyped();
+    void windowsHaveTheirOwnDocuments();
+    void whatOthersCopiedIsPasted();
+    void theHintGoesWithAnotherTool();
+    void aKeyLeadsFromThePanelsToTheCanvasAndBack();
+    void mapsInSpaceStaySelected();
+    void flamesAreReadEitherWayUp();
+};
+
+void MainWindowTest::brokenPathsShareOneWindow() {
+    const QString good = support::testData(QStringLiteral("shapes.ifs"));
+    MainWindow::openEach({QStringLiteral("/nowhere/a.ifs"), QStringLiteral("/nowhere/b.ifs"),
+                          QStringLiteral("/nowhere/c.ifs")});
+    QCOMPARE(windows().size(), 1);
+    QCOMPARE(windows().first()->findChildren<QMessageBox*>().size(), 3); // each is reported
+    closeWindows();
+
+    MainWindow::openEach({QStringLiteral("/nowhere/a.ifs"), good, good});
+    QCOMPARE(windows().size(), 2);
+    for (SessionWindow* window : windows())
+        QVERIFY(window->windowTitle().startsWith(QStringLiteral("shapes.ifs")));
+}
+
+// A file is in the place of the recovery folder; recovered work is not deleted before it is kept again.
+void MainWindowTest::saysWhenWorkCannotBeKept() {
+    const QTemporaryDir old;
+    const QString journal = old.filePath(QStringLiteral("old.journal"));
+    QFile(journal).open(QIODevice::WriteOnly);
+    QDir(Recovery::folder()).removeRecursively();
+    QDir().mkpath(QFileInfo(Recovery::folder()).path());
+    QFile inTheWay(Recovery::folder());
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    auto* window = new MainWindow;
+    window->openRecovered({journal, {{}, QStringLiteral("old"), 0, {}, "a { .5 0 0 .5 0 0 1 }\n", {}}, {}});
+    QTRY_COMPARE(window->findChildren<QMessageBox*>().size(), 1);
+    const auto boxes = window->findChildren<QMessageBox*>();
+    QVERIFY(boxes.first()->informativeText().contains(QStringLiteral("cannot be kept")));
+    QVERIFY(QFile::exists(journal));
+    inTheWay.remove();
+}
+
+void MainWindowTest::preferencesReachEveryWindow() {
+    view::Preferences{{}, view::Preferences::Theme::Desktop, 50'000'000, false}.store();
+    MainWindow* first = shown({});
+    MainWindow* second = shown({});
+    const auto quality = [](MainWindow* window) {
+        return window->findChild<view::RenderBridge*>()->quality();
+    };
+    QCOMPARE(quality(first), std::uint64_t(50'000'000));
+    for (QAction* action : first->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QStringLiteral("Ctrl+,"))) action->trigger();
+    auto* dialog = first->findChild<view::PreferencesDialog*>();
+    QVERIFY(dialog);
+    for (auto* box : dialog->findChildren<QComboBox*>())
+        if (const int fine = box->findData(quint64(1'000'000'000)); fine >= 0) box->setCurrentIndex(fine);
+    QCOMPARE(quality(first), std::uint64_t(1'000'000'000));
+    QCOMPARE(quality(second), std::uint64_t(1'000'000'000));
+    QCOMPARE(quality(shown({})), std::uint64_t(1'000'000'000));
+    view::Preferences{}.store();
+}
+
+void MainWindowTest::theFilesOfTheLastRunAreKnown() {
+    const QString shapes = support::testData(QStringLiteral("shapes.ifs"));
+    const QString dos = support::testData(QStringLiteral("dos.ifs"));
+    const auto known = [] {
+        QStringList files = session::files();
+        files.sort();
+        return files;
+    };
+    shown(shapes);
+    shown(dos);
+    shown({}); // without a file
+    session::quit();
+    QCOMPARE(known(), QStringList({dos, shapes}));
+    closeWindows();
+
+    MainWindow* first = shown(shapes);
+    MainWindow* last = shown(dos);
+    first->close();
+    last->close();
+    QCOMPARE(known(), QStringList({dos}));
+    view::finishStoring();
+    QSettings().setValue(QStringLiteral("session/files"), QStringList({QStringLiteral("/nowhere/a.ifs")}));
+    QVERIFY(session::files().isEmpty());
+}
+
+// Of a file that does not say what its columns are.
+void MainWindowTest::theColumnsOfATableAreAskedFor() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("leaf.csv"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("0.5,0.1,3,0.2,0.4,5,0.25\n0.3,0,2,0,0.3,1,0.75\n");
+    file.close();
+    MainWindow* window = shown(path);
+    auto* dialog = window->findChild<view::PasteTableDialog*>();
+    QVERIFY(dialog);
+    auto& document = window->document();
+    const auto shift = [&] { return document::system2(document.fractal())->maps[0].map.translation.x(); };
+    QCOMPARE(shift(), 3.0); // the first order in which every map contracts
+    dialog->reject();
+    QCOMPARE(shift(), 0.4); // Fractint's
+    QCOMPARE(document.undoStack()->count(), 0);
+
+    QVERIFY(window->openPath(path));
+    for (auto* open : window->findChildren<view::PasteTableDialog*>())
+        if (open->isVisible()) open->accept();
+    QCOMPARE(shift(), 3.0);
+    QCOMPARE(document.undoStack()->count(), 1);
+    QCOMPARE(document::system2(document.fractal())->maps.size(), std::size_t(2));
+}
+
+// The field is left when the window goes, and says what it holds to a document that must still be there.
+void MainWindowTest::aWindowMayGoWhileANameIsTyped() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    auto* list = window->findChild<QDockWidget*>(QStringLiteral("entries"))->findChild<QListView*>();
+    QVERIFY(list);
+    list->setFocus();
+    list->edit(list->currentIndex());
+    auto* field = list->findChild<QLineEdit*>();
+    QVERIFY(field && field->isVisible());
+    field->setText(QStringLiteral("renamed"));
+    QStringList names;
+    connect(&window->document(), &document::Document::changed, this,
+            [&] { names << window->document().fractal().name; });
+    delete window;
+    QCOMPARE(names, QStringList{QStringLiteral("renamed")});
+}
+
+void MainWindowTest::windowsHaveTheirOwnDocuments() {
+    MainWindow* first = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(first));
+    QTest::keyClick(first, Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(windows().size(), 2);
+    auto* second = qobject_cast<MainWindow*>(windows()[windows().first() == first ? 1 : 0]);
+    QVERIFY(second->isVisible());
+    QVERIFY(second->pos() != first->pos()); // both can be seen
+    QVERIFY(second->path().isEmpty());
+    document::Fractal changed = second->document().fractal();
+    changed.name = QStringLiteral("other");
+    second->document().edit(QStringLiteral("rename"), changed);
+    QCOMPARE(first->document().undoStack()->count(), 0);
+    QVERIFY(first->document().fractal().name != changed.name);
+    second->document().undoStack()->undo();
+    second->close();
+    QTRY_COMPARE(windows().size(), 1);
+    QVERIFY(first->isVisible());
+}
+
+// Wherever the focus is, but in a field.
+void MainWindowTest::whatOthersCopiedIsPasted() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    const auto paste = [&](const QString& text) {
+        QGuiApplication::clipboard()->setText(text);
+        window->findChild<view::CanvasView*>()->setFocus();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_V, Qt::ControlModifier);
+        return window->document().fractal();
+    };
+    const auto entries = [&] { return window->document().file().entries.size(); };
+    const qsizetype before = entries();
+    QCOMPARE(paste(QStringLiteral("guest { .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5 }")).name,
+             QStringLiteral("guest"));
+    QCOMPARE(entries(), before + 1);
+    QCOMPARE(paste(QStringLiteral("<flame name=\"ember\"><xform weight=\"1\" linear=\"1\" "
+                                  "coefs=\"0.5 0 0 0.5 0 0\"/></flame>"))
+                 .name,
+             QStringLiteral("ember"));
+    QCOMPARE(entries(), before + 2);
+    QCOMPARE(document::system2(paste(QStringLiteral(".5 0 0 .5 0 0 .5\n.5 0 0 .5 .5 0 .5\n")))->maps.size(),
+             std::size_t(2));
+    QCOMPARE(entries(), before + 3);
+}
+
+void MainWindowTest::theHintGoesWithAnotherTool() {
+    support::forgetSettings();
+    for (const bool byTool : {true, false}) {
+        auto* window = new MainWindow;
+        window->openFirstPicture();
+        window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window));
+        auto* canvas = window->findChild<view::CanvasView*>();
+        QCOMPARE(!canvas->hint().isEmpty(), byTool); // not a second time
+        if (byTool) canvas->navigation().zoomBy(1.25);
+        QVERIFY(canvas->hint().isEmpty());
+        canvas->setTool(view::CanvasView::Tool::Cage);
+        QVERIFY(canvas->hint().isEmpty());
+        delete window;
+    }
+}
+
+void MainWindowTest::aKeyLeadsFromThePanelsToTheCanvasAndBack() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    const auto* canvas = window->findChild<view::CanvasView*>();
+    auto* maps = window->findChild<QDockWidget*>(QStringLiteral("maps"))->findChild<QTableView*>();
+    auto* entries = window->findChild<QDockWidget*>(QStringLiteral("entries"))->findChild<QListView*>();
+    auto* collection = window->findChild<QDockWidget*>(QStringLiteral("collection"));
+    auto* tools = window->findChild<QToolBar*>(QStringLiteral("tools"));
+    window->findChild<QDockWidget*>(QStringLiteral("problems"))->hide();
+    window->findChild<view::CanvasView*>()->setFocus();
+    QTRY_VERIFY(canvas->hasFocus());
+    const auto focusIn = [](const QWidget* part) {
+        return part == QApplication::focusWidget() || part->isAncestorOf(QApplication::focusWidget());
+    };
+    const QList<const QWidget*> order{entries->window()->findChild<QDockWidget*>(QStringLiteral("entries")),
+                                      collection, window->findChild<QDockWidget*>(QStringLiteral("maps")),
+                                      tools, canvas};
+    for (const QWidget* part : order) {
+        QTest::keyClick(window->focusWidget(), Qt::Key_F6);
+        QVERIFY2(focusIn(part), qPrintable(part->objectName()));
+    }
+    for (qsizetype i = order.size() - 2; i >= 0; --i) {
+        QTest::keyClick(window->focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+        QVERIFY2(focusIn(order[i]), qPrintable(order[i]->objectName()));
+    }
+    // Back where it was in a panel, and the canvas shows that it has the keyboard.
+    maps->setFocus();
+    QTest::keyClick(maps, Qt::Key_F6, Qt::ShiftModifier);
+    QTest::keyClick(window->focusWidget(), Qt::Key_F6);
+    QVERIFY(maps->hasFocus());
+    auto* view = window->findChild<view::CanvasView*>();
+    const QImage without = view->viewport()->grab({0, 0, 8, 8}).toImage();
+    view->setFocus(Qt::TabFocusReason);
+    QTRY_VERIFY(view->hasFocus());
+    QVERIFY(view->viewport()->grab({0, 0, 8, 8}).toImage() != without);
+}
+
+// The canvas of the plane selects no maps of space, and takes none from the table.
+void MainWindowTest::mapsInSpaceStaySelected() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    auto* maps = window->findChild<view::MapsPanel*>();
+    QVERIFY(!maps->selectedMaps().empty());
+    document::System3 system;
+    ifs::append(system, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, {0, 0, 0}});
+    ifs::append(system, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, {1, 1, 1}});
+    document::Fractal solid;
+    solid.shape = document::Shape<3>{system};
+    document::Document& document = window->document();
+    document.edit(QStringLiteral("solid"), solid);
+    for (const auto& map : system.maps) {
+        maps->selectMaps({map.id});
+        QCOMPARE(maps->selectedMaps(), std::vector{map.id});
+        document::system3(solid)->maps[0].map.translation.x() += 0.25;
+        document.edit(QStringLiteral("change"), solid);
+        QCOMPARE(maps->selectedMaps(), std::vector{map.id});
+    }
+    document.undoStack()->setClean();
+}
+
+// Opened and pasted flames are turned over, and a check box lets them be as they are written.
+void MainWindowTest::flamesAreReadEitherWayUp() {
+    const QString flame = QStringLiteral("<flames><flame name=\"ember\"><xform weight=\"1\" linear=\"1\" "
+                                         "coefs=\"0.5 0.25 -0.125 0.5 1 2\"/></flame></flames>");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("ember.flame"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(flame.toUtf8());
+    file.close();
+
+    MainWindow* window = shown(path);
+    document::Document& document = window->document();
+    const auto map = [&](qsizetype entry) {
+        return document::system2(*document.file().entries[entry].fractal)->maps.front().map;
+    };
+    const ifs::AffineMap<2> written = ifs::affineMap(0.5, -0.125, 0.25, 0.5, 1, 2);
+    const ifs::AffineMap<2> turned = ifs::affineMap(0.5, 0.125, -0.25, 0.5, 1, -2);
+    const auto banner = [window] { return window->findChild<FlameBanner*>(); };
+    QVERIFY(banner() && banner()->isVisible());
+    QVERIFY(map(0) == turned);
+    banner()->findChild<QCheckBox*>()->click();
+    QVERIFY(map(0) == written);
+    QCOMPARE(document.undoStack()->count(), 1);
+    banner()->findChild<QCheckBox*>()->click();
+    QVERIFY(map(0) == turned);
+    document.undoStack()->undo(); // work continues: the question is settled
+    QVERIFY(map(0) == written);
+    QTRY_VERIFY(!banner());
+
+    QGuiApplication::clipboard()->setText(flame);
+    window->findChild<view::EntriesPanel*>()->paste();
+    QCOMPARE(document.file().entries.size(), 2);
+    QVERIFY(banner() && map(1) == turned);
+    banner()->findChild<QCheckBox*>()->click();
+    QVERIFY(map(1) == written && map(0) == written); // the one that was there stays
+    banner()->findChild<QCheckBox*>()->click();
+    QVERIFY(map(1) == turned && map(0) == written);
+    document.undoStack()->setClean();
+}
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "main_window.h"
+#include "session.h"
+#include "support/own_settings.h"
+
+#include <QApplication>
+#include <QTest>
+
+// For tests that open and close windows themselves; none is left to the next one.
+class SessionFixture : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        support::useOwnSettings();
+        QApplication::setQuitOnLastWindowClosed(false);
+    }
+    void cleanup() { closeWindows(); }
+
+protected:
+    static void closeWindows() {
+        for (SessionWindow* window : windows())
+            delete window;
+    }
+    static QList<SessionWindow*> windows() { return session::windows(); }
+    static MainWindow* shown(const QString& path) {
+        auto* window = new MainWindow;
+        if (!path.isEmpty()) window->openPath(path);
+        window->show();
+        return window;
+    }
+};

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "application.h"
+#include "desktop/settings.h"
+#include "dialogs/export/export_data_dialog.h"
+#include "dialogs/export/export_dialog.h"
+#include "main_window.h"
+#include "panels/appearance/gradient_editor.h"
+#include "recent_files.h"
+#include "session.h"
+#include "support/every_window.h"
+#include "support/own_settings.h"
+#include "support/slow_disk.h"
+#include "welcome.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QCommandLinkButton>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <functional>
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto delay = 150ms; // of each answer: longer than a window waits for one
+
+QStringList shownRecent(const MainWindow& window) {
+    for (auto* menu : window.findChildren<QMenu*>())
+        if (menu->title() == QStringLiteral("Open &Recent")) {
+            emit menu->aboutToShow();
+            QStringList names;
+            for (const QAction* action : menu->actions())
+                if (action->text().endsWith(QStringLiteral(".ifs"))) names << action->text();
+            return names;
+        }
+    return {};
+}
+
+void trigger(const MainWindow& window, const QKeySequence& key) {
+    for (QAction* action : window.findChildren<QAction*>())
+        if (action->shortcut() == key) return action->trigger();
+    qFatal("no such action");
+}
+
+} // namespace
+
+// Files may lie on a drive that answers late, or never: no thread of a window asks for them itself.
+class SlowDiskTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QApplication::setQuitOnLastWindowClosed(false);
+        QVERIFY(m_folder.isValid());
+        for (const char* name : {"a.ifs", "b.ifs", "c.ifs"})
+            put(name, "leaf { .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 1 .5 }\n");
+        put("p.gpl", "GIMP Palette\nName: two\n0 0 0 black\n255 255 255 white\n");
+    }
+    void init() {
+        support::useOwnSettings();
+        view::store(QStringLiteral("recentFiles"), QStringList{path("a.ifs"), path("b.ifs"), path("c.ifs")});
+        view::store(QStringLiteral("session/files"), QStringList{path("a.ifs")});
+        view::store(QStringLiteral("dialogs/folder"), m_folder.path());
+        view::finishStoring();
+    }
+    void cleanup() {
+        for (SessionWindow* window : session::windows())
+            delete window;
+    }
+
+    void theDriveIsSlow();
+    void recentFilesAreListed();
+    void theMenusAndDialogsOfAFileThere();
+    void openingSavingReverting();
+    void dialogsThatAskForAFile();
+    void palettesAndTables();
+    void whatIsGoneIsLeftOutInTheEnd();
+
+private:
+    void put(const char* name, const QByteArray& bytes) const {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no test file");
+    }
+    QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    // Does `act`, and rejects every dialog for a file that comes; how many came.
+    static int rejectingDialogs(const std::function<void()>& act) {
+        int met = 0;
+        QTimer timer;
+        connect(&timer, &QTimer::timeout, &timer, [&met] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                ++met;
+                dialog->reject();
+            }
+        });
+        timer.start(20);
+        act();
+        return met;
+    }
+
+    QTemporaryDir m_folder;
+};
+
+#define VERIFY_NOTHING_WAS_ASKED(disk)                                                                       \
+    do {                                                                                                     \
+        const QStringList noted = (disk).takeNoted();                                                        \
+        QVERIFY2(noted.isEmpty(), qPrintable(noted.join(u'\n')));                                            \
+    } while (false)
+
+// Otherwise these tests would prove nothing.
+void SlowDiskTest::theDriveIsSlow() {
+    support::SlowDisk disk(m_folder.path(), delay);
+    QVERIFY(QFileInfo::exists(path("a.ifs")));
+    QFile file(path("b.ifs"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QStringList noted = disk.takeNoted();
+    QVERIFY2(noted.join(u' ').contains(QStringLiteral("a.ifs")), qPrintable(noted.join(u'\n')));
+    QVERIFY2(noted.join(u' ').contains(QStringLiteral("open64 ") + path("b.ifs")),
+             qPrintable(noted.join(u'\n')));
+    QVERIFY(disk.takeNoted().isEmpty());
+}
+
+void SlowDiskTest::recentFilesAreListed() {
+    support::SlowDisk disk(m_folder.path(), delay);
+    MainWindow window;
+    window.openFirstPicture();
+    window.show();
+    QCOMPARE(shownRecent(window).size(), 3);
+    Welcome::offer(&window);
+    QCOMPARE(window.findChildren<QCommandLinkButton*>().size(), 3);
+    QCOMPARE(session::files(), QStringList{path("a.ifs")});
+    QVERIFY(disk.waited() > 0); // somebody asked
+    VERIFY_NOTHING_WAS_ASKED(disk);
+}
+
+void SlowDiskTest::theMenusAndDialogsOfAFileThere() {
+    support::SlowDisk disk(m_folder.path(), delay);
+    const support::EveryWindow windows(path("a.ifs"));
+    QVERIFY(windows.dialogs().size() > 8);
+    for (auto* menu : windows.main().findChildren<QMenu*>())
+        emit menu->aboutToShow();
+    QTest::qWait(50);
+    VERIFY_NOTHING_WAS_ASKED(disk);
+}
+
+void SlowDiskTest::openingSavingReverting() {
+    support::SlowDisk disk(m_folder.path(), delay);
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(window->openPath(path("a.ifs")));
+    QCOMPARE(window->path(), path("a.ifs"));
+    VERIFY_NOTHING_WAS_ASKED(disk);
+    document::Fractal changed = window->document().fractal();
+    changed.headerComment = QStringLiteral("mine");
+    window->document().edit(QStringLiteral("comment"), changed);
+    trigger(*window, QKeySequence::Save);
+    QVERIFY(!window->document().isModified());
+    VERIFY_NOTHING_WAS_ASKED(disk);
+    for (QAction* action : window->findChildren<QAction*>())
+        if (action->text() == QStringLiteral("Re&vert")) action->trigger();
+    QCOMPARE(window->document().fractal().headerComment, QStringLiteral("mine"));
+    VERIFY_NOTHING_WAS_ASKED(disk);
+    window->openRecent(path("b.ifs"));
+    QCOMPARE(window->path(), path("b.ifs"));
+    QVERIFY(!window->openPath(path("none.ifs")));
+    window->close();
+    VERIFY_NOTHING_WAS_ASKED(disk);
+}
+
+void SlowDiskTest::dialogsThatAskForAFile() {
+    support::SlowDisk disk(m_folder.path(), delay);
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(window->openPath(path("a.ifs")));
+    for (const QKeySequence& key :
+         {QKeySequence(QKeySequence::Open), QKeySequence(QStringLiteral("Ctrl+Shift+S"))})
+        QCOMPARE(rejectingDialogs([&] { trigger(*window, key); }), 1);
+    trigger(*window, QKeySequence(QStringLiteral("Ctrl+E")));
+    auto* dialog = window->findChild<view::ExportDialog*>();
+    QVERIFY(dialog);
+    QAbstractButton* choose = nullptr;
+    for (auto* button : dialog->findChildren<QAbstractButton*>())
+        if (button->text().remove(u'&') == QStringLiteral("Export…")) choose = button;
+    QVERIFY(choose);
+    QCOMPARE(rejectingDialogs([choose] { choose->click(); }), 1);
+    VERIFY_NOTHING_WAS_ASKED(disk);
+}
+
+void SlowDiskTest::palettesAndTables() {
+    support::SlowDisk disk(m_folder.path(), delay);
+    document::Document document;
+    view::ExportDataDialog data(&document);
+    data.show();
+    data.exportTo(path("table.csv"));
+    VERIFY_NOTHING_WAS_ASKED(disk);
+    QVERIFY(QFile::exists(path("table.csv")));
+    disk.takeNoted();
+    view::GradientEditor editor;
+    editor.show();
+    QStringList heard;
+    connect(&editor, &view::GradientEditor::tried, this, [&heard](const QString& what) { heard << what; });
+    editor.load(path("p.gpl"));
+    QCOMPARE(heard.size(), 1);
+    editor.save(path("mine.gpl"));
+    VERIFY_NOTHING_WAS_ASKED(disk);
+    QVERIFY(QFile::exists(path("mine.gpl")));
+}
+
+void SlowDiskTest::whatIsGoneIsLeftOutInTheEnd() {
+    view::store(QStringLiteral("recentFiles"), QStringList{path("a.ifs"), path("gone.ifs")});
+    support::SlowDisk disk(m_folder.path(), delay);
+    QCOMPARE(recent_files::list().size(), 2);
+    QTRY_COMPARE(recent_files::list(), QStringList{path("a.ifs")});
+    VERIFY_NOTHING_WAS_ASKED(disk);
+}
+
+int main(int argc, char** argv) {
+    Application application(argc, argv);
+    SlowDiskTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "slow_disk_test.moc"

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "tour.h"
+
+#include "app/gui/window_fixture.h"
+#include "panels/maps/maps_panel.h"
+#include "support/forget_settings.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableView>
+#include <QTest>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUndoStack>
+
+// The tour shows its six steps where things are, locks nothing, and leaves the window as it found it.
+class TourTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void sixStepsPointAtWhatTheySpeakOf();
+    void theBarIsPutAway();
+    void theOfferIsMadeOnce();
+    void theWindowMayCloseMeanwhile();
+
+private:
+    Tour* tour() const { return m_window->findChild<Tour*>(); }
+    QPushButton* button(const QString& text) const {
+        for (auto* found : tour()->findChildren<QPushButton*>())
+            if (found->isVisible() && found->text().remove(u'&') == text) return found;
+        return nullptr;
+    }
+    void settle() const {
+        QCoreApplication::processEvents();
+        QCoreApplication::processEvents();
+    }
+};
+
+void TourTest::sixStepsPointAtWhatTheySpeakOf() {
+    for (auto* toggle : m_window->findChild<view::MapsPanel*>()->findChildren<QToolButton*>())
+        if (toggle->accessibleName().endsWith(QStringLiteral("Properties"))) toggle->click(); // it hides them
+    Tour::start(m_window.get());
+    const char* targets[] = {"maps", "maps", "arising", "appearance", "", "analysis"};
+    QSet<QString> texts;
+    QPoint nextCorner;
+    for (int step = 0; step < 6; ++step) {
+        settle();
+        QCOMPARE(tour()->step(), step);
+        QVERIFY(tour()->target() && tour()->target()->isVisible());
+        if (step < 2) { // the column that it speaks of is seen whole
+            const auto* maps = m_window->findChild<view::MapsPanel*>();
+            const int column = step == 0 ? view::MapsModel::Contraction : view::MapsModel::Enabled;
+            const auto* table = maps->table();
+            QTRY_VERIFY(!table->isColumnHidden(column) && table->columnViewportPosition(column) >= 0 &&
+                        table->columnViewportPosition(column) + table->columnWidth(column) <=
+                            table->viewport()->width());
+        }
+        if (*targets[step]) {
+            QCOMPARE(tour()->target()->objectName(), QLatin1String(targets[step]));
+            QTRY_VERIFY(!tour()->target()->visibleRegion().isEmpty()); // not behind another tab
+        } else {
+            QVERIFY(qobject_cast<view::CanvasView*>(tour()->target()));
+        }
+        // The banner is wholly in the window and leaves most of the canvas free.
+        QVERIFY(m_window->rect().contains(tour()->geometry()));
+        const QWidget* canvas = m_window->centralWidget();
+        const QRect room(canvas->mapTo(m_window.get(), QPoint()), canvas->size());
+        const QRect covered = room.intersected(tour()->geometry());
+        QVERIFY(covered.width() * covered.height() < room.width() * room.height() * 45 / 100);
+        texts << tour()->accessibleDescription();
+        QCOMPARE(button(QStringLiteral("Back")) != nullptr, step > 0);
+        QPushButton* next = button(step < 5 ? QStringLiteral("Next") : QStringLiteral("Done"));
+        QVERIFY(next);
+        const QPoint corner = next->mapTo(m_window.get(), next->rect().bottomRight());
+        if (step > 0) QCOMPARE(corner, nextCorner); // under the pointer that has just clicked it
+        nextCorner = corner;
+        if (step < 5) next->click();
+    }
+    QCOMPARE(texts.size(), 6);
+    button(QStringLiteral("Back"))->click();
+    QCOMPARE(tour()->step(), 4);
+
+    // Nothing is locked: the fractal can be edited while the banner is there.
+    document::Fractal fractal = m_window->document().fractal();
+    fractal.name = QStringLiteral("other");
+    m_window->document().edit(QStringLiteral("rename"), fractal);
+    QCOMPARE(m_window->document().undoStack()->count(), 1);
+    button(QStringLiteral("Close"))->click();
+    QTRY_VERIFY(!tour());
+    m_window->document().undoStack()->setClean();
+}
+
+void TourTest::theBarIsPutAway() {
+    auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("arising"));
+    QVERIFY(bar->isHidden());
+    Tour::start(m_window.get());
+    for (int step = 0; step < 2; ++step)
+        button(QStringLiteral("Next"))->click();
+    QVERIFY(!bar->isHidden());
+    button(QStringLiteral("Next"))->click();
+    QVERIFY(bar->isHidden());
+    button(QStringLiteral("Back"))->click();
+    QVERIFY(!bar->isHidden());
+    QTest::keyClick(tour(), Qt::Key_Escape);
+    QTRY_VERIFY(!tour());
+    QVERIFY(bar->isHidden());
+}
+
+void TourTest::theOfferIsMadeOnce() {
+    Tour::offer(m_window.get());
+    QVERIFY(tour());
+    QCOMPARE(tour()->step(), -1);
+    QVERIFY(!button(QStringLiteral("Back")));
+    button(QStringLiteral("Not Now"))->click();
+    QTRY_VERIFY(!tour());
+    Tour::offer(m_window.get());
+    QVERIFY(!tour());
+    support::forgetSettings();
+    Tour::offer(m_window.get());
+    button(QStringLiteral("Start the Tour"))->click();
+    QCOMPARE(tour()->step(), 0);
+    QWidget* canvas = m_window->findChild<view::CanvasView*>()->viewport();
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
+    QTest::qWait(10);
+    QVERIFY(tour()); // which continues while the user tries its suggestions
+    tour()->close();
+    QTRY_VERIFY(!tour());
+    support::forgetSettings();
+    Tour::offer(m_window.get());
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
+    QTRY_VERIFY(!tour()); // who begins is not asked any more
+}
+
+void TourTest::theWindowMayCloseMeanwhile() {
+    Tour::start(m_window.get());
+    for (int step = 0; step < 2; ++step)
+        button(QStringLiteral("Next"))->click();
+    m_window.reset();
+    m_window = std::make_unique<MainWindow>();
+}
+
+QTEST_MAIN(TourTest)
+#include "tour_test.moc"

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "support/every_window.h"
+#include "support/own_settings.h"
+#include "widgets/tooltips.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QHelpEvent>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+#include <QToolBar>
+#include <QToolButton>
+#include <QToolTip>
+#include <QTranslator>
+
+using support::EveryWindow;
+
+namespace {
+
+// A language in which every translated text has brackets around it.
+class Brackets : public QTranslator {
+public:
+    QString translate(const char* context, const char* text, const char*, int) const override {
+        static const QRegularExpression keys(QStringLiteral("^((Ctrl|Shift|Alt)\\+)*(\\S|F\\d+)$"));
+        if (qstrcmp(context, "QShortcut") == 0 || keys.match(QString::fromUtf8(text)).hasMatch()) return {};
+        return QStringLiteral("⟦%1⟧").arg(QString::fromUtf8(text));
+    }
+    bool isEmpty() const override { return false; }
+};
+
+} // namespace
+
+// Everything in the window and its dialogs explains itself, has a name for those who do not see it, and
+// speaks the language of the user.
+class WhatsThisTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        support::useOwnSettings();
+        QApplication::setQuitOnLastWindowClosed(false);
+    }
+    void everyDialogIsLookedAt();
+    void everythingExplainsItself();
+    void tipsAreNameShortcutAndOneSentence();
+    void whatsThisSaysMoreThanTheTip();
+    void everythingHasAName();
+    void everyTextIsTranslated();
+
+private:
+    static QList<QAction*> actionsOf(const QWidget* window) {
+        QList<QAction*> found;
+        for (QAction* action : window->findChildren<QAction*>())
+            if (!action->isSeparator() && !action->menu() && !action->objectName().startsWith(u"_q_") &&
+                !action->text().isEmpty() && !QByteArray(action->metaObject()->className()).contains("Whats"))
+                found << action;
+        return found;
+    }
+};
+
+void WhatsThisTest::everyDialogIsLookedAt() {
+    const EveryWindow windows;
+    QSet<QByteArray> kinds;
+    for (const QWidget* window : windows.all())
+        kinds << window->metaObject()->className();
+    for (const char* kind :
+         {"MainWindow", "view::ExportDialog", "view::ExportDataDialog", "view::TransformDialog",
+          "view::MutateDialog", "view::AifsDialog", "view::PreferencesDialog", "view::ShortcutsDialog",
+          "view::VertexDialog", "view::CommandPalette"})
+        QVERIFY2(kinds.contains(kind), kind);
+    QVERIFY(EveryWindow::controls(windows.all().first()).size() > 60);
+}
+
+void WhatsThisTest::everythingExplainsItself() {
+    const EveryWindow windows;
+    QStringList silent;
+    for (const QWidget* window : windows.all()) {
+        for (const QWidget* control : EveryWindow::controls(window))
+            if (control->whatsThis().isEmpty()) silent << EveryWindow::describe(control);
+        for (const QAction* action : actionsOf(window))
+            if (action->whatsThis().isEmpty())
+                silent << EveryWindow::describe(window) + QStringLiteral(" › action ") + action->text();
+    }
+    for (const auto* dock : windows.main().findChildren<QDockWidget*>())
+        if (dock->whatsThis().isEmpty()) silent << QStringLiteral("panel ") + dock->windowTitle();
+    QVERIFY2(silent.isEmpty(), qPrintable(silent.join(u'\n')));
+}
+
+void WhatsThisTest::tipsAreNameShortcutAndOneSentence() {
+    const view::Tooltips tooltips(qApp);
+    const EveryWindow windows;
+    MainWindow& window = windows.main();
+    const auto* bar = window.findChild<QToolBar*>(QStringLiteral("tools"));
+    int buttons = 0;
+    for (auto* button : bar->findChildren<QToolButton*>()) {
+        const QAction* action = button->defaultAction();
+        if (!action || action->text().isEmpty()) continue;
+        const QString name = QString(action->text()).remove(u'&').remove(u'…');
+        const QString tip = view::composedTip(*button);
+        QVERIFY2(tip.contains(QStringLiteral("<b>%1</b>").arg(name)), qPrintable(tip));
+        if (!action->shortcut().isEmpty())
+            QVERIFY2(tip.contains(action->shortcut().toString(QKeySequence::NativeText)), qPrintable(tip));
+        const QString rest = tip.section(QStringLiteral("<br>"), 1).remove(QStringLiteral("</p>"));
+        QVERIFY2(rest.endsWith(u'.') && rest.size() > 5, qPrintable(tip));
+        ++buttons;
+    }
+    QVERIFY(buttons > 10);
+    // As it is shown.
+    auto* shown = bar->findChildren<QToolButton*>().at(1);
+    for (auto* button : bar->findChildren<QToolButton*>())
+        if (button->isVisible() && button->defaultAction()) shown = button;
+    QHelpEvent help(QEvent::ToolTip, shown->rect().center(), shown->mapToGlobal(shown->rect().center()));
+    QApplication::sendEvent(shown, &help);
+    QCOMPARE(QToolTip::text(), view::composedTip(*shown));
+    QToolTip::hideText();
+}
+
+void WhatsThisTest::whatsThisSaysMoreThanTheTip() {
+    const EveryWindow windows;
+    QStringList meagre;
+    for (const auto* button : windows.main().findChildren<QToolButton*>())
+        if (button->defaultAction() && !button->defaultAction()->text().isEmpty() &&
+            button->whatsThis().size() <= button->toolTip().size() + 10)
+            meagre << button->defaultAction()->text();
+    for (const QAction* action : actionsOf(&windows.main()))
+        if (action->isEnabled() &&
+            action->objectName() != QStringLiteral("clicking") && // else it says why not
+            !action->statusTip().isEmpty() && action->whatsThis().size() <= action->statusTip().size() + 10)
+            meagre << action->text();
+    QVERIFY2(meagre.isEmpty(), qPrintable(meagre.join(u'\n')));
+}
+
+void WhatsThisTest::everythingHasAName() {
+    const EveryWindow windows;
+    QStringList nameless;
+    for (const QWidget* window : windows.all())
+        for (QWidget* control : EveryWindow::controls(window)) {
+            const QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(control);
+            if (!seen || seen->text(QAccessible::Name).trimmed().isEmpty())
+                nameless << EveryWindow::describe(control);
+        }
+    QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(u'\n')));
+}
+
+void WhatsThisTest::everyTextIsTranslated() {
+    Brackets brackets;
+    QApplication::installTranslator(&brackets);
+    QStringList plain;
+    {
+        const EveryWindow windows;
+        const QRegularExpression words(QStringLiteral("\\p{L}{3,}"));
+        const auto look = [&](const QObject* object, const QString& where) {
+            for (const char* property : {"text", "title", "windowTitle", "toolTip", "statusTip", "whatsThis",
+                                         "accessibleName", "placeholderText", "suffix", "prefix"}) {
+                const QString text = object->property(property).toString();
+                if (text.contains(words) && !text.contains(u'⟦'))
+                    plain << where + u' ' + QLatin1String(property) + QStringLiteral(": ") + text;
+            }
+        };
+        for (const QWidget* window : windows.all()) {
+            look(window, EveryWindow::describe(window));
+            for (const QWidget* widget : window->findChildren<QWidget*>())
+                if (widget->window() == window && !widget->inherits("QLineEdit") &&
+                    !widget->inherits("QTextEdit") && !widget->inherits("QComboBox"))
+                    look(widget, EveryWindow::describe(widget));
+            for (const QAction* action : actionsOf(window))
+                look(action, QStringLiteral("action ") + action->text());
+        }
+    }
+    QApplication::removeTranslator(&brackets);
+    plain.removeDuplicates();
+    QVERIFY2(plain.isEmpty(), qPrintable(plain.join(u'\n')));
+}
+
+QTEST_MAIN(WhatsThisTest)
+#include "whats_this_test.moc"

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#include "bars/branch_bar.h"
+#include "bars/tool_options_bar.h"
+#include "canvas/canvas_view.h"
+#include "ifs/cage/hull_cage.h"
+#include "panels/cage/cage_panel.h"
+#include "session_fixture.h"
+#include "support/forget_settings.h"
+#include "widgets/number_field.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTest>
+#include <QToolBar>
+#include <QTranslator>
+
+#include <algorithm>
+
+// How the window divides its room, and what of it is kept.
+class WindowLayoutTest : public SessionFixture {
+    Q_OBJECT
+
+private slots:
+    void aNarrowWindowIsHalfPicture_data();
+    void aNarrowWindowIsHalfPicture();
+    void panelsAreWhereTheyWereLeft();
+    void theWholeScreenAndBack();
+    void aPresentationPutsAwayWhatIsNotCanvas();
+    void aPresentationIsNotRemembered();
+    void namesOfPanelsAreSeenWhole_data();
+    void namesOfPanelsAreSeenWhole();
+    void barsFitASmallWindow_data() { namesOfPanelsAreSeenWhole_data(); }
+    void barsFitASmallWindow();
+    void aBarThatGoesLeavesTheFocusToTheCanvas();
+    void thePictureStaysWhateverTheTool();
+    void aCageOfManyCornersIsScrolled();
+};
+
+void WindowLayoutTest::aNarrowWindowIsHalfPicture_data() {
+    QTest::addColumn<int>("width");
+    for (const int width : {1440, 1280, 1024})
+        QTest::addRow("%d", width) << width;
+}
+
+void WindowLayoutTest::aNarrowWindowIsHalfPicture() {
+    QFETCH(int, width);
+    MainWindow window;
+    window.setAttribute(Qt::WA_DeleteOnClose, false);
+    const auto* canvas = window.findChild<view::CanvasView*>();
+    window.resize(width, 768);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QCOMPARE(window.width(), width);
+    QVERIFY2(canvas->width() >= width * 46 / 100, qPrintable(QString::number(canvas->width())));
+    window.resize(1600, 900);
+    QTest::qWait(50);
+    window.resize(width, 768); // the same when it is made so
+    QTRY_VERIFY(canvas->width() >= width * 46 / 100);
+}
+
+// One is closed, one floats, one is in front of those that share its place, and one is on the other side.
+void WindowLayoutTest::panelsAreWhereTheyWereLeft() {
+    support::forgetSettings();
+    const auto panel = [](MainWindow* window, const char* id) {
+        return window->findChild<QDockWidget*>(QLatin1String(id));
+    };
+    MainWindow* first = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(first));
+    first->resize(1200, 700);
+    QVERIFY(panel(first, "collection")->isVisible() && !panel(first, "maps")->isFloating());
+    panel(first, "collection")->close();
+    panel(first, "history")->setFloating(true);
+    first->addDockWidget(Qt::LeftDockWidgetArea, panel(first, "analysis"));
+    panel(first, "appearance")->raise();
+    first->resizeDocks({panel(first, "maps")}, {390}, Qt::Horizontal);
+    const auto* names =
+        panel(first, "appearance")->parentWidget()->findChild<QTabBar*>({}, Qt::FindDirectChildrenOnly);
+    QTRY_COMPARE(panel(first, "appearance")->width(), 390 - names->width());
+    const int width = panel(first, "appearance")->width();
+    first->close();
+    QTRY_VERIFY(windows().isEmpty());
+
+    MainWindow* second = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(second));
+    QCOMPARE(second->size(), QSize(1200, 700));
+    QVERIFY(!panel(second, "collection")->isVisible());
+    QVERIFY(panel(second, "history")->isFloating() && panel(second, "history")->isVisible());
+    QCOMPARE(second->dockWidgetArea(panel(second, "analysis")), Qt::LeftDockWidgetArea);
+    QTRY_VERIFY(!panel(second, "appearance")->visibleRegion().isEmpty());
+    QVERIFY(panel(second, "maps")->visibleRegion().isEmpty()); // behind it
+    QTRY_COMPARE(panel(second, "appearance")->width(), width);
+    support::forgetSettings();
+}
+
+void WindowLayoutTest::theWholeScreenAndBack() {
+    support::forgetSettings();
+    MainWindow* window = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->resize(900, 600);
+    QAction* full = nullptr;
+    for (auto* action : window->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(Qt::Key_F11)) full = action;
+    QVERIFY(full);
+    QTest::keyClick(window, Qt::Key_F11);
+    QTRY_VERIFY(window->isFullScreen() && full->isChecked());
+    QTRY_COMPARE(window->size(), window->screen()->size());
+    QVERIFY(window->menuBar()->isVisible() && !window->menuBar()->visibleRegion().isEmpty());
+    QTest::keyClick(window, Qt::Key_F11);
+    QTRY_VERIFY(!window->isFullScreen() && !full->isChecked());
+    QTRY_COMPARE(window->size(), QSize(900, 600));
+
+    window->showFullScreen(); // by the desktop
+    QTRY_VERIFY(full->isChecked());
+    window->close(); // so left, so found
+    QTRY_VERIFY(windows().isEmpty());
+    MainWindow* next = shown({});
+    QTRY_VERIFY(next->isFullScreen());
+    for (auto* action : next->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(Qt::Key_F11)) action->trigger();
+    QTRY_VERIFY(!next->isFullScreen());
+    support::forgetSettings();
+}
+
+void WindowLayoutTest::aPresentationPutsAwayWhatIsNotCanvas() {
+    support::forgetSettings();
+    MainWindow* window = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->openFirstPicture();
+    window->resize(1000, 700);
+    auto* canvas = window->findChild<view::CanvasView*>();
+    auto* analysis = window->findChild<QDockWidget*>(QStringLiteral("analysis"));
+    analysis->raise();
+    QTRY_VERIFY(!analysis->visibleRegion().isEmpty());
+    const QSize before = canvas->size();
+    document::Fractal edited = window->document().fractal();
+    edited.name = QStringLiteral("mine");
+    window->document().edit(QStringLiteral("rename"), edited);
+
+    QTest::keyClick(window, Qt::Key_F11, Qt::ShiftModifier);
+    QTRY_VERIFY(window->isFullScreen());
+    QTRY_COMPARE(canvas->size(), window->screen()->size());  // nothing else has room
+    QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier); // commands are in force all the same
+    QCOMPARE(window->document().fractal().name, QStringLiteral("maple"));
+    QTest::keyClick(canvas, Qt::Key_W);
+    auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
+    QTRY_VERIFY(arising->isVisible()); // what is shown by it belongs to the picture
+    QTest::keyClick(canvas, Qt::Key_Escape);
+    QTRY_VERIFY(!window->isFullScreen());
+    QTRY_COMPARE(window->size(), QSize(1000, 700));
+    QVERIFY(window->menuBar()->isVisible() && window->statusBar()->isVisible() && arising->isVisible());
+    QTRY_VERIFY(!analysis->visibleRegion().isEmpty());
+    QTest::keyClick(canvas, Qt::Key_W);
+    QTRY_COMPARE(canvas->size(), before);
+    window->document().undoStack()->setClean();
+}
+
+void WindowLayoutTest::aPresentationIsNotRemembered() {
+    support::forgetSettings();
+    MainWindow* window = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->resize(1000, 700);
+    QTest::keyClick(window, Qt::Key_F11, Qt::ShiftModifier);
+    QTRY_VERIFY(window->isFullScreen());
+    window->close();
+    QTRY_VERIFY(windows().isEmpty());
+    MainWindow* next = shown({});
+    QTRY_COMPARE(next->size(), QSize(1000, 700));
+    QVERIFY(!next->isFullScreen() && next->menuBar()->isVisible());
+    QVERIFY(!next->findChild<QDockWidget*>(QStringLiteral("maps"))->isHidden());
+    support::forgetSettings();
+}
+
+void WindowLayoutTest::namesOfPanelsAreSeenWhole_data() {
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"en", "de", "es", "fr", "mk"})
+        QTest::newRow(language) << QString::fromLatin1(language);
+}
+
+void WindowLayoutTest::namesOfPanelsAreSeenWhole() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    MainWindow* window = shown({});
+    window->resize(1024, 768);
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    int names = 0;
+    for (const auto* bar : window->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        for (int i = 0; i < bar->count(); ++i, ++names) {
+            const QSize room = bar->tabRect(i).size();
+            const int needed = bar->fontMetrics().horizontalAdvance(bar->tabText(i));
+            QVERIFY2(std::max(room.width(), room.height()) > needed, qPrintable(bar->tabText(i)));
+            QVERIFY(bar->rect().contains(bar->tabRect(i)));
+        }
+    QCOMPARE(names, 5);
+    const int half = window->findChild<view::CanvasView*>()->width() * 100 / 46;
+    QVERIFY2(half >= window->width(), "the panels are too wide in this language");
+}
+
+// Both under the canvas, and with branches to put back; also where the layout of an earlier version, which
+// had them side by side, comes back.
+void WindowLayoutTest::barsFitASmallWindow() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    QSettings().clear();
+    for (int run = 0; run < 2; ++run) {
+        MainWindow* window = shown({});
+        window->openFirstPicture();
+        QVERIFY(QTest::qWaitForWindowExposed(window));
+        window->resize(800, 600);
+        document::Fractal fractal = window->document().fractal();
+        const ifs::MapId first = document::system2(fractal)->maps.front().id;
+        document::plane(fractal)->moved.push_back({{first, first}, ifs::affineMap(1, 0, 0, 1, 0.1, 0)});
+        window->document().edit(QStringLiteral("move"), fractal);
+        window->findChild<view::CanvasView*>()->setTool(view::CanvasView::Tool::Branch);
+        auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
+        auto* branches = window->findChild<QToolBar*>(QStringLiteral("tool-options"));
+        arising->show();
+        QTRY_VERIFY(branches->isVisible() && branches->y() != arising->y());
+        QCOMPARE(window->width(), 800);
+        for (const QToolBar* bar : {arising, branches})
+            QVERIFY(bar->minimumSizeHint().width() < 700); // letters are larger elsewhere
+        window->removeToolBarBreak(branches);
+        window->document().undoStack()->setClean();
+        window->close();
+        QTRY_VERIFY(windows().isEmpty());
+    }
+    QSettings().clear();
+}
+
+void WindowLayoutTest::aBarThatGoesLeavesTheFocusToTheCanvas() {
+    QSettings().clear();
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    auto* canvas = window->findChild<view::CanvasView*>();
+    auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
+    arising->toggleViewAction()->trigger();
+    for (auto* button : arising->findChildren<QAbstractButton*>())
+        if (button->isCheckable() && button->isVisible()) button->setFocus();
+    QVERIFY(arising->isAncestorOf(QApplication::focusWidget()));
+    arising->toggleViewAction()->trigger();
+    QVERIFY(canvas->hasFocus());
+
+    using Tool = view::CanvasView::Tool;
+    const auto* bar = window->findChild<view::BranchBar*>();
+    for (const Tool next : {Tool::Maps, Tool::Cage}) {
+        canvas->setTool(Tool::Branch);
+        bar->edit()->setFocus();
+        QVERIFY(bar->edit()->hasFocus());
+        canvas->setTool(next);
+        QVERIFY(canvas->hasFocus());
+    }
+}
+
+// The options of a tool are in a bar that keeps its place and height.
+void WindowLayoutTest::thePictureStaysWhateverTheTool() {
+    using Tool = view::CanvasView::Tool;
+    QSettings().clear();
+    for (const QSize& size : {QSize(1024, 768), QSize(1440, 900)}) {
+        MainWindow* window = shown({});
+        window->openFirstPicture();
+        window->resize(size);
+        QVERIFY(QTest::qWaitForWindowExposed(window));
+        auto* canvas = window->findChild<view::CanvasView*>();
+        const auto* bar = window->findChild<QToolBar*>(QStringLiteral("tool-options"));
+        const auto* options = window->findChild<view::ToolOptionsBar*>();
+        QVERIFY(bar && bar->isVisible() && options);
+        QTRY_COMPARE(window->size(), size);
+        const QRect place = canvas->geometry(), barPlace = bar->geometry();
+        const attractor::Camera camera = canvas->camera();
+        for (const Tool tool : {Tool::Maps, Tool::Branch, Tool::DefineTriangle, Tool::Cage}) {
+            canvas->setTool(tool);
+            QTest::qWait(50);
+            QCOMPARE(canvas->geometry(), place);
+            QCOMPARE(bar->geometry(), barPlace);
+            QVERIFY(canvas->camera() == camera);
+            const bool hasOptions = tool == Tool::Maps || tool == Tool::Branch;
+            QCOMPARE(options->hint().isEmpty(), hasOptions);
+        }
+        // Also where a branch can be put back, which adds a button.
+        canvas->setTool(Tool::Branch);
+        document::Fractal fractal = window->document().fractal();
+        const ifs::MapId first = document::system2(fractal)->maps.front().id;
+        document::plane(fractal)->moved.push_back({{first, first}, ifs::affineMap(1, 0, 0, 1, 0.1, 0)});
+        window->document().edit(QStringLiteral("move"), fractal);
+        QTest::qWait(50);
+        QCOMPARE(canvas->geometry(), place);
+        window->document().undoStack()->setClean();
+        window->close();
+        QTRY_VERIFY(windows().isEmpty());
+    }
+    QSettings().clear();
+}
+
+void WindowLayoutTest::aCageOfManyCornersIsScrolled() {
+    QSettings().clear();
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->resize(1280, 700);
+    window->findChild<QDockWidget*>(QStringLiteral("cage"))->raise();
+    document::Fractal fractal = window->document().fractal();
+    const ifs::Polygon square{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+    document::plane(fractal)->cage = ifs::polygonAtRest<2>(ifs::regularPolygonAround(square, 64));
+    window->document().edit(QStringLiteral("hold"), fractal);
+    auto* panel = window->findChild<view::CagePanel*>();
+    QTRY_VERIFY(panel->height() > 1000);
+    QTest::qWait(50);
+    QCOMPARE(window->height(), 700);
+    auto* last = panel->findChildren<view::NumberField*>().last();
+    for (auto* field : panel->findChildren<view::NumberField*>())
+        if (field->accessibleName() == QStringLiteral("x of vertex 64")) last = field;
+    QVERIFY(last->visibleRegion().isEmpty());
+    last->previousInFocusChain()->setFocus(); // and what Tab reaches is seen
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    QCOMPARE(QApplication::focusWidget(), last);
+    QTRY_VERIFY(!last->visibleRegion().isEmpty());
+    window->document().undoStack()->setClean();
+}
+
+QTEST_MAIN(WindowLayoutTest)
+#include "window_layout_test.moc"

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/cells/cell_sums.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <random>
+
+using namespace attractor;
+
+namespace {
+
+// What pieces() says about a row, added up.
+std::vector<std::uint64_t> rowByPieces(const CellSums& sums, int row) {
+    std::vector<std::uint64_t> result;
+    for (const CellSums::Piece& piece : sums.pieces(row).pieces)
+        for (std::size_t x = piece.firstColumn; x < piece.endColumn; ++x) {
+            std::uint64_t sum = 0;
+            for (const std::uint32_t* counts : piece.counts)
+                sum += counts[x - piece.firstColumn];
+            result.push_back(sum);
+        }
+    return result;
+}
+
+} // namespace
+
+class TestCellSums : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Cells are cleared only where they are asked for; nothing of an earlier use
+    // may show anywhere.
+    void nothingIsLeftOfAnEarlierUse() {
+        constexpr std::size_t threads = 2;
+        std::mt19937 random(5);
+        CellSums sums;
+        for (int round = 0; round < 20; ++round) {
+            const CellWindow window{int(random() % 900) + 1, int(random() % 40), 40 + int(random() % 90)};
+            sums.reset(CellKind::Count, window, threads);
+            std::vector<std::uint64_t> expected(window.cells());
+            for (int n = 0; n < 5; ++n) {
+                const int x = int(random()) & 1023;
+                const int y = int(random()) & 127;
+                const CellRegion region{std::min(x, window.width), std::min(x + 70, window.width),
+                                        std::clamp(y, window.firstRow, window.endRow),
+                                        std::clamp(y + 30, window.firstRow, window.endRow)};
+                std::uint32_t* counts = sums.counts(random() % threads, region);
+                for (int row = region.firstRow; row < region.endRow; ++row)
+                    for (int column = region.firstColumn; column < region.endColumn; ++column) {
+                        const auto cell =
+                            static_cast<std::size_t>((row - window.firstRow) * window.width + column);
+                        counts[cell] += 7;
+                        expected[cell] += 7;
+                    }
+            }
+            if (round % 3 == 0) sums.carryOverCounts();
+            std::vector<std::uint64_t> row;
+            for (int y = 0; y < window.endRow - window.firstRow; ++y) {
+                const auto first = expected.begin() + y * window.width;
+                const std::vector<std::uint64_t> wanted(first, first + window.width);
+                const bool any = sums.samplesOfRow(y, row);
+                QVERIFY(row == wanted);
+                QVERIFY(any ||
+                        std::all_of(row.begin(), row.end(), [](auto samples) { return samples == 0; }));
+                if (round % 3 != 0) QVERIFY(rowByPieces(sums, y) == wanted);
+            }
+            sums.counts(0)[0] = 99; // makes all of the memory dirty
+            std::fill_n(sums.counts(1), window.cells(), 99U);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCellSums)
+#include "cell_sums_test.moc"

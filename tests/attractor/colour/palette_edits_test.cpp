@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/colour/palette_edits.h"
+
+#include "attractor/colour/srgb_transfer.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace attractor;
+
+namespace {
+
+Palette palette() {
+    return {"", {{0, {0, 0, 0}}, {0.25, {255, 0, 0}}, {0.5, {0, 255, 0}}, {1, {255, 255, 255}}}};
+}
+
+} // namespace
+
+class TestPaletteEdits : public QObject {
+    Q_OBJECT
+
+private slots:
+    // A new stop changes no colour of the gradient, but for the rounding of its own.
+    void aNewStopChangesNothing() {
+        for (const double position : {-1.0, 0.0, 0.1, 0.25, 0.6, 1.0, 2.0}) {
+            const Palette before = palette();
+            Palette after = before;
+            const std::size_t stop = addStop(after, position);
+            QCOMPARE(after.stops.size(), before.stops.size() + 1);
+            QVERIFY(stop > 0 && stop + 1 < after.stops.size());
+            QCOMPARE(after.stops[stop].position, std::clamp(position, 0.0, 1.0));
+            for (std::size_t k = 0; k + 1 < after.stops.size(); ++k)
+                QVERIFY(after.stops[k].position <= after.stops[k + 1].position);
+            for (double x = 0; x < 1; x += 0.01) {
+                const Rgba a = colourAt(before, x);
+                const Rgba b = colourAt(after, x);
+                QVERIFY(std::abs(linearLight(a.red) - linearLight(b.red)) < 0.01);
+                QVERIFY(std::abs(linearLight(a.green) - linearLight(b.green)) < 0.01);
+            }
+        }
+    }
+
+    void stopsMoveUpToTheirNeighbours() {
+        Palette p = palette();
+        moveStop(p, 1, 0.4);
+        QCOMPARE(p.stops[1].position, 0.4);
+        moveStop(p, 1, 0.9);
+        QCOMPARE(p.stops[1].position, 0.5);
+        moveStop(p, 1, -3);
+        QCOMPARE(p.stops[1].position, 0.0);
+    }
+
+    void theEndsStay() {
+        for (const std::size_t end : {std::size_t{0}, std::size_t{3}}) {
+            Palette p = palette();
+            QVERIFY(!canMove(p, end));
+            moveStop(p, end, 0.5);
+            removeStop(p, end);
+            QCOMPARE(p, palette());
+        }
+        Palette p = palette();
+        QVERIFY(canMove(p, 1));
+        removeStop(p, 1);
+        QCOMPARE(p.stops.size(), std::size_t{3});
+        QCOMPARE(p.stops[1].colour, (Rgba{0, 255, 0}));
+    }
+
+    void reversedTwiceIsTheSame() {
+        Palette p = palette();
+        reverse(p);
+        QCOMPARE(p.stops.front().colour, (Rgba{255, 255, 255}));
+        QCOMPARE(p.stops[2].position, 0.75);
+        QCOMPARE(p.stops[2].colour, (Rgba{255, 0, 0}));
+        reverse(p);
+        QCOMPARE(p, palette());
+    }
+
+    void distributedStopsAreEquallyFar() {
+        Palette p = palette();
+        distribute(p);
+        for (std::size_t k = 0; k < 4; ++k)
+            QCOMPARE(p.stops[k].position, static_cast<double>(k) / 3);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPaletteEdits)
+#include "palette_edits_test.moc"

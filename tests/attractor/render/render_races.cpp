@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The threads of the render core at work, without Qt, for the thread sanitizer. Returns 0 when all pictures
+// agree.
+#include "attractor/render/render_queue.h"
+#include "attractor/render/render_thread.h"
+#include "attractor/systems.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+using namespace attractor;
+
+namespace {
+
+bool eventually(const auto& condition) {
+    for (int n = 0; n < 120'000; ++n) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+}
+
+RenderRequest numbered(std::uint64_t revision, int threads) {
+    RenderRequest request = systems::request(systems::maple(), 300'000, 96, 64);
+    request.revision = revision;
+    request.threads = threads;
+    return request;
+}
+
+bool threadsAgree() {
+    return render(numbered(1, 1)).pixels == render(numbered(1, 4)).pixels;
+}
+
+bool newestWins() {
+    std::atomic<int> announced = 0;
+    RenderThread thread([&] { ++announced; });
+    for (std::uint64_t revision = 1; revision <= 60; ++revision) {
+        thread.submit(numbered(revision, 3), 900'000);
+        const auto frame = thread.newestFrame();
+        if (frame && frame->revision > revision) return false;
+        if (revision % 7 == 0) thread.cancel();
+    }
+    thread.submit(numbered(61, 3), 900'000);
+    return eventually([&] {
+        const auto frame = thread.newestFrame();
+        return frame && frame->revision == 61 && frame->samples >= 900'000;
+    });
+}
+
+bool queueFinishes() {
+    std::atomic<int> drawn = 0;
+    RenderQueue queue;
+    for (std::uint64_t key = 0; key < 20; ++key)
+        queue.submit(key, {[key] { return numbered(key, 2); }, [&](const auto&) { ++drawn; }});
+    return eventually([&] { return drawn == 20; });
+}
+
+} // namespace
+
+int main() {
+    const bool passed = threadsAgree() && newestWins() && queueFinishes();
+    std::puts(passed ? "passed" : "failed");
+    return passed ? 0 : 1;
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/samples/orbit_trail.h"
+
+#include "attractor/systems.h"
+
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace attractor;
+
+class TestOrbitTrail : public QObject {
+    Q_OBJECT
+
+private slots:
+    void followsTheOrbitThatIsDrawn() {
+        auto maple = systems::maple();
+        maple.maps[1].enabled = false; // indices in the system, not among the maps that take part
+        const PreparedSystem system = prepared(maple);
+        Orbit orbit(system, 7);
+        std::vector<Orbit::Point> drawn;
+        for (int n = 0; n < 200; ++n)
+            drawn.push_back(orbit.next());
+        OrbitTrail trail(system, 7);
+        for (const std::uint64_t plotted : {0, 1, 3, 8, 9, 150, 200, 40}) { // forwards and back
+            const auto& points = trail.after(plotted);
+            QCOMPARE(points.size(), std::min<std::size_t>(plotted, OrbitTrail::longest));
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                const Orbit::Point& there = drawn[plotted - points.size() + k];
+                QVERIFY(points[k].x == there.x);
+                QCOMPARE(points[k].map, system.index[there.lastMap]);
+                QVERIFY(points[k].map != 1);
+            }
+        }
+    }
+
+    void everyJumpIsOneMap() {
+        const auto fern = systems::fern();
+        OrbitTrail trail(prepared(fern), 1);
+        const auto points = trail.after(1000);
+        for (std::size_t k = 1; k < points.size(); ++k)
+            QVERIFY(fern.maps[points[k].map].map(points[k - 1].x).isApprox(points[k].x, 1e-12));
+    }
+
+    void nothingToDrawHasNoTrail() {
+        OrbitTrail trail({}, 1);
+        QVERIFY(trail.after(10).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestOrbitTrail)
+#include "orbit_trail_test.moc"

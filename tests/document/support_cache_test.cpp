@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "document/support_cache.h"
+
+#include "document/fractal.h"
+#include "document/fractal_geometry.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <thread>
+#include <utility>
+#include <vector>
+
+using document::Fractal;
+using document::SupportCache;
+
+namespace {
+
+// 300 maps that shrink by 20 to places around a circle of that radius.
+document::System2 ring(double radius) {
+    constexpr int count = 300;
+    document::System2 system;
+    for (int k = 0; k < count; ++k)
+        ifs::append(system, ifs::affineMap(0.05, 0, 0, 0.05, radius * std::cos(k), radius * std::sin(k)));
+    return system;
+}
+
+Fractal fractalOf(document::System2 system) {
+    Fractal fractal;
+    fractal.shape = document::Shape<2>{std::move(system)};
+    return fractal;
+}
+
+} // namespace
+
+class SupportCacheTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void remembersTheNewest() {
+        const SupportCache cache;
+        const auto first = cache.support(ring(1));
+        QVERIFY(first);
+        QCOMPARE(cache.support(ring(1)), first);
+        for (const double radius : {2, 3, 4})
+            QVERIFY(cache.support(ring(radius)) != first);
+        QCOMPARE(cache.support(ring(1)), first);
+        const auto fifth = cache.support(ring(5));
+        QCOMPARE(cache.support(ring(5)), fifth);
+        const auto again = cache.support(ring(1)); // the oldest had to go
+        QVERIFY(again && again != first);
+        QCOMPARE(again->radius(), first->radius());
+    }
+
+    void systemWithoutAttractor() {
+        document::System2 system = ring(1);
+        system.maps[7].map.linear *= 100;
+        const SupportCache cache;
+        QVERIFY(!cache.support(system));
+        QVERIFY(!cache.support(system));
+        system.maps[7].enabled = false;
+        QVERIFY(cache.support(system));
+    }
+
+    void copiesOfAFractalShareIt() {
+        const Fractal fractal = fractalOf(ring(1));
+        Fractal moved = fractal;
+        document::plane(moved)->cage = document::effectiveCage(fractal);
+        document::plane(moved)->cage->current[0] *= 2;
+        QCOMPARE(document::supportFunction(moved), document::supportFunction(fractal));
+        Fractal other = moved;
+        other.shape = document::Shape<2>{ring(2)};
+        QVERIFY(document::supportFunction(other) != document::supportFunction(fractal));
+        QCOMPARE(document::supportFunction(moved), document::supportFunction(fractal));
+    }
+
+    void itIsNoPartOfTheValue() {
+        const Fractal fractal = fractalOf(ring(1));
+        const Fractal alike = fractalOf(ring(1));
+        const auto support = document::supportFunction(fractal);
+        QVERIFY(fractal == alike);
+        QVERIFY(document::supportFunction(alike) != support); // nothing is known beyond a fractal's copies
+        Fractal from = fractal;
+        const Fractal to = std::move(from);
+        QCOMPARE(document::supportFunction(to), support);
+        from = fractalOf(ring(1)); // what was moved from can be used again
+        QVERIFY(document::supportFunction(from));
+    }
+
+    void manyThreadsMayAsk() {
+        const Fractal fractal = fractalOf(ring(1));
+        std::vector<std::thread> threads;
+        std::vector<std::shared_ptr<const ifs::SupportFunction<2>>> found(8);
+        for (auto& support : found)
+            threads.emplace_back([&support, fractal] { support = document::supportFunction(fractal); });
+        for (std::thread& thread : threads)
+            thread.join();
+        for (const auto& support : found)
+            QVERIFY(support && support->radius() == found[0]->radius());
+        QCOMPARE(document::supportFunction(fractal), document::supportFunction(fractal));
+    }
+};
+
+QTEST_APPLESS_MAIN(SupportCacheTest)
+#include "support_cache_test.moc"

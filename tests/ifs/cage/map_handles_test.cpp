@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/cage/map_handles.h"
+#include "ifs/canonical_systems.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace ifs;
+using namespace canonical;
+
+namespace {
+
+using Polygon = std::vector<Vector<2>>;
+
+const Polygon unitTriangle{{0, 0}, {1, 0}, {0, 1}};
+
+Polygon somePolygon(Random& random, int corners) {
+    std::uniform_real_distribution<double> radius(0.6, 1.4);
+    Polygon polygon;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * M_PI * k / corners;
+        polygon.emplace_back(3 + radius(random) * std::cos(angle), radius(random) * std::sin(angle) - 2);
+    }
+    return polygon;
+}
+
+} // namespace
+
+class MapHandlesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aHandleOfTheSierpinskiTriangle() {
+        const AffineMap<2> before = sierpinskiRight()[0];
+        const AffineMap<2> after = withHandleMoved(before, unitTriangle, 1, {0.1, 0.1});
+        const AffineMap<2> expected = affineMap(.6, 0, .1, .5, 0, 0);
+        QVERIFY((after.linear - expected.linear).norm() < 1e-15);
+        QVERIFY(after.translation.norm() < 1e-15);
+        QVERIFY(std::abs(spectralNorm<2>(after.linear) - 0.622978728978) < 1e-12);
+        QVERIFY(withHandleMoved(before, unitTriangle, 1, {0, 0}) == before);
+    }
+
+    // The dragged image follows the pointer. Of a triangle the two others stay, of any polygon two of them,
+    // and the change has rank one.
+    void otherHandlesStay() {
+        Random random(7);
+        std::uniform_real_distribution<double> number(-1, 1);
+        for (int corners = 3; corners < 12; ++corners)
+            for (int n = 0; n < 20; ++n) {
+                const Polygon rest = somePolygon(random, corners);
+                const AffineMap<2> map = affineMap(number(random), number(random), number(random),
+                                                   number(random), number(random), number(random));
+                const std::size_t vertex = random() % rest.size();
+                const Vector<2> offset(number(random), number(random));
+                const AffineMap<2> after = withHandleMoved(map, rest, vertex, offset);
+                QVERIFY((after(rest[vertex]) - map(rest[vertex]) - offset).norm() < 1e-13);
+                const auto stays = std::ranges::count_if(
+                    rest, [&](const Vector<2>& v) { return (after(v) - map(v)).norm() < 1e-13; });
+                QVERIFY(stays >= 2);
+                QVERIFY(std::abs(determinant<2>(after.linear - map.linear)) < 1e-13);
+            }
+    }
+
+    // The vertices next to a dragged one may lie on one line with it.
+    void aVertexInTheMiddleOfAnEdgeCanBeTaken() {
+        const Polygon rest{{0, 0}, {1, 0}, {2, 0}, {0, 2}};
+        const AffineMap<2> after = withHandleMoved(AffineMap<2>{}, rest, 1, {0.3, 0.2});
+        QVERIFY((after(rest[1]) - Vector<2>(1.3, 0.2)).norm() < 1e-15);
+    }
+
+    void preimagesUndoThePlacement() {
+        const Polygon rest{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+        const ControlCage<2> bent{rest, {{0, 0}, {5, 0.5}, {3.5, 3}, {-0.5, 2.5}}};
+        const Placement placement(bent, Coordinates::MeanValue);
+        QVERIFY(placement.bend() != nullptr);
+        Random random(3);
+        std::uniform_real_distribution<double> x(0.2, 3.8), y(0.2, 2.8);
+        for (int n = 0; n < 100; ++n) {
+            const Vector<2> point(x(random), y(random));
+            const auto back = preimage(placement, placement(point), {2, 1.5});
+            QVERIFY(back && (*back - point).norm() < 1e-9);
+            const AffineMap<2> local = firstOrder(placement, point);
+            const Vector<2> step(1e-4, -2e-4);
+            QVERIFY((local(point) - placement(point)).norm() < 1e-12);
+            QVERIFY((local(point + step) - placement(point + step)).norm() < 1e-7);
+        }
+        QVERIFY(!preimage(Placement(affineMap(1, 2, 2, 4, 0, 0)), {1, 1}, {0, 0})); // flat
+    }
+
+    // A half grows with t: it stops contracting where t + 0.5 = 1.
+    void theWayEndsWhereTheAttractorDoes() {
+        const auto grown = [](double t) {
+            Maps2 maps = sierpinskiRight();
+            maps[1].linear = (0.5 + t) * Matrix<2>::Identity();
+            return maps;
+        };
+        const SafeWay way = safeWay(grown);
+        QVERIFY(std::abs(way.share - 0.5) < 1.1e-3);
+        QCOMPARE(way.verdict.verdict, Verdict::None);
+        QCOMPARE(way.verdict.witness, std::vector<int>{1});
+        QVERIFY(spectralNorm<2>(way.past[1].linear) >= 1);
+        QVERIFY(hasAttractor(classify<2>(grown(way.share))));
+
+        QCOMPARE(safeWay([&](double t) { return grown(t * 0.4); }).share, 1.0);
+        QCOMPARE(safeWay([&](double t) { return grown(0.6 - t * 0.3); }).share, 1.0); // nothing to keep
+        QCOMPARE(safeWay([&](double t) { return grown(0.6 + t); }).share, 1.0);
+    }
+
+    // A norm above 1 is no reason to stop: sheared, every map of the flower has one.
+    void aNormAboveOneIsNoEnd() {
+        const auto sheared = [](double t) {
+            Maps2 maps;
+            for (const AffineMap<2>& map : flower())
+                maps.push_back(*conjugate(affineMap(1, 3 * t, 0, 1, 0, 0), map));
+            return maps;
+        };
+        QVERIFY(spectralNorm<2>(sheared(1)[0].linear) > 3);
+        QCOMPARE(safeWay(sheared).share, 1.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(MapHandlesTest)
+#include "map_handles_test.moc"

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/copies/copy_error.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace ifs;
+
+namespace {
+
+// Of the Sierpiński triangle, in pixels: whole, and three half as large copies a level.
+CopyExpansion triangle(int depth) {
+    CopyExpansion expansion;
+    expansion.diameter = 2;
+    expansion.area = 3;
+    const CopyStep half{0.5 * Matrix<2>::Identity(), 0, false, 0.25};
+    expansion.picture = {{100 * Matrix<2>::Identity(), depth, false, 1}};
+    expansion.copies.resize(1);
+    for (int level = 1; level <= depth; ++level) {
+        expansion.copies.emplace_back(3, half);
+        for (CopyStep& step : expansion.copies.back())
+            step.level = level - 1;
+    }
+    return expansion;
+}
+
+} // namespace
+
+class CopyErrorTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // By hand: sizes are 200·2⁻ᵏ, areas 3·(3/4)ᵏ·10⁴, and shifts 1 + 25·(1 + 1/2 + … ) by k steps.
+    void sumsOverTheTriangle() {
+        for (int depth = 0; depth < 6; ++depth) {
+            const CopyDeviation found = deviation(triangle(depth), 10'000);
+            const double size = 200 * std::pow(.5, depth);
+            QCOMPARE(found.largest, size);
+            QCOMPARE(found.area, 3e4 * std::pow(.75, depth));
+            QCOMPARE(found.length, size * std::pow(3., depth));
+            QCOMPARE(found.error, size + 1 + 50 * (1 - std::pow(.5, depth)));
+        }
+    }
+
+    void fibresCountAsFarAsTheyAreDrawn() {
+        CopyExpansion expansion = triangle(2);
+        expansion.fibre = {0, 4};
+        const CopyDeviation found = deviation(expansion, 100);
+        QCOMPARE(found.error, deviation(triangle(2), 100).error + 100);
+        QCOMPARE(found.largest, 50.);
+    }
+
+    // It says by itself how far it is off, at every level, and nothing is below it.
+    void projectionsAreLeaves() {
+        CopyExpansion expansion = triangle(1);
+        expansion.picture.push_back({7 * Matrix<2>::Identity(), 1, true, 500});
+        const CopyDeviation found = deviation(expansion, 100);
+        QCOMPARE(found.error, 500.);
+        QCOMPARE(found.largest, 100.);
+        QCOMPARE(found.area, deviation(triangle(1), 100).area);
+    }
+
+    // 1 + 3 + 9 copies are gone through at depth 2.
+    void tooManyHaveNoBound() {
+        QVERIFY(std::isfinite(deviation(triangle(2), 13).error));
+        QVERIFY(std::isinf(deviation(triangle(2), 11).error));
+        QVERIFY(std::isinf(deviation(triangle(2), 11).largest));
+        QVERIFY(std::isinf(deviation(triangle(199), 100'000).error));
+    }
+
+    void insideComposes() {
+        const CopyStep outer{(Matrix<2>() << 0, 2, 1, 0).finished(), 5, false, 3};
+        const CopyStep inner{(Matrix<2>() << 1, 1, 0, 1).finished(), 2, true, 0.5};
+        const CopyStep both = inside(outer, inner);
+        QCOMPARE(both.linear, (Matrix<2>() << 0, 2, 1, 1).finished());
+        QCOMPARE(both.level, 2);
+        QVERIFY(both.isProjection);
+        QCOMPARE(both.shift, 4.); // the inner one's by twice as much
+    }
+};
+
+QTEST_APPLESS_MAIN(CopyErrorTest)
+#include "copy_error_test.moc"

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/canonical_systems.h"
+#include "ifs/extent/convex_hull.h"
+#include "ifs/extent/convex_hull_3d.h"
+#include "ifs/extent/extent.h"
+#include "ifs/extent/polygon.h"
+
+#include <QtTest>
+
+using namespace ifs;
+using namespace canonical;
+
+namespace {
+
+// Two to four maps whose longest singular value is within the range.
+template <int Dim> std::vector<AffineMap<Dim>> slowMaps(Random& random, double least, double most) {
+    std::vector<AffineMap<Dim>> maps(2 + random() % 3);
+    for (auto& map : maps) {
+        map.linear = randomMatrix<Dim>(random);
+        map.linear *= uniform(random, least, most) / spectralNorm<Dim>(map.linear);
+        map.translation = randomVector<Dim>(random, 3);
+    }
+    return maps;
+}
+
+} // namespace
+
+// Attractors of maps that hardly contract, whose pieces overlap a great deal.
+class SlowExtentTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Their boxes were off by up to 0.4 %, their hulls by a third of their size.
+    void inThePlane() {
+        for (const auto& [seed, skipped] : {std::pair{2U, 3}, {22U, 24}}) {
+            Random random(seed);
+            for (int n = 0; n < skipped; ++n)
+                slowMaps<2>(random, .97, .999);
+            const Maps2 maps = slowMaps<2>(random, .97, .999);
+            const auto support = SupportFunction<2>::of(maps);
+            QVERIFY(support.has_value());
+            const auto box = boundingBox(*support);
+            const double size = (box.max - box.min).norm();
+            QVERIFY(box.error <= 1e-6 * size);
+            const auto hull = convexHull(*support, 1e-6 * size);
+            QVERIFY(hull.error <= 1e-5 * size);
+            for (const Vector<2>& x : orbit<2>(maps, 20'000, random)) {
+                QVERIFY((box.min - x).maxCoeff() <= box.error + 1e-12 * size);
+                QVERIFY((x - box.max).maxCoeff() <= box.error + 1e-12 * size);
+                QVERIFY(distanceToConvex(hull.vertices, x) <= hull.error + 1e-12 * size);
+            }
+        }
+    }
+
+    // Boxes were off by up to 9 %.
+    void inSpace() {
+        Random random(25);
+        for (int n = 0; n < 12; ++n) {
+            const auto maps = slowMaps<3>(random, .97, .999);
+            const auto support = SupportFunction<3>::of(maps);
+            QVERIFY(support.has_value());
+            const auto box = boundingBox(*support);
+            const double size = (box.max - box.min).norm();
+            QVERIFY2(box.error <= 1e-6 * size, qPrintable(QString::number(n)));
+            const auto hull = convexHull(*support, 1e-2 * size);
+            QVERIFY2(hull.error <= 2e-2 * size, qPrintable(QString::number(n)));
+        }
+    }
+
+    // Its farthest points in 26 directions are three, in whose plane the hull was thought to end.
+    void aNeedleInSpace() {
+        Random random(25);
+        for (int n = 0; n < 22; ++n)
+            slowMaps<3>(random, .97, .999);
+        const auto support = *SupportFunction<3>::of(slowMaps<3>(random, .97, .999));
+        const auto box = boundingBox(support);
+        const double size = (box.max - box.min).norm();
+        const auto hull = convexHull(support, 1e-3 * size);
+        QVERIFY(hull.vertices.size() > 4 && hull.volume > 0);
+        QVERIFY(hull.error <= 1e-3 * size);
+    }
+};
+
+QTEST_APPLESS_MAIN(SlowExtentTest)
+#include "slow_extent_test.moc"

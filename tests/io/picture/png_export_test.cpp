@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "document/fractal_geometry.h"
+#include "io/picture/png_export.h"
+#include "io/picture/png_system.h"
+
+#include <QColorSpace>
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace io;
+
+namespace {
+
+PngExport picture(int width, int height) {
+    attractor::Camera camera;
+    camera.width = width;
+    camera.height = height;
+    PngExport result;
+    result.fractal = document::sierpinskiTriangle();
+    result.request = document::renderRequest(result.fractal, fitted(camera, {0, 0}, {1, 0.9}));
+    result.request.samples = 3'000'000;
+    result.request.threads = 2;
+    return result;
+}
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class PngExportTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void bandsGiveTheSameFile();
+    void theClipboardsPictureIsTheSame();
+    void progressGrowsToTheEnd();
+    void stoppingLeavesNothing();
+    void aPictureIsSavedAsOtherFilesAre();
+    void memoryIsThatOfABand();
+
+private:
+    QByteArray exported(const PngExport& what) {
+        const QString path = m_folder.filePath(QStringLiteral("a.png"));
+        const ExportOutcome outcome = exportPng(what, path);
+        return outcome.failure || outcome.stopped ? QByteArray() : bytesOf(path);
+    }
+    QTemporaryDir m_folder;
+};
+
+void PngExportTest::bandsGiveTheSameFile() {
+    for (const auto depth : {PngFormat::Depth::Bits8, PngFormat::Depth::Bits16})
+        for (const auto cage : {CageVisibility::Hidden, CageVisibility::Shown}) {
+            PngExport what = picture(300, 211);
+            what.depth = depth;
+            what.cage = cage;
+            const QByteArray whole = exported(what);
+            QVERIFY(!whole.isEmpty());
+            what.bandBytes = 7 * attractor::BandedRendering::bytesPerRow(what.request);
+            QVERIFY(exported(what) == whole);
+            const QImage image = QImage::fromData(whole, "PNG");
+            QCOMPARE(image.depth(), depth == PngFormat::Depth::Bits16 ? 64 : 32);
+            QVERIFY(!readPngSystem(whole).failure);
+        }
+}
+
+void PngExportTest::theClipboardsPictureIsTheSame() {
+    const PngExport what = picture(300, 211);
+    QImage file = QImage::fromData(exported(what), "PNG").convertToFormat(QImage::Format_RGB32);
+    file.setColorSpace({});
+    QCOMPARE(drawPicture(what).image.convertToFormat(QImage::Format_RGB32), file);
+}
+
+void PngExportTest::progressGrowsToTheEnd() {
+    PngExport what = picture(200, 150);
+    what.bandBytes = 20 * attractor::BandedRendering::bytesPerRow(what.request);
+    double told = 0;
+    int calls = 0;
+    const auto outcome = exportPng(what, m_folder.filePath(QStringLiteral("b.png")), [&](double fraction) {
+        QVERIFY(fraction >= told && fraction <= 1);
+        told = fraction;
+        ++calls;
+    });
+    QVERIFY(!outcome.failure);
+    QVERIFY(told > 0.95);
+    QVERIFY(calls > 16);
+}
+
+void PngExportTest::stoppingLeavesNothing() {
+    PngExport what = picture(200, 150);
+    what.bandBytes = 20 * attractor::BandedRendering::bytesPerRow(what.request);
+    const QString path = m_folder.filePath(QStringLiteral("never.png"));
+    for (const double when : {0.0, 0.3, 0.85}) {
+        std::stop_source stop;
+        const auto outcome = exportPng(
+            what, path,
+            [&](double fraction) {
+                if (fraction >= when) stop.request_stop();
+            },
+            stop.get_token());
+        QVERIFY(outcome.stopped);
+        QVERIFY(!outcome.failure);
+        QVERIFY(!QFile::exists(path));
+    }
+}
+
+// Symbolic links and permissions stay, and what is no ordinary file is refused before anything is drawn.
+void PngExportTest::aPictureIsSavedAsOtherFilesAre() {
+    const PngExport what = picture(20, 15);
+    const QString path = m_folder.filePath(QStringLiteral("kept.png"));
+    const QString link = m_folder.filePath(QStringLiteral("link.png"));
+    QVERIFY(!exportPng(what, path).failure);
+    QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+    QVERIFY(QFile::link(path, link));
+    const QByteArray before = bytesOf(path);
+    QVERIFY(QFile::resize(path, 0));
+    QVERIFY(!exportPng(what, link).failure);
+    QVERIFY(QFileInfo(link).isSymLink());
+    QCOMPARE(bytesOf(path), before);
+    QVERIFY(!(QFile::permissions(path) & (QFile::ReadGroup | QFile::ReadOther)));
+    bool hasBegun = false;
+    const auto outcome = exportPng(what, m_folder.path(), [&](double) { hasBegun = true; });
+    QVERIFY(outcome.failure && outcome.failure->contains(QStringLiteral("is a folder")));
+    QVERIFY(!hasBegun);
+}
+
+void PngExportTest::memoryIsThatOfABand() {
+    PngExport what = picture(30'000, 30'000);
+    QVERIFY(memoryFor(what) < 400U << 20);
+    what.depth = PngFormat::Depth::Bits16;
+    what.request.appearance.supersample = 4;
+    QVERIFY(memoryFor(what) < 400U << 20);
+    QVERIFY(memoryFor(picture(300, 200)) < 4U << 20);
+}
+
+QTEST_GUILESS_MAIN(PngExportTest)
+#include "png_export_test.moc"

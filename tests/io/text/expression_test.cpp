@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "io/text/expression.h"
+
+#include <QTest>
+
+#include <clocale>
+#include <cmath>
+#include <numbers>
+
+class ExpressionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void values_data();
+    void values();
+    void whatIsNone_data();
+    void whatIsNone();
+    void hostileTextsEnd();
+    void theLocaleDoesNotMatter();
+};
+
+void ExpressionTest::values_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("value");
+    const auto row = [](const char* text, double value) {
+        QTest::addRow("%s", text) << QString::fromUtf8(text) << value;
+    };
+    row("0.25", 0.25);
+    row(" -1e-3 ", -1e-3);
+    row("1/2", 0.5);
+    row("-1/3", -1.0 / 3);
+    row("sqrt(3)/6", std::sqrt(3.0) / 6);
+    row("√(3)/6", std::sqrt(3.0) / 6);
+    row("cos(36°)", std::cos(std::numbers::pi / 5));
+    row("cos(60°)", 0.5);
+    row("cos(90°)", 0);
+    row("sin(-30°)", -0.5);
+    row("sin(180°)", 0);
+    row("sin(pi/2)", 1);
+    row("tan(45°)", 1);
+    row("pi", std::numbers::pi);
+    row("−2π", -2 * std::numbers::pi);
+    row("1/phi", 1 / std::numbers::phi);
+    row("2*e", 2 * std::numbers::e);
+    row("3^2", 9);
+    row("-2^2", -4);
+    row("2^-1", 0.5);
+    row("½", 0.5);
+    row("3·4", 12);
+    row("1 - 2 - 3", -4);
+    row("2/3/4", 2.0 / 3 / 4);
+    row("min(1, 2) + max(3, 4)", 5);
+    row("COS(0)", 1);
+    row("1e3/4", 250);
+}
+
+void ExpressionTest::values() {
+    QFETCH(QString, text);
+    QFETCH(double, value);
+    const auto result = io::evaluate(text);
+    QVERIFY(result);
+    QVERIFY2(std::abs(*result - value) <= 2e-16 * std::abs(value),
+             qPrintable(QString::number(*result, 'g', 17)));
+}
+
+void ExpressionTest::whatIsNone_data() {
+    QTest::addColumn<QString>("text");
+    for (const char* text :
+         {"",      " ",         "1/",    "1/0",       "sqrt(-1)", "(1",    "1)",       "()",    "x",
+          "x = 3", "a",         "e",     "1 2",       "1,2",      "2 3/4", "sin",      "sin()", "sin(1,2)",
+          "1 < 2", "1 ? 2 : 3", "\"a\"", "system(1)", "1//2",     "*2",    "2**3",     "0x10",  "1e400",
+          "1e",    "--",        "inf",   "nan",       "1;2",      "1\n2",  "tan(90°)", "ln(0)", "9^9^9"})
+        QTest::addRow("%s", text) << QString::fromUtf8(text);
+}
+
+void ExpressionTest::whatIsNone() {
+    QFETCH(QString, text);
+    QVERIFY(!io::evaluate(text));
+}
+
+void ExpressionTest::hostileTextsEnd() {
+    for (const char* part : {"(", "-", "1+", "sin(", "2^", ",", "pi", "(1)", "°", "e", "1/"})
+        for (const int count : {50, 66, 200, 100'000})
+            io::evaluate(QString::fromUtf8(part).repeated(count));
+    QVERIFY(!io::evaluate(QStringLiteral("1+").repeated(200) + u'1')); // too long
+    const QString nested = QStringLiteral("(").repeated(90) + u'1' + QStringLiteral(")").repeated(90);
+    QCOMPARE(io::evaluate(nested).value_or(0), 1.0);
+}
+
+void ExpressionTest::theLocaleDoesNotMatter() {
+    const char* german = std::setlocale(LC_ALL, "de_DE.UTF-8");
+    QCOMPARE(io::evaluate(u"1.5/2").value_or(0), 0.75);
+    QVERIFY(!io::evaluate(u"1,5/2"));
+    if (german) std::setlocale(LC_ALL, "C");
+}
+
+QTEST_APPLESS_MAIN(ExpressionTest)
+#include "expression_test.moc"

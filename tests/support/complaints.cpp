@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "support/complaints.h"
+
+#include "document/document.h"
+#include "ifs/system/barycentric.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/fractint/fractint_writer.h"
+#include "io/fractint/metadata_comments.h"
+
+#include <QStringList>
+
+#include <cmath>
+
+namespace support {
+
+namespace {
+
+bool isFinite(const ifs::AffineMap<2>& map) {
+    return map.linear.allFinite() && map.translation.allFinite();
+}
+
+Complaint complaintAboutReading(const document::Fractal& fractal, const document::Fractal& reread) {
+    // An entry whose maps have all been deleted holds no system to a reader.
+    if (const auto* maps = document::system2(fractal); maps && maps->maps.empty()) return {};
+    document::Fractal kept = io::asStored(fractal);
+    document::Fractal read = io::asStored(reread);
+    if (auto* maps = document::system2(kept))
+        if (auto* other = document::system2(read); other && other->maps.size() == maps->maps.size())
+            for (std::size_t i = 0; i < maps->maps.size();
+                 ++i) // a weight that was never given is written out
+                if (!maps->maps[i].weight) other->maps[i].weight.reset();
+    if (kept == read) return {};
+    QStringList parts;
+    const document::Change::Parts changed = document::difference(kept, read);
+    if (changed.testFlag(document::Change::System)) parts << QStringLiteral("system");
+    if (changed.testFlag(document::Change::Cage)) parts << QStringLiteral("cage");
+    if (changed.testFlag(document::Change::Appearance)) parts << QStringLiteral("appearance");
+    if (kept.name != read.name) parts << QStringLiteral("name");
+    if (kept.comments != read.comments || kept.headerComment != read.headerComment)
+        parts << QStringLiteral("comments");
+    return QStringLiteral("%1: other %2 when read again").arg(kept.name, parts.join(u' '));
+}
+
+} // namespace
+
+Complaint complaintAbout(const document::Fractal& fractal) {
+    if (const auto* system = document::system2(fractal))
+        for (const auto& map : system->maps)
+            if (!isFinite(map.map) || !std::isfinite(map.weight.value_or(0)))
+                return QStringLiteral("a map has a number that is not finite");
+    if (const auto* cage = document::cage2(fractal)) {
+        if (cage->rest.size() < 3 || cage->rest.size() != cage->current.size())
+            return QStringLiteral("the cage has %1 and %2 vertices")
+                .arg(cage->rest.size())
+                .arg(cage->current.size());
+        for (const auto* vertices : {&cage->rest, &cage->current})
+            for (const ifs::Vector<2>& vertex : *vertices)
+                if (!vertex.allFinite()) return QStringLiteral("a vertex is not finite");
+        if (cage->rest.size() == 3 &&
+            !ifs::isAffineBasis<2>(ifs::Simplex<2>{cage->rest[0], cage->rest[1], cage->rest[2]}))
+            return QStringLiteral("the rest triangle is flat");
+    }
+    const attractor::Appearance& look = fractal.appearance;
+    if (!(look.brightness > 0) || !(look.gamma > 0) || !std::isfinite(look.brightness * look.gamma))
+        return QStringLiteral("brightness %1, gamma %2").arg(look.brightness).arg(look.gamma);
+    return {};
+}
+
+Complaint complaintAbout(const document::FractalFile& file, const QString& bareName) {
+    const QByteArray bytes = io::writeFractint(file);
+    const document::FractalFile reread = io::readFractint(bytes, bareName);
+    if (reread.entries.size() != file.entries.size())
+        return QStringLiteral("%1 entries were written, %2 read")
+            .arg(file.entries.size())
+            .arg(reread.entries.size());
+    for (qsizetype i = 0; i < file.entries.size(); ++i) {
+        const Complaint complaint =
+            complaintAboutReading(*file.entries[i].fractal, *reread.entries[i].fractal);
+        if (!complaint.isEmpty())
+            return complaint + QStringLiteral("\n") + QString::fromUtf8(bytes.left(4000));
+    }
+    return {};
+}
+
+} // namespace support

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "bridges/construction.h"
+
+#include "bars/construction_bar.h"
+#include "bridges/render_bridge.h"
+#include "document/fractal_geometry.h"
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include <algorithm>
+#include <memory>
+
+using view::Construction;
+using Mode = view::Construction::Mode;
+
+class ConstructionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_document = std::make_unique<document::Document>(); // a Sierpiński triangle
+        m_bridge = std::make_unique<view::RenderBridge>(m_document.get());
+        m_bridge->setQuality(2'000'000);
+        attractor::Camera camera;
+        camera.width = 200;
+        camera.height = 160;
+        m_bridge->setCamera(fitted(camera, {0, 0}, {1, 0.87}));
+        m_construction = std::make_unique<Construction>(m_document.get(), m_bridge.get());
+    }
+
+    void stepsFillFewerPixelsTheMoreThereAre() {
+        m_construction->setMode(Mode::Steps);
+        QCOMPARE(m_construction->deepest(), 12); // 3¹² < 10⁶ < 3¹³
+        QCOMPARE(m_construction->copies(), 1.0);
+        double before = 0;
+        for (int n = 0; n <= 4; ++n) {
+            m_construction->setStep(n);
+            const double lit = litPixels();
+            QCOMPARE(m_bridge->frame()->iterations, n);
+            if (n > 0)
+                QVERIFY2(std::abs(lit / before - 0.75) < 0.08, qPrintable(QString::number(lit / before)));
+            before = lit;
+        }
+        QCOMPARE(m_construction->copies(), 81.0);
+        m_construction->setStep(99);
+        QCOMPARE(m_construction->step(), 12);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void theChaosGamePlotsExactlyItsPoints() {
+        m_construction->setMode(Mode::ChaosGame);
+        QCOMPARE(litPixels(), 0.0);
+        for (int n = 1; n <= 12; ++n) {
+            m_construction->plotOne();
+            const double lit = litPixels();
+            QCOMPARE(m_bridge->frame()->samples, std::uint64_t(n));
+            QVERIFY(lit >= 1 && lit <= n);
+            QCOMPARE(m_construction->trail().size(), std::size_t(std::min(n, 8)));
+            QVERIFY(m_construction->lastMap() < 3);
+        }
+        // The newest point of the trail is one of those in the picture.
+        const auto pixel = toPixel(m_bridge->camera(), m_construction->trail().back());
+        QVERIFY(lit(int(pixel.x()), int(pixel.y())));
+        m_construction->startAgain();
+        QCOMPARE(m_construction->points(), std::uint64_t{0});
+        QVERIFY(m_construction->trail().empty());
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void runsAndPauses() {
+        view::ConstructionBar bar(m_construction.get());
+        m_construction->setRunning(true);
+        QVERIFY(!m_construction->isRunning()); // only a chaos game runs
+        m_construction->setMode(Mode::ChaosGame);
+        const auto saysHow = [&bar] {
+            const auto labels = bar.findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [](const QLabel* label) { return label->text().contains(u'▶'); });
+        };
+        QVERIFY(saysHow()); // nothing is seen yet
+        m_construction->setSpeed(1000);
+        bar.run()->click();
+        QVERIFY(!saysHow());
+        QVERIFY(m_construction->isRunning());
+        QTRY_VERIFY(m_construction->points() > 50);
+        bar.run()->click();
+        QVERIFY(!m_construction->isRunning());
+        const std::uint64_t points = m_construction->points();
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QCOMPARE(m_bridge->frame()->samples, points);
+        QSignalSpy frames(m_bridge.get(), &view::RenderBridge::frameChanged);
+        QTest::qWait(150);
+        QCOMPARE(m_construction->points(), points);
+        QCOMPARE(frames.size(), 0); // nothing is drawn while it is paused
+        bar.run()->click();
+        m_construction->setMode(Mode::Density);
+        QVERIFY(!m_construction->isRunning());
+    }
+
+    void theTrailFollowsTheCage() {
+        m_construction->setMode(Mode::ChaosGame);
+        for (int n = 0; n < 3; ++n)
+            m_construction->plotOne();
+        const ifs::Vector<2> before = m_construction->trail().back();
+        document::Fractal moved = m_document->fractal();
+        document::plane(moved)->cage = document::effectiveCage(moved);
+        for (auto& vertex : document::plane(moved)->cage->current)
+            vertex += ifs::Vector<2>(0.25, 0.5);
+        m_document->edit(QStringLiteral("move"), moved);
+        QVERIFY((m_construction->trail().back() - before).isApprox(ifs::Vector<2>(0.25, 0.5), 1e-12));
+        QCOMPARE(m_construction->points(), std::uint64_t{3});
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QCOMPARE(m_bridge->frame()->samples, std::uint64_t{3});
+    }
+
+    void backToDensityRefines() {
+        m_construction->setMode(Mode::Steps);
+        litPixels();
+        m_construction->setMode(Mode::Density);
+        QTRY_VERIFY(m_bridge->isCurrent() && m_bridge->frame()->samples >= 2'000'000);
+    }
+
+    void theBarShowsTheState() {
+        view::ConstructionBar bar(m_construction.get());
+        bar.show();
+        for (auto* button : bar.findChildren<QToolButton*>())
+            if (button->isCheckable()) button->click();
+        QCOMPARE(m_construction->mode(), Mode::ChaosGame);
+        m_construction->setMode(Mode::Steps);
+        bar.steps()->setValue(3);
+        QCOMPARE(m_construction->step(), 3);
+        QCOMPARE(bar.steps()->maximum(), 12);
+        document::Fractal two = m_document->fractal();
+        document::system2(two)->maps.pop_back();
+        m_document->edit(QStringLiteral("fewer"), two);
+        QCOMPARE(bar.steps()->maximum(), 19); // 2¹⁹ < 10⁶ < 2²⁰
+    }
+
+private:
+    bool lit(int x, int y) const {
+        const auto& frame = *m_bridge->frame();
+        const std::uint32_t pixel = frame.pixels[std::size_t(y) * 200 + std::size_t(x)];
+        return pixel != frame.pixels[0]; // the corner shows the background
+    }
+    double litPixels() const {
+        if (!QTest::qWaitFor([this] { return m_bridge->isCurrent(); }, 20'000)) return -1;
+        double count = 0;
+        for (int y = 0; y < 160; ++y)
+            for (int x = 0; x < 200; ++x)
+                count += lit(x, y) ? 1 : 0;
+        return count;
+    }
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<view::RenderBridge> m_bridge;
+    std::unique_ptr<Construction> m_construction;
+};
+
+QTEST_MAIN(ConstructionTest)
+#include "construction_test.moc"

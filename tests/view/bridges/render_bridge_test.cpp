@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "bridges/render_bridge.h"
+
+#include "document/edit_gesture.h"
+#include "document/fractal.h"
+#include "document/fractal_geometry.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using document::Document;
+using ifs::Vector;
+using view::RenderBridge;
+
+namespace {
+
+attractor::Camera camera() {
+    return {Vector<2>(0.5, 0.4), 150, 240, 200, attractor::YAxis::Up};
+}
+
+document::Fractal placed(document::Fractal fractal, const Vector<2>& offset) {
+    ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    cage.current[2] += offset;
+    document::plane(fractal)->cage = cage;
+    return fractal;
+}
+
+} // namespace
+
+class RenderBridgeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void drawsNothingBeforeACamera() {
+        Document document;
+        RenderBridge bridge(&document);
+        document.edit(QStringLiteral("Move"), placed(document.fractal(), {0.1, 0}));
+        QTest::qWait(50);
+        QVERIFY(!bridge.frame());
+        bridge.setCamera(camera());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QCOMPARE(bridge.frame()->camera, camera());
+    }
+
+    void aStreamOfChangesStarvesNoFrame() {
+        Document document;
+        RenderBridge bridge(&document);
+        bridge.setCamera(camera());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QSignalSpy frames(&bridge, &RenderBridge::frameChanged);
+        document::EditGesture gesture = document.beginGesture(QStringLiteral("Move"));
+        const document::Fractal before = gesture.before();
+        int changes = 0;
+        // Changes come faster than any frame can.
+        while (frames.count() < 5 && changes < 20000) {
+            gesture.preview(placed(before, {0.001 * (++changes % 100), 0}));
+            QTest::qWait(1);
+        }
+        QVERIFY(frames.count() >= 5);
+        gesture.commit();
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QVERIFY(bridge.liveSamples() >= 1'000'000);
+        QVERIFY(bridge.liveSamples() <= 10'000'000);
+    }
+
+    void exposureIsKeptWhileOnlyTheCageChanges() {
+        Document document;
+        RenderBridge bridge(&document);
+        bridge.setCamera(camera());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        const attractor::Exposure first = bridge.frame()->exposure;
+        document.edit(QStringLiteral("Move"), placed(document.fractal(), {0.3, 0.2}));
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QCOMPARE(bridge.frame()->exposure.whitePoint, first.whitePoint);
+        QCOMPARE(bridge.frame()->exposure.gain, first.gain);
+        document::Fractal other = document.fractal();
+        document::system2(other)->maps[0].map.linear *= 0.3;
+        document.edit(QStringLiteral("Shrink"), other);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QVERIFY(bridge.frame()->exposure.whitePoint != first.whitePoint);
+    }
+
+    void refinesUpToTheQuality() {
+        Document document;
+        RenderBridge bridge(&document);
+        bridge.setQuality(25'000'000);
+        bridge.setCamera(camera());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent() && bridge.frame()->samples >= 25'000'000, 30000);
+        QVERIFY(bridge.frame()->passes > 1);
+    }
+
+    void anEntryThatIsNotPlanarHasNoPicture() {
+        Document document;
+        RenderBridge bridge(&document);
+        bridge.setCamera(camera());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        document::Fractal space = document.fractal();
+        space.shape = document::Shape<3>();
+        document.edit(QStringLiteral("Go to space"), space);
+        QVERIFY(!bridge.frame());
+        document.undoStack()->undo();
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.frame() && bridge.isCurrent(), 20000);
+    }
+};
+
+QTEST_MAIN(RenderBridgeTest)
+#include "render_bridge_test.moc"

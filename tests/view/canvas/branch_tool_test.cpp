@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "bars/branch_bar.h"
+#include "document/fractal_geometry.h"
+#include "ifs/cage/map_handles.h"
+#include "ifs/existence/attractor_existence.h"
+#include "ifs/system/branch.h"
+#include "ifs/system/map_interpolation.h"
+#include "view/canvas/canvas_fixture.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+
+using document::Document;
+using ifs::Vector;
+using ifs::Word;
+using view::CanvasPart;
+using view::CanvasView;
+using Kind = view::CanvasPart::Kind;
+
+// Addresses under the pointer, dragged branches, and maps that swing.
+class BranchToolTest : public CanvasFixture {
+    Q_OBJECT
+
+    std::unique_ptr<view::BranchBar> m_bar;
+
+    QPointF pixel(const Vector<2>& code) const {
+        return view::pixelOf(m_canvas->camera(), document::placement(m_document->fractal())(code));
+    }
+    // A point of the attractor whose address begins like this and continues with map 1 forever.
+    QPointF pointOf(const Word& word) const {
+        return pixel(*ifs::addressPoint<2>(ifs::mapsOf(system()), word, {0}));
+    }
+
+    view::PointerPosition read(const QPointF& p) {
+        QSignalSpy spy(m_canvas.get(), &CanvasView::pointerMoved);
+        hover(p);
+        return spy.last().first().value<view::PointerPosition>();
+    }
+
+private slots:
+    void init() {
+        open({800, 600});
+        // Pieces that do not touch, so that every point has one address.
+        document::Fractal fractal = m_document->fractal();
+        for (ifs::WeightedMap<2>& map : document::system2(fractal)->maps)
+            map.map.linear *= 0.8;
+        m_document->edit(QStringLiteral("test"), fractal);
+        m_document->undoStack()->clear();
+        m_canvas->fit();
+        m_canvas->setTool(CanvasView::Tool::Branch);
+        m_bar = std::make_unique<view::BranchBar>(m_document.get(), m_canvas.get());
+        m_bar->show();
+    }
+
+    void cleanup() {
+        m_bar.reset();
+        close();
+    }
+
+    void thePointerReadsAddresses() {
+        const Word word{2, 1, 0, 1};
+        const view::PointerPosition there = read(pointOf(word));
+        QVERIFY(there.address.size() >= word.size());
+        QVERIFY(std::equal(word.begin(), word.end(), there.address.begin()));
+        QVERIFY(there.fixedPoint);
+        QCOMPARE(there.fixedLength, std::size_t{2});
+        const auto fixed = ifs::addressPoint<2>(ifs::mapsOf(system()), {}, {2, 1});
+        QVERIFY((*there.fixedPoint - *fixed).norm() < 1e-12);
+        QVERIFY(read({3, 3}).address.empty());
+        m_canvas->setTool(CanvasView::Tool::Cage); // whatever the tool
+        QVERIFY(!read(pointOf(word)).address.empty());
+    }
+
+    void aClickSelectsTheBranchToItsDepth() {
+        click(pointOf({1, 2, 0, 2}));
+        QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        // It is outlined: the image of the cage under w_σ.
+        const ifs::AffineMap<2> map = ifs::composed<2>(ifs::mapsOf(system()), {1, 2});
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(
+                QLineF(at({Kind::Vertex, i, 0}), pixel(map(scene().handles().cage()->rest[std::size_t(i)])))
+                    .length() < 1e-6);
+        m_bar->depth()->setValue(3);
+        QCOMPARE(scene().handles().branch(), (Word{1, 2, 0}));
+        QWheelEvent wheel(QPointF(300, 200), m_canvas->mapToGlobal(QPointF(300, 200)), {}, {0, -240},
+                          Qt::NoButton, Qt::ShiftModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(m_canvas->viewport(), &wheel);
+        QCOMPARE(m_canvas->tools().branchTool().depth(), 1);
+        QCOMPARE(m_bar->depth()->value(), 1);
+        QCOMPARE(scene().handles().branch(), (Word{1}));
+        QTest::keyClick(m_canvas.get(), Qt::Key_PageDown);
+        QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        QCOMPARE(steps(), 0);
+    }
+
+    // As a map of its own, only this branch moves. The rest of the attractor is made by maps that are words.
+    void aBranchBecomesAMapOfItsOwn() {
+        const document::System2 before = system();
+        const document::Fractal fractal = m_document->fractal();
+        click(pointOf({1, 2, 0, 2}));
+        const QPointF corner = at({Kind::Vertex, 0, 0});
+        const QPointF other = at({Kind::Vertex, 1, 0});
+        drag(corner, {9, -12});
+        QCOMPARE(steps(), 1);
+        QVERIFY(
+            m_document->undoStack()->undoText().startsWith(QStringLiteral("Move corner 1 of branch 2 3 ")));
+        QCOMPARE(system().maps.size(), std::size_t{5});
+        QVERIFY(QLineF(at({Kind::Vertex, 0, 0}), corner + QPointF(9, -12)).length() < 1e-6);
+        QVERIFY(QLineF(at({Kind::Vertex, 1, 0}), other).length() < 1e-6);
+        QVERIFY(system().maps[1].map == before.maps[1].map * before.maps[0].map);
+        QCOMPARE(scene().handles().branch(), (Word{0})); // stays selected
+        QCOMPARE(scene().selection().maps(), std::vector{system().maps[0].id});
+        drag(at({Kind::Inside, 0, 0}) * 0.55 + at({Kind::Vertex, 2, 0}) * 0.45, {5, 5}); // beside the pivot
+        QCOMPARE(system().maps.size(), std::size_t{5});
+        m_document->undoStack()->undo();
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == fractal);
+        QCOMPARE(scene().handles().branch(), (Word{1, 2})); // still selected, as before the drag
+        m_document->undoStack()->redo();
+        QCOMPARE(scene().handles().branch(), (Word{0}));
+        m_document->setFile(document::fileOf(document::sierpinskiTriangle()));
+        QVERIFY(scene().handles().branch().empty()); // another system has other branches
+    }
+
+    void escapeLeavesBranchAndCode() {
+        const document::Fractal before = m_document->fractal();
+        click(pointOf({1, 2, 0, 2}));
+        press(at({Kind::Vertex, 0, 0}));
+        move(at({Kind::Vertex, 0, 0}) + QPointF(12, 3));
+        QCOMPARE(scene().handles().branch(), (Word{0}));
+        QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
+        QVERIFY(m_document->fractal() == before);
+        QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        release({300, 300});
+        QCOMPARE(steps(), 0);
+        // Control, pressed on the way, begins the gesture anew.
+        press(at({Kind::Vertex, 0, 0}));
+        move(at({Kind::Vertex, 0, 0}) + QPointF(12, 3));
+        QMouseEvent turn(QEvent::MouseMove, QPointF(300, 300),
+                         m_canvas->viewport()->mapToGlobal(QPointF(300, 300)), Qt::NoButton, Qt::LeftButton,
+                         Qt::ControlModifier);
+        QCoreApplication::sendEvent(m_canvas->viewport(), &turn);
+        release({300, 300});
+        QVERIFY(m_document->undoStack()->undoText().startsWith(QStringLiteral("Rotate branch 2 3 ")));
+        QCOMPARE(system().maps.size(), std::size_t{5});
+    }
+
+    void orItsLastMapChanges() {
+        const document::System2 before = system();
+        m_bar->edit()->setCurrentIndex(1);
+        click(pointOf({1, 2, 0, 2}));
+        const QPointF corner = at({Kind::Vertex, 2, 0});
+        drag(corner, {7, 6});
+        QCOMPARE(system().maps.size(), std::size_t{3});
+        QVERIFY(system().maps[1] == before.maps[1]);
+        QVERIFY(system().maps[2].map.linear != before.maps[2].map.linear);
+        QCOMPARE(steps(), 1);
+        const ifs::AffineMap<2> branch = ifs::composed<2>(ifs::mapsOf(system()), {1, 2});
+        QVERIFY(QLineF(pixel(branch(scene().handles().cage()->rest[2])), corner + QPointF(7, 6)).length() <
+                1e-6);
+    }
+
+    // The code stays; the branch stays selected where it is shown, and can be put back.
+    void aBranchIsMovedWhereItIsShown() {
+        m_canvas->setTool(CanvasView::Tool::Branch);
+        m_bar->edit()->setCurrentIndex(2);
+        QVERIFY(!m_bar->putBackButton()->isVisibleTo(m_bar.get()));
+        const document::Fractal before = m_document->fractal();
+        click(pointOf({2, 1}));
+        QCOMPARE(scene().handles().branch(), (Word{2, 1}));
+        const QPointF corner = at({Kind::Vertex, 0, 0});
+        drag(at({Kind::Inside, 0, 0}) * 0.55 + at({Kind::Vertex, 2, 0}) * 0.45,
+             {90, -40}); // beside the pivot
+        QCOMPARE(steps(), 1);
+        QVERIFY(system() == *document::system2(before));
+        QCOMPARE(scene().handles().branch(), (Word{2, 1}));
+        QVERIFY(QLineF(corner + QPointF(90, -40), at({Kind::Vertex, 0, 0})).length() < 1e-6);
+        drag(at({Kind::Vertex, 0, 0}), {-20, 10});
+        QVERIFY(QLineF(corner + QPointF(70, -30), at({Kind::Vertex, 0, 0})).length() < 1e-6);
+        QCOMPARE(document::plane(m_document->fractal())->moved.size(), 1U);
+        const Vector<2> point = *ifs::addressPoint<2>(ifs::mapsOf(system()), {2, 1}, {0});
+        const Word address =
+            read(pixel(document::plane(m_document->fractal())->moved.front().change(point))).address;
+        QVERIFY(address.size() > 2 && address[0] == 2 && address[1] == 1);
+        QVERIFY(read(pixel(point)).address.empty());
+        QVERIFY(m_bar->putBackButton()->isVisibleTo(m_bar.get()));
+        m_bar->putBackButton()->click();
+        QVERIFY(m_document->fractal() == before);
+        QCOMPARE(steps(), 3);
+        QVERIFY(!m_bar->putBackButton()->isVisibleTo(m_bar.get()));
+        m_document->undoStack()->undo();
+        QCOMPARE(document::plane(m_document->fractal())->moved.size(), 1U);
+        click(pointOf({0, 0})); // another branch: the button is for all
+        m_bar->putBackButton()->click();
+        QVERIFY(m_document->fractal() == before);
+    }
+
+    void theSelectedMapsSwingAboutTheirRoots() {
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        const document::Fractal before = m_document->fractal();
+        const document::System2 code = system();
+        QVERIFY(!m_bar->swing()->isEnabled());
+        m_canvas->selectMaps({code.maps[1].id, code.maps[2].id});
+        QVERIFY(m_bar->swing()->isEnabled());
+        const Vector<2> root = *document::root(before);
+        m_bar->swing()->setSliderDown(true);
+        for (const int degrees : {5, 20, 30}) {
+            m_bar->swing()->setValue(degrees);
+            const ifs::AffineMap<2> expected =
+                ifs::swung(code.maps[2].map, root, degrees * std::numbers::pi / 180);
+            QVERIFY((system().maps[2].map.linear - expected.linear).norm() < 1e-12);
+            QVERIFY((system().maps[2].map.translation - expected.translation).norm() < 1e-12);
+        }
+        QCOMPARE(steps(), 0);
+        m_bar->swing()->setSliderDown(false);
+        QCOMPARE(steps(), 1);
+        QCOMPARE(m_bar->swing()->value(), 0);
+        QVERIFY(system().maps[0] == code.maps[0]);
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == before);
+    }
+
+    // A shear that contracts only when it comes several times: turned, it does no more.
+    void weavingStopsWhereTheAttractorWouldBeLost() {
+        document::Fractal sheared = m_document->fractal();
+        document::System2 code;
+        ifs::append(code, ifs::affineMap(0.5, 2, 0, 0.5, 0, 0), 1);
+        ifs::append(code, ifs::affineMap(0.3, 0, 0, 0.3, 1, 0), 1);
+        sheared.shape = document::Shape<2>{code};
+        m_document->edit(QStringLiteral("test"), sheared);
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        m_canvas->selectMaps({system().maps[0].id});
+        const auto verdict = [this] { return ifs::classify<2>(ifs::activeMaps(system()).maps).verdict; };
+        const Vector<2> root = *document::root(sheared);
+        const auto swung = [&](int degrees) {
+            return ifs::swung(code.maps[0].map, root, degrees * std::numbers::pi / 180);
+        };
+        QSlider* slider = m_bar->swing();
+        slider->setSliderDown(true);
+        slider->setValue(2);
+        QCOMPARE(slider->value(), 2);
+        QVERIFY(stopNote().isEmpty());
+        slider->setValue(60);
+        const int reached = slider->value();
+        QVERIFY(reached > 2 && reached < 8); // 7.5° is where the spectral radius comes to 1
+        QVERIFY((system().maps[0].map.linear - swung(reached).linear).norm() < 1e-12);
+        QVERIFY(ifs::hasAttractor(ifs::classify<2>(ifs::activeMaps(system()).maps)));
+        QVERIFY2(stopNote().contains(QStringLiteral("map 1")) &&
+                     stopNote().contains(QStringLiteral("largest singular value")),
+                 qPrintable(stopNote()));
+        slider->setValue(1); // and back
+        QVERIFY(stopNote().isEmpty());
+        slider->setValue(60);
+        slider->setSliderDown(false);
+        QVERIFY(stopNote().isEmpty());
+        QCOMPARE(steps(), 2);
+
+        m_canvas->tools().setAllowsNoAttractor(true);
+        slider->setSliderDown(true);
+        slider->setValue(60);
+        QCOMPARE(slider->value(), 60);
+        QCOMPARE(verdict(), ifs::Verdict::None);
+        slider->setSliderDown(false);
+    }
+};
+
+QTEST_MAIN(BranchToolTest)
+#include "branch_tool_test.moc"

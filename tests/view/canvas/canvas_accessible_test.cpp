@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "view/canvas/canvas_fixture.h"
+
+#include <QAccessible>
+
+class CanvasAccessibleTest : public CanvasFixture {
+    Q_OBJECT
+
+private slots:
+    void init() { open(); }
+    void cleanup() { close(); }
+
+    void screenReadersSeeTheHandles() {
+        QAccessible::setActive(true);
+        QAccessibleInterface* canvas = QAccessible::queryAccessibleInterface(m_canvas.get());
+        QVERIFY(canvas);
+        QCOMPARE(canvas->childCount(), 7);
+        QCOMPARE(canvas->child(1)->text(QAccessible::Name), QStringLiteral("Vertex 2"));
+        QVERIFY(canvas->child(1)->text(QAccessible::Value).startsWith(QStringLiteral("x ")));
+        QCOMPARE(canvas->child(1)->rect().center() - QPoint(-1, -1),
+                 m_canvas->viewport()->mapToGlobal(vertex(1)));
+        QTest::keyClick(m_canvas.get(), Qt::Key_Tab);
+        QVERIFY(canvas->child(0)->state().focused);
+        QVERIFY(!canvas->child(1)->state().focused);
+        const QString before = canvas->child(0)->text(QAccessible::Value);
+        QTest::keyClick(m_canvas.get(), Qt::Key_Right, Qt::ShiftModifier);
+        QVERIFY(canvas->child(0)->text(QAccessible::Value) != before);
+        QCOMPARE(canvas->indexOfChild(canvas->child(2)), 2);
+    }
+
+    void screenReadersMoveTheHandles() {
+        QAccessibleInterface* canvas = QAccessible::queryAccessibleInterface(m_canvas.get());
+        QVERIFY(canvas);
+        QAccessibleActionInterface* actions = canvas->child(1)->actionInterface();
+        QVERIFY(actions);
+        QCOMPARE(actions->actionNames().size(), 5);
+        const QPoint before = vertex(1);
+        actions->doAction(QAccessibleActionInterface::setFocusAction());
+        QVERIFY(canvas->child(1)->state().focused);
+        QCOMPARE(vertex(1), before);
+        for (int i = 0; i < 8; ++i)
+            actions->doAction(QStringLiteral("moveLeft"));
+        QVERIFY(vertex(1).x() < before.x());
+        QCOMPARE(vertex(1).y(), before.y());
+        QVERIFY(steps() >= 1);
+        QCOMPARE(actions->localizedActionName(QStringLiteral("moveUp")), QStringLiteral("Move up"));
+    }
+};
+
+QTEST_MAIN(CanvasAccessibleTest)
+#include "canvas_accessible_test.moc"

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "bars/zoom_box.h"
+#include "canvas/geometry/coordinate_text.h"
+#include "document/fractal_geometry.h"
+#include "view/canvas/canvas_fixture.h"
+
+#include <QLineEdit>
+#include <QPointingDevice>
+#include <QSet>
+#include <QWheelEvent>
+
+#include <cmath>
+
+class CanvasNavigationTest : public CanvasFixture {
+    Q_OBJECT
+
+private slots:
+    void init() { open(); }
+    void cleanup() { close(); }
+
+    // What is known of the picture goes along at once, however long the new one takes.
+    void panningAndZoomingShowThePictureAtOnce() {
+        QTRY_VERIFY(m_bridge->isCurrent());
+        const QImage before = m_canvas->viewport()->grab().toImage();
+        const QRgb ground = before.pixel(2, 2);
+        const auto share = [&](const QImage& picture) {
+            int shown = 0;
+            for (int y = 100; y < 380; ++y)
+                for (int x = 100; x < 540; ++x)
+                    shown += picture.pixel(x, y) != ground;
+            return shown / (280.0 * 440);
+        };
+        QVERIFY(share(before) > 0.1);
+        const std::shared_ptr<const attractor::Frame> frame = m_bridge->frame();
+        for (const bool zoom : {false, true}) {
+            if (zoom) {
+                m_canvas->navigation().zoomBy(1.1);
+            } else {
+                press({300, 200}, {}, Qt::MiddleButton);
+                move({340, 225}, {}, Qt::MiddleButton);
+            }
+            QCOMPARE(m_bridge->frame(), frame); // there is no other yet
+            const QImage after = m_canvas->viewport()->grab().toImage();
+            QVERIFY(after != before);
+            QVERIFY2(share(after) > 0.7 * share(before), qPrintable(QString::number(share(after))));
+        }
+    }
+
+    // The cage is in the view where that costs little; the attractor always is, and large.
+    void fitShowsTheAttractor() {
+        const auto share = [this] { // of the height or width of the view
+            const auto box = *document::displayedBox(m_document->fractal());
+            const attractor::Camera& camera = m_canvas->camera();
+            return std::max((box.max.x() - box.min.x()) * camera.pixelsPerUnit / camera.width,
+                            (box.max.y() - box.min.y()) * camera.pixelsPerUnit / camera.height);
+        };
+        m_canvas->fit();
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(m_canvas->viewport()->rect().contains(vertex(i)));
+        document::Fractal fractal = m_document->fractal();
+        ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+        const auto placement = ifs::displayMap(cage);
+        for (std::size_t i = 0; i < cage.rest.size(); ++i) { // held from far away; the picture is the same
+            cage.rest[i] = cage.rest[i] * 50;
+            cage.current[i] = placement(cage.rest[i]);
+        }
+        document::plane(fractal)->cage = cage;
+        m_document->edit(QStringLiteral("another cage"), fractal);
+        m_canvas->fit();
+        QVERIFY2(share() > 0.7 && share() < 1, qPrintable(QString::number(share())));
+    }
+
+    // Read-out and labels have the digits that neighbouring pixels differ in, at every depth.
+    void coordinatesTellPixelsApart() {
+        attractor::Camera camera = m_canvas->camera();
+        camera.centre = {0.123456789012345, -1.987654321};
+        for (camera.pixelsPerUnit = 1; camera.pixelsPerUnit < 1e13; camera.pixelsPerUnit *= 7)
+            for (const int axis : {0, 1}) {
+                const view::CoordinateText text(camera, axis);
+                QStringList seen;
+                for (int pixel = -300; pixel <= 300; pixel += 50)
+                    for (const int next : {0, 1})
+                        seen << text.text(camera.centre[axis] + (pixel + next) / camera.pixelsPerUnit);
+                QCOMPARE(QSet<QString>(seen.begin(), seen.end()).size(), seen.size());
+                for (const QString& each : seen)
+                    QVERIFY2(each.size() <= 32, qPrintable(each));
+                // A label is the read-out of its place: the base, where there is one, and what it says.
+                const QString base = text.base().section(u' ', 0, 0);
+                const double value = camera.centre[axis] + 200 / camera.pixelsPerUnit;
+                const double said = (base.isEmpty() ? 0 : base.toDouble()) + text.label(value).toDouble();
+                QVERIFY(std::abs(said - value) * camera.pixelsPerUnit < 1);
+                QCOMPARE(base.isEmpty(), !text.text(value).contains(u'e'));
+            }
+    }
+
+    void theZoomIsShownAndTyped() {
+        view::ZoomBox box(m_canvas.get());
+        m_canvas->navigation().resetZoom();
+        QCOMPARE(box.currentText(), QStringLiteral("100 %"));
+        const Vector<2> centre = m_canvas->camera().centre;
+        box.lineEdit()->setText(QStringLiteral("250%"));
+        emit box.lineEdit()->returnPressed();
+        QCOMPARE(m_canvas->camera().pixelsPerUnit, 250.0);
+        QCOMPARE(m_canvas->camera().centre, centre);
+        QCOMPARE(box.currentText(), QStringLiteral("250 %"));
+        box.lineEdit()->setText(QStringLiteral("much"));
+        emit box.lineEdit()->returnPressed();
+        QCOMPARE(box.currentText(), QStringLiteral("250 %"));
+        m_canvas->navigation().setZoom(1.5e9);
+        QCOMPARE(box.currentText(), QStringLiteral("1.5e+11 %"));
+        emit box.activated(0);
+        QVERIFY(m_canvas->navigation().isFitted());
+        QCOMPARE(box.currentText(), view::ZoomBox::textOf(m_canvas->navigation().zoom()));
+    }
+
+    void wheelKeepsThePointUnderTheCursor() {
+        const QPointF p(123, 321);
+        for (const QPoint& angle : {QPoint(0, 120), QPoint(0, -360), QPoint(0, 15)})
+            for (const QPoint& pixels : {QPoint(), QPoint(0, 37)}) {
+                const Vector<2> world = view::worldAt(m_canvas->camera(), p);
+                const double scale = m_canvas->camera().pixelsPerUnit;
+                QWheelEvent wheel(p, m_canvas->viewport()->mapToGlobal(p), pixels, angle, Qt::NoButton, {},
+                                  Qt::NoScrollPhase, false);
+                QCoreApplication::sendEvent(m_canvas->viewport(), &wheel);
+                QVERIFY(m_canvas->camera().pixelsPerUnit != scale);
+                const QPointF now = view::pixelOf(m_canvas->camera(), world);
+                QVERIFY(QLineF(now, p).length() < 1e-6);
+            }
+        m_canvas->navigation().resetZoom();
+        QCOMPARE(m_canvas->camera().pixelsPerUnit, 100.0);
+        for (int i = 0; i < 50; ++i)
+            m_canvas->navigation().zoomBy(2);
+        QVERIFY(m_canvas->camera().pixelsPerUnit > 1e12);
+    }
+
+    void middleButtonAndSpacePan() {
+        const Vector<2> world = view::worldAt(m_canvas->camera(), {200, 200});
+        press({200, 200}, {}, Qt::MiddleButton);
+        QCOMPARE(cursor(), Qt::ClosedHandCursor);
+        move({230, 180}, {}, Qt::MiddleButton);
+        release({230, 180}, {}, Qt::MiddleButton);
+        QVERIFY((view::worldAt(m_canvas->camera(), {230, 180}) - world).norm() < 1e-12);
+        QTest::keyPress(m_canvas.get(), Qt::Key_Space);
+        QCOMPARE(cursor(), Qt::OpenHandCursor);
+        drag(vertex(0), {-30, 20});
+        QTest::keyRelease(m_canvas.get(), Qt::Key_Space);
+        QVERIFY((view::worldAt(m_canvas->camera(), {200, 200}) - world).norm() < 1e-12);
+        QCOMPARE(steps(), 0);
+    }
+
+    void fingersDragAndPinch() {
+        static const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+        const auto touch = [&] { return QTest::touchEvent(m_canvas->viewport(), screen.get()); };
+        const Vector<2> before = vertices()[1];
+        const QPoint start = vertex(1) + QPoint(15, 0); // within the reach of a finger, not of a mouse
+        touch().press(1, start, m_canvas->viewport());
+        touch().move(1, start + QPoint(30, -20), m_canvas->viewport());
+        touch().release(1, start + QPoint(30, -20), m_canvas->viewport());
+        QVERIFY((vertices()[1] - before - view::worldOffset(m_canvas->camera(), {30, -20})).norm() < 1e-12);
+        QCOMPARE(steps(), 1);
+        const attractor::Camera camera = m_canvas->camera();
+        touch().press(1, QPoint(200, 200), m_canvas->viewport());
+        touch()
+            .move(1, QPoint(200, 200), m_canvas->viewport())
+            .press(2, QPoint(300, 200), m_canvas->viewport());
+        touch()
+            .move(1, QPoint(150, 220), m_canvas->viewport())
+            .move(2, QPoint(350, 220), m_canvas->viewport());
+        touch()
+            .release(1, QPoint(150, 220), m_canvas->viewport())
+            .release(2, QPoint(350, 220), m_canvas->viewport());
+        QVERIFY(std::abs(m_canvas->camera().pixelsPerUnit / camera.pixelsPerUnit - 2) < 1e-9);
+        QVERIFY((view::worldAt(m_canvas->camera(), {150, 220}) - view::worldAt(camera, {200, 200})).norm() <
+                1e-9);
+        QCOMPARE(steps(), 1);
+    }
+};
+
+QTEST_MAIN(CanvasNavigationTest)
+#include "canvas_navigation_test.moc"

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/items/grid_item.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QTest>
+
+#include <vector>
+
+namespace {
+
+constexpr int width = 300;
+constexpr int height = 200;
+
+QImage painted(view::GridItem& grid, double ratio) {
+    QImage image(qRound(width * ratio), qRound(height * ratio), QImage::Format_RGB32);
+    image.setDevicePixelRatio(ratio);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    grid.paint(&painter, nullptr, nullptr);
+    return image;
+}
+
+// Pixels of a row or column that nothing crosses: those that differ from the background.
+std::vector<int> marked(const QImage& image, bool alongRow, int at) {
+    std::vector<int> result;
+    for (int i = 0; i < (alongRow ? image.width() : image.height()); ++i)
+        if ((alongRow ? image.pixel(i, at) : image.pixel(at, i)) != qRgb(0, 0, 0)) result.push_back(i);
+    return result;
+}
+
+class GridItemTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        view::OverlayStyle style;
+        style.gridMinor = QColor(0, 0, 255);
+        style.gridMajor = QColor(255, 0, 0);
+        style.axis = Qt::white;
+        m_grid.setStyle(style);
+        // Lines every 0.2, the stronger ones every 1: 20.6 and 103 pixels. The origin is at (147.3, 101.63).
+        m_grid.setView({{2.7 / 103, 1.63 / 103}, 103, width, height, attractor::YAxis::Up});
+        m_grid.setAxesVisible(false);
+        m_grid.setGridVisible(true);
+    }
+
+    void linesAreOneDevicePixelWide_data() {
+        QTest::addColumn<double>("ratio");
+        for (const double ratio : {1.0, 1.25, 1.5, 2.0})
+            QTest::addRow("%g", ratio) << ratio;
+    }
+    void linesAreOneDevicePixelWide() {
+        QFETCH(double, ratio);
+        const QImage image = painted(m_grid, ratio);
+        std::vector<int> upright;
+        for (int k = -7; k <= 7; ++k)
+            upright.push_back(int(std::floor((147.3 + 20.6 * k) * ratio)));
+        std::vector<int> level;
+        for (int k = -4; k <= 4; ++k)
+            level.push_back(int(std::floor((101.63 + 20.6 * k) * ratio)));
+        QCOMPARE(marked(image, true, 0), upright);
+        QCOMPARE(marked(image, true, image.height() - 1), upright); // to the far edge
+        QCOMPARE(marked(image, false, 0), level);
+        QCOMPARE(marked(image, false, image.width() - 1), level);
+        QCOMPARE(image.pixel(upright[2], 0), qRgb(255, 0, 0)); // at −1
+        QCOMPARE(image.pixel(upright[3], 0), qRgb(0, 0, 255));
+        QCOMPARE(image.pixel(0, level[4]), qRgb(255, 0, 0)); // at 0
+        QCOMPARE(image.pixel(0, level[5]), qRgb(0, 0, 255));
+    }
+
+    void axesAreOnePixelWide_data() { linesAreOneDevicePixelWide_data(); }
+    void axesAreOnePixelWide() {
+        QFETCH(double, ratio);
+        m_grid.setGridVisible(false);
+        m_grid.setAxesVisible(true);
+        const QImage image = painted(m_grid, ratio);
+        const std::vector<int> upright = marked(image, true, 0);
+        const std::vector<int> level = marked(image, false, image.width() - 1);
+        QCOMPARE(int(upright.size()), qRound(ratio));
+        QCOMPARE(int(level.size()), qRound(ratio));
+        QVERIFY(std::abs(upright.front() + upright.size() / 2.0 - 147.3 * ratio) <= 1);
+        QVERIFY(std::abs(level.front() + level.size() / 2.0 - 101.63 * ratio) <= 1);
+    }
+
+    // Far from the origin doubles have no room for lines between their neighbours.
+    void nothingIsDrawnWhereNumbersAreTooCoarse() {
+        m_grid.setView({{1e17, 0}, 103, width, height, attractor::YAxis::Up});
+        const QImage image = painted(m_grid, 1);
+        QVERIFY(marked(image, true, 0).empty());
+        QCOMPARE(int(marked(image, false, 0).size()), 9);
+    }
+
+private:
+    view::GridItem m_grid;
+};
+
+} // namespace
+
+QTEST_MAIN(GridItemTest)
+#include "grid_item_test.moc"

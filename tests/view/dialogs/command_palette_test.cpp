@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/command_palette.h"
+#include "dialogs/shortcuts_dialog.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QListView>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScreen>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QTranslator>
+#include <QTreeWidget>
+#include <QWindow>
+
+class CommandPaletteTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void wordsBeginWords_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("found");
+        QTest::newRow("nothing typed") << QString() << true;
+        QTest::newRow("beginning of a word") << QStringLiteral("can") << true;
+        QTest::newRow("two words in any order") << QStringLiteral("simp FIT") << true;
+        QTest::newRow("middle of a word") << QStringLiteral("plex") << false;
+        QTest::newRow("one word too many") << QStringLiteral("fit circle") << false;
+    }
+    void wordsBeginWords() {
+        QFETCH(QString, text);
+        QFETCH(bool, found);
+        QCOMPARE(view::matchesCommand(QStringLiteral("Cage › Fit Canonical Simplex"), text), found);
+    }
+
+    void keysReachTheSearchAndReturnRuns() {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu(QStringLiteral("&Cage"));
+        QSignalSpy reset(menu->addAction(QStringLiteral("&Reset")), &QAction::triggered);
+        QSignalSpy bake(menu->addAction(QStringLiteral("&Bake")), &QAction::triggered);
+        view::CommandPalette palette(view::actionsOf(&bar));
+        palette.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&palette));
+        QTest::keyClick(palette.windowHandle(), Qt::Key_B);
+        QCOMPARE(palette.findChild<QLineEdit*>()->text(), QStringLiteral("b"));
+        QTest::keyClick(palette.windowHandle(), Qt::Key_Return);
+        QCOMPARE(bake.count(), 1);
+        QCOMPARE(reset.count(), 0);
+        QVERIFY(!palette.isVisible());
+    }
+
+    void panelsAreSearchedToo() {
+        QMainWindow window;
+        window.menuBar()->addMenu(QStringLiteral("&Edit"))->addAction(QStringLiteral("&Undo"));
+        auto* dock = new QDockWidget(QStringLiteral("Maps"), &window);
+        dock->setWidget(new QWidget);
+        window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+        auto* list = new QWidget(dock->widget());
+        list->addAction(new QAction(QStringLiteral("D&uplicate"), list));
+        list->addAction(new QAction(QStringLiteral("Delete"), list));
+        list->actions().back()->setEnabled(false);
+        auto* weights = new QToolButton(dock->widget());
+        weights->setText(QStringLiteral("Weights"));
+        weights->setMenu(new QMenu(weights));
+        QSignalSpy equal(weights->menu()->addAction(QStringLiteral("Equal")), &QAction::triggered);
+        auto* duplicate = new QToolButton(dock->widget()); // the same once more
+        duplicate->setDefaultAction(list->actions().front());
+
+        QStringList paths;
+        for (const view::NamedAction& action : view::actionsOf(window))
+            paths << action.path;
+        paths.sort();
+        QCOMPARE(paths,
+                 (QStringList{QStringLiteral("Edit › Undo"), QStringLiteral("Maps › Delete"),
+                              QStringLiteral("Maps › Duplicate"), QStringLiteral("Maps › Weights › Equal")}));
+
+        window.show();
+        dock->hide();
+        view::CommandPalette palette(view::actionsOf(window));
+        palette.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&palette));
+        QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("del"));
+        const auto* found = palette.findChild<QListView*>()->model();
+        QCOMPARE(found->rowCount(), 1);
+        QVERIFY(!(found->index(0, 0).flags() & Qt::ItemIsEnabled)); // it is shown that there is one
+        QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+        QVERIFY(palette.isVisible());
+        palette.findChild<QLineEdit*>()->clear();
+        QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("zzz"));
+        QCOMPARE(found->rowCount(), 1);
+        QVERIFY(!(found->index(0, 0).flags() & Qt::ItemIsEnabled));
+        QCOMPARE(found->index(0, 0).data().toString(), QStringLiteral("No matching command."));
+        palette.findChild<QLineEdit*>()->clear();
+        QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("weights equal"));
+        QCOMPARE(palette.findChild<QListView*>()->model()->rowCount(), 1);
+        QTest::keyClick(palette.windowHandle(), Qt::Key_Return);
+        QCOMPARE(equal.count(), 1);
+        QVERIFY(dock->isVisible());
+    }
+
+    void everyKeyIsSeenWhole_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "es", "fr", "mk"})
+            QTest::newRow(language) << QString::fromLatin1(language);
+    }
+    void everyKeyIsSeenWhole() {
+        QFETCH(QString, language);
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+        QVERIFY(QCoreApplication::installTranslator(&translator));
+        view::ShortcutsDialog dialog({});
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        auto* tree = dialog.findChild<QTreeWidget*>();
+        dialog.resize(dialog.width(), 300); // with a bar beside the lines
+        QTRY_VERIFY(tree->verticalScrollBar()->isVisible());
+        QVERIFY(tree->header()->length() <= tree->viewport()->width());
+        for (int i = 0; i < tree->topLevelItemCount(); ++i)
+            for (int k = 0; k < tree->topLevelItem(i)->childCount(); ++k)
+                for (const int column : {0, 1}) {
+                    const QTreeWidgetItem* line = tree->topLevelItem(i)->child(k);
+                    const QRect room = tree->visualRect(tree->indexFromItem(line, column));
+                    const bool whole =
+                        tree->fontMetrics().horizontalAdvance(line->text(column)) <= room.width();
+                    if (column == 0 && dialog.width() >= dialog.screen()->availableSize().width())
+                        QVERIFY(whole || line->toolTip(0) == line->text(0)); // no more room to be had
+                    else
+                        QVERIFY2(whole, qPrintable(line->text(column)));
+                }
+    }
+
+    void aStepDoesNotNameTheCommand() {
+        QMenuBar bar;
+        QAction* undo = bar.addMenu(QStringLiteral("Edit"))->addAction(QStringLiteral("Undo Reset the cage"));
+        undo->setIconText(QStringLiteral("Undo"));
+        QCOMPARE(view::actionsOf(&bar).front().path, QStringLiteral("Edit › Undo"));
+    }
+};
+
+QTEST_MAIN(CommandPaletteTest)
+#include "command_palette_test.moc"

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/export_data_dialog.h"
+#include "document/fractal_geometry.h"
+#include "io/collection_reader.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+
+class ExportDataDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyFormatIsWrittenAsItIsShown();
+    void bakesWhatIsShown();
+    void writesPoints();
+    void tellsWhatIsLost();
+
+private:
+    QByteArray written(view::ExportDataDialog& dialog);
+
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+document::Fractal doubled() {
+    document::Fractal fractal = document::sierpinskiTriangle();
+    document::plane(fractal)->cage = document::effectiveCage(fractal);
+    for (auto& vertex : document::plane(fractal)->cage->current)
+        vertex *= 2;
+    return fractal;
+}
+
+} // namespace
+
+QByteArray ExportDataDialogTest::written(view::ExportDataDialog& dialog) {
+    const QString path = m_folder.filePath(QStringLiteral("data"));
+    QSignalSpy exported(&dialog, &view::ExportDataDialog::exported);
+    dialog.exportTo(path);
+    if (exported.isEmpty() && !exported.wait()) return {};
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void ExportDataDialogTest::everyFormatIsWrittenAsItIsShown() {
+    document::Document document;
+    document.setFile(document::fileOf(document::sierpinskiTriangle()));
+    view::ExportDataDialog dialog(&document);
+    auto* format = dialog.findChildren<QComboBox*>().first();
+    const QByteArrayList beginnings{"<flames>", "@", "a,b,c,d,e,f,p\n", "a\tb\tc\td\te\tf\tp\n"};
+    for (int i = 0; i < beginnings.size(); ++i) {
+        format->setCurrentIndex(i);
+        const QByteArray bytes = written(dialog);
+        QVERIFY2(bytes.startsWith(beginnings[i]), bytes.constData());
+        QCOMPARE(dialog.findChild<QPlainTextEdit*>()->toPlainText().toUtf8(), bytes.left(8000));
+    }
+    dialog.findChildren<QComboBox*>().last()->setCurrentIndex(1);
+    QVERIFY(written(dialog).startsWith("a\tb\te\tc\td\tf\tp\n"));
+    auto* columns = dialog.findChildren<QComboBox*>().last();
+    columns->setCurrentIndex(columns->count() - 1); // the one that is typed
+    auto* typed = columns->parentWidget()->findChild<QLineEdit*>();
+    typed->clear();
+    QTest::keyClicks(typed, QStringLiteral("fedcba cumulative"));
+    const auto isOffered = [&dialog] {
+        for (const auto* button : dialog.findChildren<QPushButton*>())
+            if (button->text().contains(QStringLiteral("Export"))) return button->isEnabled();
+        return false;
+    };
+    QVERIFY(!isOffered()); // letters alone are an order, letters and a word are not
+    typed->clear();
+    QTest::keyClicks(typed, QStringLiteral("f e d c b a cumulative"));
+    QVERIFY(isOffered());
+    QVERIFY(written(dialog).startsWith("f\te\td\tc\tb\ta\tcumulative\n"));
+}
+
+void ExportDataDialogTest::bakesWhatIsShown() {
+    document::Document document;
+    document.setFile(document::fileOf(doubled()));
+    view::ExportDataDialog dialog(&document);
+    const auto maxShift = [this, &dialog] {
+        const io::Collection back = io::readCollection(written(dialog));
+        double largest = 0;
+        for (const auto& map : document::system2(*back.file.entries.value(0).fractal)->maps)
+            largest = std::max(largest, map.map.translation.cwiseAbs().maxCoeff());
+        return largest;
+    };
+    const double baked = maxShift();
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+        if (box->text().contains(QStringLiteral("Bake"))) box->setChecked(false);
+    QVERIFY(std::abs(baked - 2 * maxShift()) < 1e-12);
+}
+
+void ExportDataDialogTest::writesPoints() {
+    document::Document document;
+    document.setFile(document::fileOf(document::sierpinskiTriangle()));
+    view::ExportDataDialog dialog(&document);
+    dialog.findChildren<QComboBox*>().first()->setCurrentIndex(4);
+    dialog.findChild<QSpinBox*>()->setValue(300);
+    QCOMPARE(written(dialog).count('\n'), 301);
+}
+
+// Before the file is written, and after.
+void ExportDataDialogTest::tellsWhatIsLost() {
+    document::Document document;
+    document::Fractal fractal = doubled();
+    fractal.appearance.background = {255, 0, 0, 255};
+    document.setFile(document::fileOf(fractal));
+    view::ExportDataDialog dialog(&document);
+    const auto message = [&dialog] {
+        for (const auto* label : dialog.findChildren<QLabel*>())
+            if (label->accessibleName() == QStringLiteral("Result")) return label->text();
+        return QString();
+    };
+    auto* format = dialog.findChildren<QComboBox*>().first();
+    format->setCurrentIndex(0); // flame
+    QCOMPARE(message(), QString());
+    format->setCurrentIndex(2); // table
+    QVERIFY2(message().contains(QStringLiteral("without its background.")), qPrintable(message()));
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+        if (box->text().contains(QStringLiteral("Bake"))) box->setChecked(false);
+    const QString both = QStringLiteral("without its cage and its background: other programs will draw");
+    QVERIFY2(message().contains(both), qPrintable(message()));
+    QVERIFY(!written(dialog).isEmpty());
+    QVERIFY2(message().contains(both) && message().contains(QStringLiteral("Written to")),
+             qPrintable(message()));
+    format->setCurrentIndex(0);
+    QVERIFY2(message().contains(QStringLiteral("without its cage: other")), qPrintable(message()));
+}
+
+QTEST_MAIN(ExportDataDialogTest)
+#include "export_data_dialog_test.moc"

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/copy_picture.h"
+#include "dialogs/export/export_dialog.h"
+#include "dialogs/export/export_size_editor.h"
+#include "dialogs/export/print_fractal.h"
+
+#include "document/document.h"
+#include "document/fractal_geometry.h"
+#include "io/picture/png_system.h"
+#include "io/picture/svg_system.h"
+#include "view/panels/maps_support.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMimeData>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace view;
+
+namespace {
+
+// Pictures to look at, in the folder that BARYCAGE_KEEP names.
+void keep(const QImage& picture, const char* name) {
+    const QString folder = qEnvironmentVariable("BARYCAGE_KEEP");
+    if (!folder.isEmpty()) QVERIFY(picture.save(folder + u'/' + QLatin1String(name)));
+}
+
+} // namespace
+
+class ExportDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void writesPng();
+    void framesTheAttractor();
+    void writesSvg();
+    void saysWhatTheSvgWillBe();
+    void saysWhenAPixelNeedsMore();
+    void failureIsTold();
+    void closingWhileExportingIsSafe();
+    void sizeKeepsItsShape();
+    void lengthsFollowTheResolution();
+    void clipboardHoldsBothForms();
+    void pageHoldsNamePictureAndTable();
+    void pageHoldsTheNumbersOfThePicture();
+    void manyMapsGoOnFurtherPages();
+
+private:
+    attractor::Camera camera() const {
+        attractor::Camera view;
+        view.width = 160;
+        view.height = 120;
+        return fitted(view, {0, 0}, {1, 0.9});
+    }
+    template <typename Widget> static Widget* named(QWidget& parent, const char* name) {
+        for (auto* child : parent.findChildren<Widget*>())
+            if (child->accessibleName() == QLatin1String(name)) return child;
+        return nullptr;
+    }
+    QTemporaryDir m_folder;
+};
+
+void ExportDialogTest::writesPng() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    const QString path = m_folder.filePath(QStringLiteral("a.png"));
+    dialog.exportTo(path);
+    QVERIFY(exported.wait(20'000));
+    keep(dialog.grab().toImage(), "export-png.png");
+    const QImage picture(path);
+    QCOMPARE(picture.size(), QSize(160, 120));
+    QCOMPARE(picture.dotsPerMeterX(), 11811);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(io::readPngSystem(file.readAll()).text.startsWith(document.fractal().name.toUtf8()));
+}
+
+// Wherever the canvas looks; and what was said of one file goes when another kind is chosen.
+void ExportDialogTest::framesTheAttractor() {
+    document::Document document;
+    attractor::Camera elsewhere = camera();
+    elsewhere.centre = {100, 100};
+    ExportDialog dialog(&document, elsewhere);
+    dialog.setSection(ExportDialog::Section::Attractor);
+    dialog.show();
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    const QString path = m_folder.filePath(QStringLiteral("framed.png"));
+    dialog.exportTo(path);
+    QVERIFY(exported.wait(20'000));
+    const QImage picture(path);
+    QRect seen;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (picture.pixel(x, y) != picture.pixel(0, 0)) seen |= QRect(x, y, 1, 1);
+    QVERIFY(seen.height() > 100 && seen.height() < 116); // of 120, with a margin of a twentieth
+    QVERIFY((seen.center() - picture.rect().center()).manhattanLength() <= 4);
+    auto* result = named<QLabel>(dialog, "Result");
+    QVERIFY(result->isVisible());
+    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    QVERIFY(!result->isVisible());
+}
+
+void ExportDialogTest::writesSvg() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    const QString path = m_folder.filePath(QStringLiteral("a.svg"));
+    dialog.exportTo(path);
+    QVERIFY(exported.wait(20'000));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(!io::readSvgSystem(file.readAll()).failure);
+}
+
+void ExportDialogTest::saysWhatTheSvgWillBe() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    auto* plan = named<QLabel>(dialog, "Description of the picture");
+    QTRY_VERIFY(plan->text().contains(QStringLiteral("references")));
+    const QString automatic = plan->text();
+    keep(dialog.grab().toImage(), "export-svg.png");
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+        if (box->text().contains(QStringLiteral("pixel"))) box->setChecked(false);
+    named<QSpinBox>(dialog, "Levels of copies")->setValue(2);
+    QTRY_VERIFY(plan->text() != automatic);
+    QVERIFY(!automatic.contains(QStringLiteral("Accuracy to the pixel needs more")));
+    QVERIFY(plan->text().startsWith(QStringLiteral("12 references"))); // 3 + 9 for a Sierpiński triangle
+}
+
+// The long thin copies of the maple stay long, however many there are.
+void ExportDialogTest::saysWhenAPixelNeedsMore() {
+    document::Document document;
+    document.setFile(document::fileOf(maps_support::maple()));
+    attractor::Camera view;
+    view.width = 1000;
+    view.height = 800;
+    ExportDialog dialog(&document, fitted(view, {-6, -5}, {6, 6}));
+    dialog.show();
+    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    auto* plan = named<QLabel>(dialog, "Description of the picture");
+    const QString remark = QStringLiteral("Accuracy to the pixel needs more");
+    QTRY_VERIFY(plan->text().contains(remark));
+    QVERIFY(plan->text().contains(QStringLiteral("fewer than 400\u202f000")));
+    QTRY_VERIFY(plan->height() >= plan->heightForWidth(plan->width()));
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+        if (box->text().contains(QStringLiteral("pixel"))) box->setChecked(false);
+    QTRY_VERIFY(!plan->text().contains(remark)); // the depth is one's own
+}
+
+void ExportDialogTest::failureIsTold() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    QSignalSpy failed(&dialog, &ExportDialog::failed);
+    dialog.exportTo(m_folder.filePath(QStringLiteral("no/such/folder.png")));
+    QVERIFY(failed.wait(20'000));
+    QVERIFY(named<QLabel>(dialog, "Result")->text().contains(QStringLiteral("no/such")));
+}
+
+void ExportDialogTest::closingWhileExportingIsSafe() {
+    document::Document document;
+    const QString path = m_folder.filePath(QStringLiteral("never.png"));
+    {
+        ExportDialog dialog(&document, camera());
+        dialog.show();
+        dialog.findChild<ExportSizeEditor*>()->setPixels({4000, 3000});
+        named<QComboBox>(dialog, "Quality")->setCurrentIndex(3);
+        dialog.exportTo(path);
+        QTest::qWait(20);
+    }
+    QCoreApplication::processEvents();
+    QVERIFY(!QFile::exists(path));
+}
+
+void ExportDialogTest::sizeKeepsItsShape() {
+    ExportSizeEditor editor({160, 120});
+    QCOMPARE(editor.pixels(), QSize(160, 120));
+    named<QDoubleSpinBox>(editor, "Width")->setValue(1600);
+    QCOMPARE(editor.pixels(), QSize(1600, 1200));
+    named<QDoubleSpinBox>(editor, "Height")->setValue(60);
+    QCOMPARE(editor.pixels(), QSize(80, 60));
+}
+
+void ExportDialogTest::lengthsFollowTheResolution() {
+    ExportSizeEditor editor({160, 120});
+    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(2);
+    named<QSpinBox>(editor, "Resolution in dots per inch")->setValue(150);
+    named<QDoubleSpinBox>(editor, "Width")->setValue(4);
+    QCOMPARE(editor.pixels(), QSize(600, 450));
+    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(1);
+    QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 101.6);
+    // Typed with either sign, whatever the language says.
+    for (const char* typed : {"50.5", "50,5"}) {
+        auto* width = named<QDoubleSpinBox>(editor, "Width");
+        width->setFocus();
+        width->selectAll();
+        QTest::keyClicks(width, QLatin1String(typed));
+        QTest::keyClick(width, Qt::Key_Return);
+        QCOMPARE(width->value(), 50.5);
+        width->setValue(20);
+    }
+}
+
+void ExportDialogTest::clipboardHoldsBothForms() {
+    document::Document document;
+    QImage shown(16, 12, QImage::Format_ARGB32_Premultiplied);
+    shown.fill(Qt::red);
+    copyPicture(&document, camera(), shown);
+    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    QVERIFY(data->hasImage());
+    QCOMPARE(data->imageData().value<QImage>().size(), shown.size());
+    QVERIFY(io::looksLikeSvg(data->data(QStringLiteral("image/svg+xml"))));
+}
+
+// What is printed is the code of the picture that is printed.
+void ExportDialogTest::pageHoldsTheNumbersOfThePicture() {
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::blue);
+    const auto page = [&picture](const document::Fractal& fractal) {
+        QImage made(420, 594, QImage::Format_RGB32);
+        made.fill(Qt::white);
+        QPainter painter(&made);
+        paintPages(painter, made.rect(), fractal, picture, [] {});
+        return made;
+    };
+    const document::Fractal rests = document::Document().fractal();
+    document::Fractal moved = rests;
+    document::plane(moved)->cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{2, 0}, {4, 0}, {2, 4}}};
+    document::Fractal rewritten = rests;
+    rewritten.shape = document::Shape<2>{*document::effectiveSystem(moved)};
+    QVERIFY(page(moved) == page(rewritten));
+    QVERIFY(page(moved) != page(rests));
+    document::Fractal flat = rests;
+    document::plane(flat)->cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1, 0}, {2, 0}}};
+    QVERIFY(page(flat) != page(rests)); // it says that the numbers are others
+}
+
+void ExportDialogTest::pageHoldsNamePictureAndTable() {
+    document::Document document;
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::blue);
+    QImage page(420, 594, QImage::Format_RGB32);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    int more = 0;
+    paintPages(painter, page.rect(), document.fractal(), picture, [&] { ++more; });
+    QCOMPARE(more, 0);
+    painter.end();
+    keep(page, "page.png");
+    QCOMPARE(page.pixelColor(210, 150), QColor(Qt::blue));
+    const auto ink = [&](int top, int bottom) {
+        int dark = 0;
+        for (int y = top; y < bottom; ++y)
+            for (int x = 0; x < page.width(); ++x)
+                dark += qGray(page.pixel(x, y)) < 128 && qBlue(page.pixel(x, y)) < 128;
+        return dark;
+    };
+    QVERIFY(ink(0, 20) > 20);     // the name
+    QVERIFY(ink(355, 594) > 100); // the table
+}
+
+// A page takes as many maps as can be read; every page has some.
+void ExportDialogTest::manyMapsGoOnFurtherPages() {
+    document::Document document;
+    document::Fractal fractal = document.fractal();
+    auto* system = document::system2(fractal);
+    system->maps.resize(200, system->maps.front());
+    fractal.comments = {QStringLiteral(" by nobody")};
+    QImage page(420, 594, QImage::Format_RGB32);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    int more = 0;
+    int least = INT_MAX;
+    paintPages(painter, page.rect(), fractal, QImage(40, 30, QImage::Format_RGB32), [&] {
+        ++more;
+        int dark = 0;
+        for (int y = 0; y < page.height(); ++y)
+            for (int x = 0; x < page.width(); ++x)
+                dark += qGray(page.pixel(x, y)) < 128;
+        least = std::min(least, dark);
+        page.fill(Qt::white);
+    });
+    const int pages = more;
+    paintPages(painter, QRectF(), fractal, QImage(40, 30, QImage::Format_RGB32), [&] { ++more; });
+    QCOMPARE(more, pages); // of no size, as some printers say before they are set up: there is an end
+    QCOMPARE(pages, 4);    // 200 maps, at most 59 on a page and fewer under the picture
+    QVERIFY(least > 500);
+}
+
+QTEST_MAIN(ExportDialogTest)
+#include "export_dialog_test.moc"

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "desktop/settings.h"
+#include "desktop/theme.h"
+#include "dialogs/preferences_dialog.h"
+#include "support/contrast.h"
+#include "support/forget_settings.h"
+#include "support/own_settings.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QLabel>
+#include <QProxyStyle>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStyle>
+#include <QTest>
+#include <QToolButton>
+
+#include <array>
+
+using view::Preferences;
+using view::PreferencesDialog;
+
+// Choices are stored and reported at once, and restored later.
+class PreferencesDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { support::useOwnSettings(); }
+    void init() { support::forgetSettings(); }
+    void cleanup() { view::applyTheme(Preferences::Theme::Desktop); }
+    void choicesAreStoredAndTold();
+    void defaultsComeBack();
+    void spoiltSettingsAreTakenAsDefaults();
+    void everyLanguageHasItsCatalogue();
+    void themesAreWornAndTakenOff();
+    void whatIsNotCheckedIsSeen();
+    void aButtonThatIsOnIsSeen();
+
+private:
+    static QComboBox* box(const PreferencesDialog& dialog, const QString& name) {
+        for (auto* found : dialog.findChildren<QComboBox*>())
+            if (found->accessibleName() == name) return found;
+        return nullptr;
+    }
+    static void choose(QComboBox* box, const QVariant& value) {
+        const int index = box->findData(value);
+        QVERIFY(index >= 0);
+        box->setCurrentIndex(index);
+    }
+};
+
+void PreferencesDialogTest::choicesAreStoredAndTold() {
+    PreferencesDialog dialog;
+    dialog.show();
+    QSignalSpy told(&dialog, &PreferencesDialog::changed);
+    choose(box(dialog, QStringLiteral("Theme")), int(Preferences::Theme::Dark));
+    choose(box(dialog, QStringLiteral("Picture quality")), quint64(1'000'000'000));
+    QLabel* restart = nullptr;
+    for (auto* label : dialog.findChildren<QLabel*>())
+        if (label->text().contains(QStringLiteral("restart Barycage"))) restart = label;
+    QVERIFY(restart && !restart->isVisible());
+    choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
+    QVERIFY(restart->isVisible());
+    QTRY_VERIFY(restart->height() >= restart->heightForWidth(restart->width())); // seen whole
+    QTest::qWait(20);
+    QVERIFY(restart->height() >= restart->heightForWidth(restart->width()));
+    dialog.findChild<QCheckBox*>()->click();
+    const Preferences chosen{QStringLiteral("mk"), Preferences::Theme::Dark, 1'000'000'000, true};
+    QCOMPARE(told.size(), 4);
+    QVERIFY(told.last().first().value<Preferences>() == chosen);
+    QVERIFY(Preferences::stored() == chosen);
+
+    const PreferencesDialog again;
+    QCOMPARE(box(again, QStringLiteral("Language"))->currentText(), QStringLiteral("Македонски"));
+    QVERIFY(again.findChild<QCheckBox*>()->isChecked());
+}
+
+void PreferencesDialogTest::defaultsComeBack() {
+    Preferences{QStringLiteral("fr"), Preferences::Theme::Light, 50'000'000, true}.store();
+    PreferencesDialog dialog;
+    QSignalSpy told(&dialog, &PreferencesDialog::changed);
+    dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
+    QCOMPARE(told.size(), 1);
+    QVERIFY(Preferences::stored() == Preferences{});
+}
+
+void PreferencesDialogTest::spoiltSettingsAreTakenAsDefaults() {
+    view::finishStoring();
+    QSettings().setValue(QStringLiteral("preferences/theme"), QStringLiteral("purple"));
+    view::finishStoring();
+    QSettings().setValue(QStringLiteral("preferences/quality"), QStringLiteral("many"));
+    QCOMPARE(Preferences::stored().theme, Preferences::Theme::Desktop);
+    QCOMPARE(Preferences::stored().quality, std::uint64_t(1'000'000)); // the least that is a picture
+    const PreferencesDialog dialog;
+    QCOMPARE(box(dialog, QStringLiteral("Theme"))->currentIndex(), 0);
+}
+
+void PreferencesDialogTest::everyLanguageHasItsCatalogue() {
+    const PreferencesDialog dialog;
+    const QComboBox* languages = box(dialog, QStringLiteral("Language"));
+    QStringList offered;
+    for (int i = 1; i < languages->count(); ++i)
+        offered << QStringLiteral("barycage_%1.qm").arg(languages->itemData(i).toString());
+    QStringList carried = QDir(QStringLiteral(":/translations")).entryList({QStringLiteral("barycage_*.qm")});
+    offered.sort();
+    carried.sort();
+    QCOMPARE(offered, carried);
+}
+
+void PreferencesDialogTest::themesAreWornAndTakenOff() {
+    const auto styleName = [] {
+        const auto* proxy = qobject_cast<QProxyStyle*>(QApplication::style());
+        return (proxy ? proxy->baseStyle() : QApplication::style())->name();
+    };
+    const QString style = styleName();
+    view::applyTheme(Preferences::Theme::Desktop);
+    const QPalette desktop = QApplication::palette();
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
+        view::applyTheme(theme);
+        const QPalette worn = QApplication::palette();
+        const bool dark = theme == Preferences::Theme::Dark;
+        QCOMPARE(worn.color(QPalette::Window).lightness() < 128, dark);
+        QCOMPARE(worn.color(QPalette::Text).lightness() > 128, dark);
+        QCOMPARE(worn.color(QPalette::PlaceholderText).rgb(), worn.color(QPalette::Text).rgb());
+        QVERIFY(worn.color(QPalette::PlaceholderText).alpha() < 255);
+    }
+    view::applyTheme(Preferences::Theme::Desktop);
+    QCOMPARE(styleName(), style);
+    for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Text, QPalette::Highlight})
+        QCOMPARE(QApplication::palette().color(role), desktop.color(role));
+}
+
+// The frame of a box or circle without its mark has a contrast of 3 to 1 to the window and to its inside.
+void PreferencesDialogTest::whatIsNotCheckedIsSeen() {
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
+        view::applyTheme(theme);
+        QWidget window;
+        QAbstractButton* buttons[] = {new QCheckBox(&window), new QRadioButton(&window)};
+        window.resize(60, 60);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        for (QAbstractButton* button : buttons) {
+            const QImage seen = button->grab().toImage();
+            const QRgb around = window.palette().color(QPalette::Window).rgb();
+            const QRgb inside = window.palette().color(QPalette::Base).rgb();
+            double best = 0; // of the smaller of both contrasts
+            for (int x = 0; x < seen.width(); ++x) {
+                const QRgb pixel = seen.pixel(x, seen.height() / 2);
+                best = std::max(best,
+                                std::min(support::contrast(pixel, around), support::contrast(pixel, inside)));
+            }
+            QVERIFY2(best >= 3, qPrintable(QStringLiteral("%1 in theme %2: %3")
+                                               .arg(QLatin1String(button->metaObject()->className()))
+                                               .arg(int(theme))
+                                               .arg(best)));
+        }
+    }
+}
+
+// So does the frame of a button that is on, to the window and to a button that is off; its text is readable.
+void PreferencesDialogTest::aButtonThatIsOnIsSeen() {
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
+        view::applyTheme(theme);
+        QWidget window;
+        window.resize(120, 60);
+        std::array<QAbstractButton*, 6> buttons{new QToolButton(&window), new QToolButton(&window),
+                                                new QToolButton(&window), new QToolButton(&window),
+                                                new QPushButton(&window), new QPushButton(&window)};
+        static_cast<QToolButton*>(buttons[2])->setAutoRaise(true);
+        static_cast<QToolButton*>(buttons[3])->setAutoRaise(true);
+        for (std::size_t i = 0; i < buttons.size(); ++i) {
+            buttons[i]->setCheckable(true);
+            buttons[i]->setChecked(i % 2 == 0);
+            buttons[i]->setFixedSize(40, 24);
+            buttons[i]->setFocusPolicy(Qt::NoFocus);
+        }
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        for (std::size_t i = 0; i < buttons.size(); i += 2) {
+            const QImage on = buttons[i]->grab().toImage();
+            const QImage off = buttons[i + 1]->grab().toImage();
+            const QRgb around = window.palette().color(QPalette::Window).rgb();
+            double best = 0; // of the smaller of both contrasts
+            for (int x = 0; x < 20; ++x)
+                best = std::max(best, std::min(support::contrast(on.pixel(x, 12), around),
+                                               support::contrast(on.pixel(x, 12), off.pixel(20, 12))));
+            const QRgb text = window.palette().color(QPalette::ButtonText).rgb();
+            const QString which =
+                QStringLiteral("button %1 in theme %2: %3").arg(i).arg(int(theme)).arg(best);
+            QVERIFY2(best >= 3, qPrintable(which));
+            QVERIFY2(support::contrast(on.pixel(20, 12), text) >= 4.5, qPrintable(which));
+        }
+    }
+}
+
+QTEST_MAIN(PreferencesDialogTest)
+#include "preferences_dialog_test.moc"

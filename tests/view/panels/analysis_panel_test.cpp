@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: MIT
+#include "bridges/analysis_bridge.h"
+#include "canvas/items/analysis_item.h"
+#include "document/edit_gesture.h"
+#include "panels/analysis/analysis_panel.h"
+#include "panels/analysis/box_counting_plot.h"
+#include "view/panels/maps_support.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QImage>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QScrollBar>
+#include <QTimer>
+
+#include <algorithm>
+#include <memory>
+
+using namespace maps_support;
+
+class AnalysisPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void knowsThePublishedFactsOfTheMaple() {
+        const auto facts = factsOf(maple());
+        QCOMPARE(valueOf(facts, QStringLiteral("Contraction")),
+                 QStringLiteral("0.6896  0.61  0.7225  0.7232"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Canonical simplex")),
+                 QStringLiteral("(−, −), leg 11.7047, corner (3.3442, 5.0725)"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Mean")), QStringLiteral("(0.0728, 1.4312)"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Covariance")), QStringLiteral("1.0709, -0.0524, 3.7828"));
+        QVERIFY(valueOf(facts, QStringLiteral("Attractor")).contains(QStringLiteral("hyperbolic")));
+        QVERIFY(valueOf(facts, QStringLiteral("Box")).startsWith(QStringLiteral("[-3.3001, 3.3442]")));
+        QVERIFY(valueOf(facts, QStringLiteral("Similarity dimension")).isEmpty());
+        QCOMPARE(valueOf(facts, QStringLiteral("Affinity dimension")), QStringLiteral("2"));
+        QVERIFY(
+            std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).section(u' ', 0, 0).toDouble() -
+                     1.8) < 0.3);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
+        QVERIFY(valueOf(facts, QStringLiteral("Hull vertices")).toInt() > 20);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull error bound")).toDouble() > 0);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull error bound")).toDouble() < 1e-4);
+        QVERIFY(valueOf(facts, QStringLiteral("Fixed points")).contains(QStringLiteral("(0.1795, 5.0725)")));
+        for (const auto& fact : facts)
+            QVERIFY2(fact.definition.size() > 40, qPrintable(fact.name));
+    }
+
+    void knowsTheDimensionOfTheSierpinskiTriangle() {
+        const auto facts = factsOf(document::sierpinskiTriangle());
+        QCOMPARE(valueOf(facts, QStringLiteral("Similarity dimension")),
+                 QStringLiteral("1.585 (if the open set condition holds; else an upper bound)"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Affinity dimension")), QStringLiteral("1.585"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Connectedness")), QStringLiteral("connected"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Entropy")), QStringLiteral("1.0986"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Joint spectral radius")), QStringLiteral("0.5"));
+        QVERIFY(
+            std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).section(u' ', 0, 0).toDouble() -
+                     1.585) < 0.1);
+    }
+
+    // By 1 − 10⁻¹¹ in x, so slowly that rounding shows.
+    void figuresCarryTheirErrors() {
+        const double slow = 1 - 1e-11;
+        const auto facts = factsOf(fractalOf({{slow, 0, 0, .5, 1, 0, 1}, {slow, 0, 0, .25, 3, 1, 1}}));
+        QVERIFY(valueOf(facts, QStringLiteral("Mean")).contains(QStringLiteral(" ± ")));
+        auto twice = document::sierpinskiTriangle();
+        auto& maps = document::system2(twice)->maps;
+        maps.push_back(maps[1]);
+        const auto overlapping = factsOf(twice);
+        QCOMPARE(valueOf(overlapping, QStringLiteral("Overlaps")), QStringLiteral("2 = 4"));
+        QCOMPARE(valueOf(overlapping, QStringLiteral("Similarity dimension")),
+                 QStringLiteral("2 (upper bound: pieces coincide)"));
+    }
+
+    // Map 1 is off, so the word that proves it must name map 2 as the table does.
+    void namesTheMapThatExpandsByItsRow() {
+        document::Fractal fractal = fractalOf({{0.5, 0, 0, 0.5, 0, 0, 1}, {2, 0, 0, 2, 1, 0, 1}});
+        document::system2(fractal)->maps[0].enabled = false;
+        const QString sentence = valueOf(factsOf(fractal), QStringLiteral("Attractor"));
+        QVERIFY2(sentence.startsWith(QStringLiteral("None: map 2 ")), qPrintable(sentence));
+        document::system2(fractal)->maps[1].enabled = false;
+        QVERIFY(valueOf(factsOf(fractal), QStringLiteral("Attractor"))
+                    .contains(QStringLiteral("no map is active")));
+    }
+
+    // A shear that no norm of the plane but an ellipse sees contract, and two maps that only do so in turn.
+    void aCertificateIsSaidInPlainWords() {
+        ifs::Existence existence;
+        existence.verdict = ifs::Verdict::EventuallyContractive;
+        existence.contractivity = 0.7872;
+        existence.norm = ifs::NormKind::Ellipsoidal;
+        QString sentence = view::existenceSentence(existence, {0, 1});
+        QVERIFY2(sentence.contains(QStringLiteral("norm")), qPrintable(sentence));
+        QVERIFY2(!sentence.contains(QStringLiteral("in a row")), qPrintable(sentence));
+        existence.norm = ifs::NormKind::Words;
+        existence.wordLength = 4;
+        sentence = view::existenceSentence(existence, {0, 1});
+        QVERIFY2(sentence.contains(QStringLiteral("any 4 maps in a row contract")), qPrintable(sentence));
+        QVERIFY(sentence.contains(QStringLiteral("0.7872")));
+
+        const document::Fractal sheared = fractalOf({{0.5, 1.5, 0, 0.5, 0, 0, 1}, {0.5, 0, 0, 0.5, 1, 0, 1}});
+        sentence = valueOf(factsOf(sheared), QStringLiteral("Attractor"));
+        QVERIFY2(sentence.startsWith(QStringLiteral("Yes: ")), qPrintable(sentence));
+        QVERIFY2(!sentence.contains(QStringLiteral(" 1 maps")), qPrintable(sentence));
+    }
+
+    // A hundred thousand numbers in a label would hold up the window.
+    void longListsAreCutShortToReadAndCopiedWhole() {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        auto& maps = document::system2(fractal)->maps;
+        while (maps.size() < 300)
+            maps.push_back(maps[maps.size() % 3]);
+        const auto facts = factsOf(fractal);
+        for (const char* name : {"Contraction", "Fixed points"}) {
+            const auto fact = std::find_if(facts.begin(), facts.end(), [&](const auto& each) {
+                return each.name == QLatin1String(name);
+            });
+            QVERIFY(fact != facts.end());
+            QVERIFY2(fact->value.size() < 1000, name);
+            QVERIFY2(fact->value.endsWith(QStringLiteral("… and 276 more")), qPrintable(fact->value));
+            QCOMPARE(fact->exact().count(QStringLiteral("  ")), 299);
+        }
+    }
+
+    void aLineEndsBetweenPairsAndItsNameIsLevelWithTheFirst() {
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.resize(260, 900);
+        panel.show();
+        QTRY_VERIFY(!valueOf(panel.facts(), QStringLiteral("Fixed points")).isEmpty());
+        QLabel* value = nullptr;
+        QLabel* name = nullptr;
+        for (auto* label : panel.findChildren<QLabel*>()) {
+            if (label->accessibleName() == QStringLiteral("Fixed points")) value = label;
+            if (label->text() == QStringLiteral("Fixed points")) name = label;
+        }
+        QVERIFY(name && value);
+        QVERIFY(value->text().contains(QStringLiteral("(0.1795,\u00a05.0725)")));
+        QVERIFY(value->text().contains(u' ')); // between the pairs
+        QTRY_VERIFY(value->height() >= 2 * value->fontMetrics().height());
+        QVERIFY(name->alignment() & Qt::AlignTop);
+        QVERIFY(value->alignment() & Qt::AlignTop);
+        // Below its name where there is not room enough for both.
+        QVERIFY(name->y() == value->y() || name->geometry().bottom() < value->y());
+        panel.resize(40 * panel.fontMetrics().averageCharWidth() + 260, 900);
+        QTRY_COMPARE(name->y(), value->y());
+    }
+
+    // A number without its last digits is another number.
+    void noDigitIsOutOfSight_data() {
+        QTest::addColumn<int>("points");
+        QTest::addColumn<int>("width");
+        for (const int points : {10, 16, 24})
+            for (const int width : {90, 160, 260, 430})
+                QTest::addRow("%d points, %d wide", points, width) << points << width;
+    }
+    void noDigitIsOutOfSight() {
+        QFETCH(int, points);
+        QFETCH(int, width);
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        QFont font = panel.font();
+        font.setPointSize(points);
+        panel.setFont(font);
+        panel.resize(width, 900);
+        panel.show();
+        QTRY_VERIFY(bridge.isCurrent());
+        QTest::qWait(50);
+        const int reach = panel.viewport()->width() + panel.horizontalScrollBar()->maximum();
+        for (const auto& fact : panel.facts())
+            for (const auto* label : panel.findChildren<QLabel*>()) {
+                if (label->accessibleName() != fact.name) continue;
+                for (const QString& piece : label->text().split(u' '))
+                    QVERIFY2(label->fontMetrics().horizontalAdvance(piece) <= label->width(),
+                             qPrintable(piece));
+                QVERIFY(label->mapTo(panel.widget(), QPoint(label->width(), 0)).x() <= reach);
+                QVERIFY(label->height() >= label->heightForWidth(label->width()));
+            }
+    }
+
+    void aFactThatGrowsHasRoomForItsLines_data() {
+        QTest::addColumn<int>("width");
+        for (const int width : {260, 300, 350, 430})
+            QTest::addRow("%d wide", width) << width;
+    }
+    void aFactThatGrowsHasRoomForItsLines() {
+        QFETCH(int, width);
+        document::Document document;
+        document.setFile(document::fileOf(document::sierpinskiTriangle()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.resize(width, 900);
+        panel.show();
+        document::Fractal inSpace;
+        inSpace.shape = document::Shape<3>();
+        for (const auto& fractal :
+             {inSpace, fractalOf({{0.5, 0, 0, 0.5, 0, 0, 0}, {0.5, 0, 0, 0.5, 1, 0, 0}}),
+              fractalOf({{0, 0, 0, 0.5, 0, 0, 1}, {0.5, 0, 0, 0, 1, 0, 1}})}) {
+            QTest::qWait(200);
+            document.edit(QStringLiteral("x"), fractal);
+        }
+        QTRY_VERIFY(bridge.isCurrent());
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Attractor")).startsWith(QStringLiteral("Yes")));
+        QTest::qWait(50);
+        for (const auto* label : panel.findChildren<QLabel*>())
+            if (label->isVisible() && label->wordWrap())
+                QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+    }
+
+    void computesOnlyWhenVisibleAndFollows() {
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        QTest::qWait(300);
+        QVERIFY(panel.facts().isEmpty() && !bridge.analysis());
+        panel.show();
+        QTRY_VERIFY(!panel.facts().isEmpty());
+        document.edit(QStringLiteral("x"), document::sierpinskiTriangle());
+        QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Similarity dimension")), QStringLiteral("1.585"));
+        QTRY_VERIFY(bridge.isCurrent());
+        QVERIFY(panel.plot().isVisible());
+        QCOMPARE(panel.plot().table().count(u'\n'), 10); // eleven sizes
+        panel.copyAll();
+        QVERIFY(QGuiApplication::clipboard()->text().contains(
+            QStringLiteral("Similarity dimension\t1.58496250072115")));
+    }
+
+    void aNumberIsExplainedAndCopied() {
+        document::Document document;
+        document.setFile(document::fileOf(document::sierpinskiTriangle()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        QTRY_VERIFY(bridge.isCurrent());
+        QLabel* value = nullptr;
+        for (auto* label : panel.findChildren<QLabel*>())
+            if (label->accessibleName() == QStringLiteral("Similarity dimension")) value = label;
+        QVERIFY(value);
+        QVERIFY(value->text().startsWith(QStringLiteral("1.585")));
+        QVERIFY(value->toolTip().size() > 40);
+        QTimer::singleShot(0, &panel, [] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Return);
+        });
+        emit value->customContextMenuRequested({});
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("1.58496250072115")));
+    }
+
+    // In the middle of the gesture, before the button is let go.
+    void followsADragOfTheCage() {
+        document::Document document;
+        document.setFile(document::fileOf(withTriangle(maple())));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
+        document::EditGesture gesture = document.beginGesture(QStringLiteral("drag"));
+        document::Fractal moved = document.fractal();
+        document::plane(moved)->cage->current = {{-3, -3}, {13, -3}, {-3, 6}}; // twice as wide
+        gesture.preview(moved);
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("71.5")));
+        QVERIFY(document.undoStack()->count() == 0);
+        document::plane(moved)->cage->current = {{-3, -3}, {5, -3}, {-3, -3}}; // flat
+        gesture.preview(moved);
+        QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Hull area")), QStringLiteral("0"));
+    }
+
+    void saysWhoseFactsTheyAreWhenThePictureIsBent() {
+        document::Document document;
+        document::Fractal fractal = maple();
+        document::plane(fractal)->cage =
+            ifs::ControlCage<2>{{{-4, -4}, {4, -4}, {4, 6}, {-4, 6}}, {{-4, -4}, {4, -4}, {8, 9}, {-4, 6}}};
+        document.setFile(document::fileOf(fractal));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
+        const auto labels = panel.findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisible() && label->text().startsWith(QStringLiteral("The cage bends"));
+        }));
+    }
+
+    void checkBoxesOutlineOnTheCanvas() {
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        panel.outlineBox(document::Outline::Hull)->click();
+        QTRY_VERIFY(bridge.analysis() && bridge.analysis()->shapes.size() == 1);
+        panel.outlineBox(document::Outline::FixedPoints)->click();
+        QTRY_COMPARE(bridge.analysis()->shapes.size(), std::size_t(5));
+        panel.hide(); // what is outlined still follows
+        document.edit(QStringLiteral("x"), document::sierpinskiTriangle());
+        QTRY_COMPARE(bridge.analysis()->shapes.size(), std::size_t(4));
+        panel.show();
+        panel.outlineBox(document::Outline::Hull)->click();
+        panel.outlineBox(document::Outline::FixedPoints)->click();
+        QTRY_VERIFY(bridge.analysis()->shapes.empty());
+        QVERIFY(document.undoStack()->count() == 1); // a state of the view
+    }
+
+    // On black and on white, with a halo of the other shade beside the line.
+    void outlinesAreSeenOnAnyPicture() {
+        for (const auto& background : {attractor::Rgba{0, 0, 0}, attractor::Rgba{255, 255, 255}}) {
+            view::AnalysisItem item;
+            attractor::Camera camera;
+            camera.width = camera.height = 100;
+            camera.pixelsPerUnit = 10;
+            camera.centre = {0, 0};
+            item.setView(camera);
+            const view::OverlayStyle style = view::overlayStyle(background, QPalette());
+            item.setStyle(style);
+            item.setShapes({{document::Outline::Box, {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}, {}}});
+            QVERIFY(item.boundingRect().contains(QRectF(20, 20, 60, 60)));
+            QImage image(100, 100, QImage::Format_ARGB32_Premultiplied);
+            image.fill(QColor(128, 128, 128));
+            QPainter painter(&image);
+            item.paint(&painter, nullptr, nullptr);
+            painter.end();
+            int darkest = 255, lightest = 0;
+            for (int x = 15; x < 25; ++x) {
+                const int grey = qGray(image.pixel(x, 50));
+                darkest = std::min(darkest, grey);
+                lightest = std::max(lightest, grey);
+            }
+            QVERIFY2(lightest - darkest > 80, qPrintable(QString::number(lightest - darkest)));
+            QCOMPARE(qGray(image.pixel(50, 50)), 128);
+        }
+    }
+
+    // The numbers of barycage-cli info, where the cage puts them.
+    void knowsASystemInSpace() {
+        document::Fractal fern = fernInSpace();
+        const auto facts = factsOf(fern);
+        QVERIFY(valueOf(facts, QStringLiteral("Attractor")).contains(QStringLiteral("hyperbolic")));
+        QVERIFY(valueOf(facts, QStringLiteral("Contraction")).startsWith(QStringLiteral("0.18  0.8559")));
+        QVERIFY(valueOf(facts, QStringLiteral("Fixed points")).startsWith(QStringLiteral("(0, 0, 0)  (0, ")));
+        QCOMPARE(valueOf(facts, QStringLiteral("Box")),
+                 QStringLiteral("[-1.6232, 1.6232] × [0, 7.9977] × [-4.999, 0]"));
+        QVERIFY(!valueOf(facts, QStringLiteral("Box error bound")).isEmpty());
+        QVERIFY(valueOf(facts, QStringLiteral("Box error bound")).toDouble() < 1e-6);
+        const QString simplex = valueOf(facts, QStringLiteral("Canonical simplex"));
+        QCOMPARE(simplex, QStringLiteral("(+, −, −), leg 10.3268, corner (-1.6232, 7.9977, 0)"));
+        QVERIFY(std::abs(valueOf(facts, QStringLiteral("Hull volume")).section(u' ', 0, 0).toDouble() -
+                         24.9516) < 1e-3);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull vertices")).toInt() > 100);
+        QCOMPARE(valueOf(facts, QStringLiteral("Covariance")).count(u','), 5);
+        for (const auto& fact : facts) {
+            QVERIFY2(fact.definition.size() > 40, qPrintable(fact.name));
+            QVERIFY(fact.name != QStringLiteral("Box-counting dimension"));
+        }
+        // Twice as high.
+        document::space(fern)->cage = ifs::ControlCage<3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                                          {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 1}}};
+        QCOMPARE(valueOf(factsOf(fern), QStringLiteral("Box")),
+                 QStringLiteral("[-1.6232, 1.6232] × [0, 15.9955] × [-4.999, 0]"));
+
+        document::Fractal tetrahedron;
+        document::System3 corners;
+        for (const auto& map : canonical::tetrahedron())
+            ifs::append(corners, map, 0.25);
+        tetrahedron.shape = document::Shape<3>{std::move(corners)};
+        const auto corner = factsOf(tetrahedron);
+        QVERIFY(valueOf(corner, QStringLiteral("Similarity dimension")).startsWith(QStringLiteral("2 (")));
+        QCOMPARE(valueOf(corner, QStringLiteral("Connectedness")), QStringLiteral("connected"));
+        QCOMPARE(valueOf(corner, QStringLiteral("Entropy")), QStringLiteral("1.3863"));
+        QCOMPARE(valueOf(corner, QStringLiteral("Joint spectral radius")), QStringLiteral("0.5"));
+    }
+
+    // The lines of the one do not stay among those of the other.
+    void goesFromThePlaneToSpaceAndBack() {
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        const auto shownNames = [&] {
+            QStringList names;
+            for (const auto* label : panel.findChildren<QLabel*>())
+                if (label->isVisible() && !label->accessibleName().isEmpty())
+                    names << label->accessibleName();
+            return names;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        const QStringList inThePlane = shownNames();
+        QVERIFY(inThePlane.contains(QStringLiteral("Hull area")));
+        document.setFile(document::fileOf(fernInSpace()));
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60000);
+        const QStringList inSpace = shownNames();
+        QVERIFY(inSpace.contains(QStringLiteral("Hull volume")));
+        QVERIFY(!inSpace.contains(QStringLiteral("Hull area")));
+        QCOMPARE(inSpace.size(), panel.facts().size());
+        panel.copyAll();
+        QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("Hull volume\t24.9")));
+        document.setFile(document::fileOf(maple()));
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QCOMPARE(shownNames(), inThePlane);
+    }
+
+private:
+    static QList<view::Fact> factsOf(const document::Fractal& fractal) {
+        document::Analyser analyser;
+        const auto analysis = analyser.completed(
+            analyser.begun({.fractal = std::make_shared<const document::Fractal>(fractal), .outlines = {}}),
+            {});
+        return view::analysisFacts(std::make_shared<const document::Analysis>(*analysis));
+    }
+    static QString valueOf(const QList<view::Fact>& facts, const QString& name) {
+        for (const auto& fact : facts)
+            if (fact.name == name) return fact.value;
+        return {};
+    }
+};
+
+QTEST_MAIN(AnalysisPanelTest)
+#include "analysis_panel_test.moc"

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "panels/appearance/appearance_colour_button.h"
+#include "panels/appearance/appearance_panel.h"
+#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/gradient_editor.h"
+#include "panels/appearance/gradient_preview.h"
+#include "panels/appearance/gradient_strip.h"
+#include "view/panels/maps_support.h"
+#include "widgets/number_field.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QToolButton>
+
+#include <memory>
+
+using namespace maps_support;
+using attractor::Appearance;
+
+class AppearancePanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_document = std::make_unique<document::Document>();
+        m_document->setFile(document::fileOf(maple()));
+        m_panel = std::make_unique<view::AppearancePanel>(m_document.get());
+        m_panel->show();
+        m_panel->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    }
+
+    void aSliderDragIsLiveAndOneStep() {
+        QSlider* slider = m_panel->brightness()->slider();
+        const double before = appearance().brightness;
+        slider->setSliderDown(true);
+        for (const int position : {300, 320, 350})
+            slider->setSliderPosition(position);
+        const double during = appearance().brightness;
+        QVERIFY(during > before);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        slider->setSliderDown(false);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(appearance().brightness, during);
+        m_document->undoStack()->undo();
+        QCOMPARE(appearance().brightness, before);
+        QCOMPARE(m_panel->brightness()->field()->value(), before);
+    }
+
+    void aRunOfArrowKeysIsOneStep() {
+        QSlider* slider = m_panel->gamma()->slider();
+        slider->setFocus();
+        for (int i = 0; i < 5; ++i)
+            QTest::keyClick(slider, Qt::Key_Right);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTRY_COMPARE(m_document->undoStack()->count(), 1);
+        QVERIFY(appearance().gamma > Appearance{}.gamma);
+    }
+
+    void undoDuringARunOfStepsMovesTheSliderBack() {
+        QSlider* slider = m_panel->gamma()->slider();
+        const int start = slider->value();
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+        QVERIFY(slider->value() > start);
+        QTRY_COMPARE(m_document->undoStack()->count(), 1);
+        QTest::keyClick(slider, Qt::Key_Right);
+        m_document->undoStack()->undo();
+        QCOMPARE(appearance().gamma, Appearance{}.gamma);
+        QCOMPARE(slider->value(), start);
+    }
+
+    // One that maps have by their place is not written down for that.
+    void theSameColourChosenAgainChangesNothing() {
+        const document::Fractal before = m_document->fractal();
+        const auto choose = [](QWidget* button, const QList<QColor>& tried) {
+            QTimer::singleShot(0, button, [&tried] {
+                auto* dialog = qobject_cast<QColorDialog*>(QApplication::activeModalWidget());
+                QVERIFY(dialog);
+                const QColor shown = dialog->currentColor();
+                for (const QColor& colour : tried)
+                    dialog->setCurrentColor(colour);
+                if (!tried.isEmpty()) dialog->setCurrentColor(shown);
+                dialog->accept();
+            });
+            QTest::mouseClick(button, Qt::LeftButton);
+        };
+        document::Fractal byMap = before;
+        byMap.appearance.colourBy = attractor::ColourBy::Map;
+        m_document->edit(QStringLiteral("x"), byMap);
+        const auto buttons = m_panel->findChildren<view::ColourButton*>();
+        QVERIFY(buttons.size() >= 4);
+        for (auto* button : buttons) {
+            if (!button->isVisible() || !button->isEnabled()) continue;
+            choose(button, {});
+            choose(button, {Qt::red, Qt::green});
+            QCOMPARE(m_document->undoStack()->count(), 1);
+            QVERIFY(m_document->fractal() == byMap);
+        }
+    }
+
+    void noFieldIsCutHoweverNarrow() {
+        for (const int points : {9, 15, 20}) {
+            QFont font = m_panel->font();
+            font.setPointSize(points);
+            m_panel->setFont(font);
+            QTest::qWait(20);
+            const int narrowest = m_panel->minimumSizeHint().width();
+            for (int width = narrowest; width < 2 * narrowest; width += 7) {
+                m_panel->resize(width, 600);
+                QTest::qWait(1);
+                const auto* box = m_panel->transparent();
+                QVERIFY2(box->width() >= box->minimumSizeHint().width(), qPrintable(QString::number(width)));
+                QVERIFY(box->geometry().right() <= m_panel->contentsRect().right());
+            }
+        }
+    }
+
+    void stopsAreEditedByMouse() {
+        openEditor();
+        view::GradientStrip* strip = m_panel->gradientEditor()->strip();
+        const auto stops = [this] { return appearance().palette.stops; };
+        const QPoint handle = strip->handleOf(3);
+        QTest::mousePress(strip, Qt::LeftButton, {}, handle);
+        QCOMPARE(strip->selected(), std::size_t{3});
+        const double before = stops()[3].position;
+        QTest::mouseMove(strip, handle + QPoint(6, 0));
+        QTest::mouseMove(strip, handle + QPoint(9, 2));
+        const double during = stops()[3].position;
+        QVERIFY(during > before);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTest::mouseRelease(strip, Qt::LeftButton, {}, handle + QPoint(9, 2));
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(stops()[3].position, during);
+        const QPoint between((strip->handleOf(5).x() + strip->handleOf(6).x()) / 2, 10);
+        QTest::mouseDClick(strip, Qt::LeftButton, {}, between);
+        QCOMPARE(stops().size(), std::size_t{10});
+        QCOMPARE(strip->selected(), std::size_t{6});
+        QTest::keyClick(strip, Qt::Key_Delete);
+        QCOMPARE(stops().size(), std::size_t{9});
+        QCOMPARE(m_document->undoStack()->count(), 3);
+        for (int i = 0; i < 3; ++i)
+            m_document->undoStack()->undo();
+        QVERIFY(appearance().palette == Appearance{}.palette);
+        QVERIFY(strip->gradient() == Appearance{}.palette);
+    }
+
+    void stopsAreEditedByKeys() {
+        openEditor();
+        view::GradientStrip* strip = m_panel->gradientEditor()->strip();
+        strip->setFocus();
+        QTest::keyClick(strip, Qt::Key_PageDown);
+        QCOMPARE(strip->selected(), std::size_t{1});
+        QVERIFY(strip->accessibleDescription().startsWith(QStringLiteral("Stop 2 of 9 at 8.4 %, #9c283d")));
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(strip, Qt::Key_Right);
+        QVERIFY(std::abs(appearance().palette.stops[1].position - 0.114) < 1e-9);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTest::keyClick(strip, Qt::Key_End); // ends the run
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QTest::keyClick(strip, Qt::Key_Right); // the last stop stays
+        QTest::keyClick(strip, Qt::Key_Delete);
+        QVERIFY(appearance().palette.stops.back() == Appearance{}.palette.stops.back());
+        QTest::keyClick(strip, Qt::Key_Insert);
+        QCOMPARE(appearance().palette.stops.size(), std::size_t{10});
+        QCOMPARE(strip->selected(), std::size_t{8});
+        QTest::keyClick(strip, Qt::Key_Left);
+        QTest::keyClick(strip, Qt::Key_Escape);
+        QCOMPARE(m_document->undoStack()->count(), 2);
+        m_panel->gradientEditor()->reverse();
+        m_panel->gradientEditor()->distribute();
+        QCOMPARE(m_document->undoStack()->count(), 4);
+        QCOMPARE(appearance().palette.stops[3].position, 1.0 / 3);
+        QCOMPARE(appearance().palette.stops.front().colour, Appearance{}.palette.stops.back().colour);
+    }
+
+    void palettesAreSavedAndLoaded() {
+        openEditor();
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("mine.gpl"));
+        QSignalSpy messages(m_panel.get(), &view::AppearancePanel::message);
+        m_panel->gradientEditor()->reverse();
+        const attractor::Palette reversed = appearance().palette;
+        m_panel->gradientEditor()->save(path);
+        QCOMPARE(messages.size(), 1);
+        m_document->undoStack()->undo();
+        m_panel->gradientEditor()->load(path);
+        QVERIFY(appearance().palette == reversed);
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Load the palette mine.gpl"));
+        const QString bad = folder.filePath(QStringLiteral("bad.map"));
+        QVERIFY(QFile(bad).open(QIODevice::WriteOnly));
+        m_panel->gradientEditor()->load(bad);
+        QCOMPARE(messages.size(), 2);
+        QVERIFY(messages.back().front().toString().startsWith(QStringLiteral("bad.map: ")));
+        QVERIFY(appearance().palette == reversed);
+    }
+
+    void aTypedGammaMustBePositive() {
+        view::NumberField* field = m_panel->gamma()->field();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("-1"));
+        QVERIFY(!field->problem().isEmpty());
+        QCOMPARE(appearance().gamma, Appearance{}.gamma);
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("1.5"));
+        QCOMPARE(appearance().gamma, 1.5);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+    }
+
+    void choicesAreSteps() {
+        choose(m_panel->colourBy(), 1);
+        QCOMPARE(appearance().colourBy, attractor::ColourBy::Map);
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Colour by: Map"));
+        choose(m_panel->gradient(), 1);
+        QVERIFY(appearance().palette == attractor::builtInPalettes()[1]);
+        choose(m_panel->supersampling(), 2);
+        QCOMPARE(appearance().supersample, 3);
+        m_panel->transparent()->click();
+        QCOMPARE(int(appearance().background.alpha), 0);
+        QCOMPARE(m_document->undoStack()->count(), 4);
+        m_panel->resetToDefault();
+        QVERIFY(appearance() == Appearance{});
+        for (int i = 0; i < 5; ++i)
+            m_document->undoStack()->undo();
+        QVERIFY(appearance() == Appearance{});
+        QCOMPARE(m_panel->colourBy()->currentIndex(), 0);
+    }
+
+    void aPaletteOfTheFileIsOffered() {
+        document::Fractal fractal = m_document->fractal();
+        fractal.appearance.palette = {"mine", {{0, {0, 0, 0, 255}}, {1, {255, 0, 0, 255}}}};
+        const int builtIn = m_panel->gradient()->count();
+        m_document->edit(QStringLiteral("palette"), fractal);
+        QCOMPARE(m_panel->gradient()->count(), builtIn + 1);
+        QCOMPARE(m_panel->gradient()->currentIndex(), builtIn);
+        m_document->undoStack()->undo();
+        QCOMPARE(m_panel->gradient()->currentIndex(), 0);
+    }
+
+    void aGradientIsPaintedFromEndToEnd() {
+        const attractor::Palette palette{"p", {{0, {0, 0, 0, 255}}, {1, {255, 255, 255, 255}}}};
+        const QImage image = view::gradientPixmap(palette, {100, 12}, 2).toImage();
+        QCOMPARE(image.size(), QSize(200, 24));
+        QVERIFY(image.pixelColor(4, 12).lightness() < 60);
+        QVERIFY(image.pixelColor(195, 12).lightness() > 240);
+        for (int x = 8; x < 192; x += 8)
+            QVERIFY(image.pixelColor(x, 12).lightness() >= image.pixelColor(x - 4, 12).lightness());
+    }
+
+private:
+    const Appearance& appearance() const { return m_document->fractal().appearance; }
+    void openEditor() {
+        m_panel->resize(400, 600);
+        m_panel->editGradient()->click();
+        QVERIFY(m_panel->gradientEditor()->isVisible());
+        QCoreApplication::processEvents();
+    }
+    static void choose(QComboBox* box, int index) {
+        box->setCurrentIndex(index);
+        emit box->activated(index);
+    }
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<view::AppearancePanel> m_panel;
+};
+
+QTEST_MAIN(AppearancePanelTest)
+#include "appearance_panel_test.moc"

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include "space/space_view.h"
+
+#include "attractor/request/orbit_navigation.h"
+#include "canvas/geometry/canvas_geometry.h"
+#include "document/space_geometry.h"
+
+#include <QtTest>
+
+#include <memory>
+
+using view::SpaceView;
+
+namespace {
+
+document::Fractal cubeOfEight() {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("cube");
+    document::Shape<3> cube;
+    for (int corner = 0; corner < 8; ++corner)
+        ifs::append<3>(cube.system,
+                       {0.5 * ifs::Matrix<3>::Identity(),
+                        ifs::Vector<3>((corner & 1) / 2.0, (corner >> 1 & 1) / 2.0, (corner >> 2) / 2.0)});
+    fractal.shape = cube;
+    return fractal;
+}
+
+struct Window {
+    document::Document document;
+    std::unique_ptr<view::SolidBridge> bridge;
+    std::unique_ptr<SpaceView> view;
+
+    Window() {
+        document.edit(QStringLiteral("Begin"), cubeOfEight());
+        document.undoStack()->clear();
+        bridge = std::make_unique<view::SolidBridge>(&document);
+        view = std::make_unique<SpaceView>(&document, bridge.get());
+        view->resize(600, 500);
+        view->show();
+        view->setFocus();
+    }
+
+    const attractor::OrbitCamera& camera() const { return view->navigation().camera(); }
+    QPoint handle(std::size_t vertex) const { return view->cageItem().handle(vertex).toPoint(); }
+    bool rests() const {
+        return QTest::qWaitFor([&] { return bridge->isCurrent(); }, 20000);
+    }
+    // As a hand does it: the motion in small steps, with keys pressed between them.
+    void send(QEvent::Type type, QPointF at, Qt::MouseButton button,
+              Qt::KeyboardModifiers modifiers = {}) const {
+        QWidget* viewport = view->viewport();
+        const Qt::MouseButton own = type == QEvent::MouseMove ? Qt::NoButton : button;
+        const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : button;
+        QMouseEvent event(type, at, viewport->mapToGlobal(at), own, held, modifiers);
+        QCoreApplication::sendEvent(viewport, &event);
+    }
+    void drag(const QPointF& from, const QPointF& to, Qt::MouseButton button = Qt::LeftButton,
+              Qt::KeyboardModifiers modifiers = {}) const {
+        send(QEvent::MouseButtonPress, from, button, modifiers);
+        for (int step = 1; step <= 10; ++step)
+            send(QEvent::MouseMove, from + (to - from) * step / 10, button, modifiers);
+        send(QEvent::MouseButtonRelease, to, button, modifiers);
+    }
+    std::vector<ifs::Vector<3>> vertices() const { return document::spaceCage(document.fractal())->current; }
+};
+
+int lightness(const QImage& image, const QPoint& at) {
+    return image.pixelColor(at).lightness();
+}
+
+} // namespace
+
+class SpaceViewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itShowsTheSolidInItsTetrahedron();
+    void anEmptyPlaceOrbits();
+    void theSolidOrbitsAboutThePointUnderThePointer();
+    void theRightButtonOrbitsOverHandles();
+    void aVertexIsDraggedInOneStep();
+    void escapeBringsItAllBack();
+    void keysLockAnAxis();
+    void theWheelZoomsAtThePointer();
+    void theBallLooksAlongAnAxis();
+    void theKeypadChoosesViews();
+    void aDoubleClickTakesThePointToTheMiddle();
+    void theKeyboardMovesAVertex();
+    void cursorsSayWhatCanBeHeld();
+    void squeezedFlatAndOpenedItIsTheSame();
+    void anotherEntryEndsADrag();
+};
+
+void SpaceViewTest::itShowsTheSolidInItsTetrahedron() {
+    Window window;
+    QVERIFY(window.rests());
+    const QImage picture = window.view->picture();
+    const auto at = [&](const ifs::Vector<3>& world) {
+        return view::toPoint(toScreen(window.bridge->camera(), world).pixel).toPoint();
+    };
+    QVERIFY(lightness(picture, at({0.5, 0.5, 0.5})) > 60);
+    QVERIFY(lightness(picture, at({1.5, 1.2, 0.2})) < 40); // in the tetrahedron, not in the cube
+    QCOMPARE(window.view->cageItem().count(), std::size_t(4));
+    for (std::size_t vertex = 0; vertex < 4; ++vertex) // fitted: all handles are in the view
+        QVERIFY(window.view->viewport()->rect().contains(window.handle(vertex)));
+    QCOMPARE(window.view->note(), QString());
+}
+
+void SpaceViewTest::anEmptyPlaceOrbits() {
+    Window window;
+    QVERIFY(window.rests());
+    const attractor::OrbitCamera before = window.camera();
+    window.drag({20, 480}, {120, 470});
+    const attractor::OrbitCamera after = window.camera();
+    QVERIFY(after.orientation.coeffs() != before.orientation.coeffs());
+    QVERIFY((after.target - before.target).norm() < 1e-9); // about the target
+    QCOMPARE(after.height, before.height);
+    QVERIFY(!window.document.isModified());
+}
+
+void SpaceViewTest::theSolidOrbitsAboutThePointUnderThePointer() {
+    Window window;
+    QVERIFY(window.rests());
+    const QPointF press = view::toPoint(toScreen(window.camera(), ifs::Vector<3>(1, 0.6, 0.6)).pixel);
+    const auto point = window.view->navigation().pointUnder(press);
+    QVERIFY(point.has_value());
+    QVERIFY((*point - ifs::Vector<3>(1, 0.6, 0.6)).norm() < 0.05); // on the face x = 1
+    window.drag(press, press + QPointF(60, 30));
+    QVERIFY((view::toPoint(toScreen(window.camera(), *point).pixel) - press).manhattanLength() < 1e-6);
+}
+
+void SpaceViewTest::theRightButtonOrbitsOverHandles() {
+    Window window;
+    QVERIFY(window.rests());
+    const auto before = window.camera().orientation.coeffs().eval();
+    const QPointF handle = window.handle(1);
+    window.drag(handle, handle + QPointF(50, 0), Qt::RightButton);
+    QVERIFY(window.camera().orientation.coeffs() != before);
+    QVERIFY(!window.document.isModified());
+}
+
+void SpaceViewTest::aVertexIsDraggedInOneStep() {
+    Window window;
+    QVERIFY(window.rests());
+    const auto before = window.vertices();
+    const QPointF handle = window.handle(2);
+    window.drag(handle, handle + QPointF(30, -20));
+    const auto after = window.vertices();
+    QCOMPARE(window.document.undoStack()->count(), 1);
+    QCOMPARE(window.document.undoStack()->text(0), QStringLiteral("Move Vertex 3"));
+    QVERIFY((view::toPoint(toScreen(window.camera(), after[2]).pixel) -
+             view::toPoint(toScreen(window.camera(), before[2]).pixel) - QPointF(30, -20))
+                .manhattanLength() < 1e-6);
+    for (const std::size_t other : {0, 1, 3})
+        QVERIFY(after[other] == before[other]);
+    QVERIFY(window.rests()); // the picture follows
+    window.document.undoStack()->undo();
+    QVERIFY(window.vertices() == before);
+    QVERIFY(!document::space(window.document.fractal())->cage);
+}
+
+void SpaceViewTest::escapeBringsItAllBack() {
+    Window window;
+    QVERIFY(window.rests());
+    const document::Fractal before = window.document.fractal();
+    const QPointF handle = window.handle(0);
+    window.send(QEvent::MouseButtonPress, handle, Qt::LeftButton);
+    window.send(QEvent::MouseMove, handle + QPointF(40, 40), Qt::LeftButton);
+    QVERIFY(!(window.document.fractal() == before));
+    QTest::keyClick(window.view.get(), Qt::Key_Escape);
+    QVERIFY(window.document.fractal() == before);
+    QCOMPARE(window.document.undoStack()->count(), 0);
+}
+
+void SpaceViewTest::keysLockAnAxis() {
+    Window window;
+    QVERIFY(window.rests());
+    const auto before = window.vertices();
+    const QPointF handle = window.handle(1);
+    view::SpacePosition shown;
+    connect(window.view.get(), &SpaceView::pointerMoved, this,
+            [&shown](const view::SpacePosition& position) { shown = position; });
+    window.send(QEvent::MouseButtonPress, handle, Qt::LeftButton);
+    QTest::keyClick(window.view.get(), Qt::Key_X);
+    window.send(QEvent::MouseMove, handle + QPointF(35, 25), Qt::LeftButton);
+    auto held = window.vertices()[1];
+    const view::AxisLock alongX{view::AxisLock::Kind::Axis, 0};
+    QVERIFY(shown.lock == alongX);
+    QCOMPARE(shown.world, held); // where the corner is, not the pointer
+    QTest::keyClick(window.view.get(), Qt::Key_Z, Qt::ControlModifier); // a shortcut, and no axis
+    QTest::keyClick(window.view.get(), Qt::Key_Y, Qt::AltModifier);
+    QVERIFY(shown.lock == alongX);
+    QCOMPARE(window.vertices()[1], held);
+    QVERIFY(held.x() != before[1].x());
+    QCOMPARE(held.y(), before[1].y());
+    QCOMPARE(held.z(), before[1].z());
+    QTest::keyClick(window.view.get(), Qt::Key_X, Qt::ShiftModifier); // in the plane across x
+    held = window.vertices()[1];
+    QCOMPARE(held.x(), before[1].x());
+    QVERIFY(held.y() != before[1].y());
+    QTest::keyClick(window.view.get(), Qt::Key_X, Qt::ShiftModifier); // free again
+    held = window.vertices()[1];
+    QVERIFY(held.x() != before[1].x() && held.y() != before[1].y());
+    window.send(QEvent::MouseButtonRelease, handle + QPointF(35, 25), Qt::LeftButton);
+    QVERIFY(shown.lock == view::AxisLock{});
+    QCOMPARE(window.document.undoStack()->count(), 1);
+}
+
+void SpaceViewTest::theWheelZoomsAtThePointer() {
+    Window window;
+    QVERIFY(window.rests());
+    const QPointF at(150, 120);
+    const ifs::Vector<3> seen = toWorld(window.camera(), {view::toVector(at), 0});
+    const double height = window.camera().height;
+    QWheelEvent wheel(at, window.view->viewport()->mapToGlobal(at), {}, {0, 240}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(window.view->viewport(), &wheel);
+    QVERIFY(window.camera().height < height);
+    QVERIFY((view::toPoint(toScreen(window.camera(), seen).pixel) - at).manhattanLength() < 1e-6);
+}
+
+void SpaceViewTest::theBallLooksAlongAnAxis() {
+    Window window;
+    QVERIFY(window.rests());
+    // Where the ball shows the end of an axis, a click looks along it; the next one from behind.
+    std::optional<QPoint> end;
+    for (int y = 0; y < 150 && !end; ++y)
+        for (int x = 400; x < 600 && !end; ++x)
+            if (window.view->ball().endAt(QPointF(x, y)) == view::AxisBall::End{1, true}) end = QPoint(x, y);
+    QVERIFY(end.has_value());
+    QTest::mouseClick(window.view->viewport(), Qt::LeftButton, {}, *end + QPoint(3, 6));
+    QTRY_VERIFY(view::AxisBall::looksFrom(window.camera(), {1, true}));
+    QTest::mouseClick(window.view->viewport(), Qt::LeftButton, {}, QPoint(600 - 64, 64)); // Y is in front
+    QTRY_VERIFY(view::AxisBall::looksFrom(window.camera(), {1, false}));
+}
+
+void SpaceViewTest::theKeypadChoosesViews() {
+    Window window;
+    QVERIFY(window.rests());
+    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers more = {}) {
+        QTest::keyClick(window.view.get(), key, Qt::KeypadModifier | more);
+    };
+    press(Qt::Key_3);
+    QTRY_VERIFY(view::AxisBall::looksFrom(window.camera(), {0, true}));
+    press(Qt::Key_1, Qt::ControlModifier);
+    QTRY_VERIFY(view::AxisBall::looksFrom(window.camera(), {2, false}));
+    QVERIFY(!window.view->navigation().isPerspective());
+    press(Qt::Key_5);
+    QVERIFY(window.view->navigation().isPerspective());
+    press(Qt::Key_7); // a view along an axis is orthographic until one orbits
+    QTRY_VERIFY(view::AxisBall::looksFrom(window.camera(), {1, true}));
+    QVERIFY(!window.view->navigation().isPerspective());
+    window.drag({20, 480}, {80, 400});
+    QVERIFY(window.view->navigation().isPerspective());
+}
+
+void SpaceViewTest::aDoubleClickTakesThePointToTheMiddle() {
+    Window window;
+    QVERIFY(window.rests());
+    const QPointF at = view::toPoint(toScreen(window.camera(), ifs::Vector<3>(1, 0.3, 0.6)).pixel);
+    const auto point = window.view->navigation().pointUnder(at);
+    QVERIFY(point.has_value());
+    QTest::mouseDClick(window.view->viewport(), Qt::LeftButton, {}, at.toPoint());
+    QTRY_VERIFY((window.camera().target - *point).norm() < 0.02);
+}
+
+void SpaceViewTest::theKeyboardMovesAVertex() {
+    Window window;
+    QVERIFY(window.rests());
+    const auto before = window.vertices();
+    QTest::keyClick(window.view.get(), Qt::Key_Tab);
+    QTest::keyClick(window.view.get(), Qt::Key_Tab);
+    QTest::keyClick(window.view.get(), Qt::Key_Right, Qt::ShiftModifier);
+    const auto after = window.vertices();
+    QVERIFY(after[0] == before[0]);
+    const ifs::Vector<2> moved =
+        toScreen(window.camera(), after[1]).pixel - toScreen(window.camera(), before[1]).pixel;
+    QVERIFY((moved - ifs::Vector<2>(10, 0)).norm() < 1e-6);
+    QVERIFY(window.view->accessibleDescription().contains(QStringLiteral("Vertex 2")));
+}
+
+void SpaceViewTest::cursorsSayWhatCanBeHeld() {
+    Window window;
+    QVERIFY(window.rests());
+    const QPointF handle = window.handle(3);
+    window.send(QEvent::MouseMove, {20, 480}, Qt::NoButton);
+    QCOMPARE(window.view->viewport()->cursor().shape(), Qt::CrossCursor);
+    window.send(QEvent::MouseMove, handle, Qt::NoButton);
+    QCOMPARE(window.view->viewport()->cursor().shape(), Qt::OpenHandCursor);
+    window.send(QEvent::MouseButtonPress, handle, Qt::LeftButton);
+    QCOMPARE(window.view->viewport()->cursor().shape(), Qt::ClosedHandCursor);
+    window.send(QEvent::MouseButtonRelease, handle, Qt::LeftButton);
+    QCOMPARE(window.view->viewport()->cursor().shape(), Qt::OpenHandCursor);
+}
+
+void SpaceViewTest::squeezedFlatAndOpenedItIsTheSame() {
+    Window window;
+    QVERIFY(window.rests());
+    const QImage before = window.view->picture();
+    const auto cage = *document::spaceCage(window.document.fractal());
+    auto flat = cage;
+    for (ifs::Vector<3>& vertex : flat.current)
+        vertex.z() = 0;
+    window.document.edit(QStringLiteral("Squeeze"),
+                         document::withSpaceCageMoved(window.document.fractal(), flat));
+    QVERIFY(window.rests());
+    QVERIFY(!window.view->note().isEmpty()); // and it says so
+    window.document.edit(QStringLiteral("Open"),
+                         document::withSpaceCageMoved(window.document.fractal(), cage));
+    QVERIFY(window.rests());
+    QVERIFY(window.view->picture() == before); // to the bit
+    QCOMPARE(window.view->note(), QString());
+}
+
+void SpaceViewTest::anotherEntryEndsADrag() {
+    Window window;
+    QVERIFY(window.rests());
+    const QPointF handle = window.handle(0);
+    window.send(QEvent::MouseButtonPress, handle, Qt::LeftButton);
+    window.send(QEvent::MouseMove, handle + QPointF(40, 40), Qt::LeftButton);
+    window.document.setFile(document::FractalFile());
+    window.send(QEvent::MouseMove, handle + QPointF(60, 40), Qt::LeftButton);
+    window.send(QEvent::MouseButtonRelease, handle, Qt::LeftButton);
+    QVERIFY(!window.document.isModified());
+    QTRY_VERIFY(window.view->picture().isNull());
+}
+
+QTEST_MAIN(SpaceViewTest)
+#include "space_view_test.moc"

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_view.h"
+#include "document/edits/live_edit.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QSpinBox;
+class QStackedWidget;
+
+namespace view {
+
+// The options of the tools that take maps and branches: how deep a branch is and what changing
+// it changes, and a slider that lets the selected maps swing about their roots.
+class BranchBar : public QWidget {
+    Q_OBJECT
+
+public:
+    BranchBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
+
+    QSpinBox* depth() const { return m_depth; }
+    QComboBox* edit() const { return m_edit; }
+    QPushButton* putBackButton() const { return m_putBack; } // there when a branch is moved
+    QSlider* swing() const { return m_swing; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QWidget* makeBranch();
+    QWidget* makeSwing();
+    void follow();
+    void takeFocusFrom(const QWidget* part); // that is about to be hidden, for the canvas
+    void showRow(QWidget* row);
+    ifs::Word branch() const; // that is selected
+    void putBack();           // it, where it is moved; else all branches
+    void swingTo(int degrees);
+    void endSwing();
+    void centre();
+
+    document::Document* m_document;
+    CanvasView* m_canvas;
+    QStackedWidget* m_rows = nullptr;
+    QWidget* m_branchRow = nullptr;
+    QWidget* m_swingRow = nullptr;
+    QSpinBox* m_depth = nullptr;
+    QLabel* m_address = nullptr;
+    QComboBox* m_edit = nullptr;
+    QPushButton* m_putBack = nullptr;
+    QSlider* m_swing = nullptr;
+    QLabel* m_angle = nullptr;
+    document::LiveEdit m_swinging;
+};
+
+} // namespace view

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "bars/tool_options_bar.h"
+
+#include "bars/branch_bar.h"
+#include "widgets/elided_label.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+
+namespace view {
+
+ToolOptionsBar::ToolOptionsBar(document::Document* document, CanvasView* canvas, QWidget* parent)
+    : QStackedWidget(parent), m_canvas(canvas), m_branches(new BranchBar(document, canvas, this)) {
+    setAccessibleName(tr("Tool options"));
+    addWidget(m_branches);
+    m_cage = addHint(tr("Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  "
+                        "Shift keeps directions  ·  double-click an edge for a new vertex"));
+    m_define = addHint(tr("Click the three corners of the new triangle.  Backspace takes a corner back  ·  "
+                          "Esc cancels"));
+    m_space = addHint(tr("Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt "
+                         "scales  ·  drag anywhere else to turn the view"));
+    connect(canvas, &CanvasView::toolChanged, this, &ToolOptionsBar::follow);
+    follow();
+}
+
+QWidget* ToolOptionsBar::addHint(const QString& text) {
+    auto* page = new QWidget(this);
+    auto* label = new ElidedLabel(page);
+    label->setText(text);
+    label->setToolTip(text);
+    auto* layout = new QHBoxLayout(page);
+    layout->setContentsMargins(8, 4, 8, 4);
+    layout->addWidget(label);
+    addWidget(page);
+    return page;
+}
+
+QString ToolOptionsBar::hint() const {
+    const auto* label = currentWidget()->findChild<ElidedLabel*>();
+    return label ? label->text() : QString();
+}
+
+void ToolOptionsBar::setSpace(bool isSpace) {
+    m_isSpace = isSpace;
+    follow();
+}
+
+void ToolOptionsBar::follow() {
+    using Tool = CanvasView::Tool;
+    const Tool tool = m_canvas->tool();
+    QWidget* page = tool == Tool::Cage ? m_cage : tool == Tool::DefineTriangle ? m_define : m_branches;
+    if (m_isSpace) page = m_space;
+    if (page == currentWidget()) return;
+    const QWidget* focused = QApplication::focusWidget();
+    if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // else any other field gets it
+    setCurrentWidget(page);
+}
+
+} // namespace view

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/canvas_view.h"
+
+#include <QStackedWidget>
+
+namespace view {
+
+class BranchBar;
+
+// One row under the canvas with the options of the tool that is chosen, or what it does where it has none. It
+// keeps its height whatever the tool, so that the picture stays where it is.
+class ToolOptionsBar : public QStackedWidget {
+    Q_OBJECT
+
+public:
+    ToolOptionsBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
+
+    void setSpace(bool isSpace); // the window into space is shown, which has one tool
+    QString hint() const;        // what is said of a tool without options; empty for the others
+
+private:
+    QWidget* addHint(const QString& text);
+    void follow();
+
+    CanvasView* m_canvas;
+    bool m_isSpace = false;
+    BranchBar* m_branches;
+    QWidget* m_cage;
+    QWidget* m_define;
+    QWidget* m_space;
+};
+
+} // namespace view

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "bars/zoom_box.h"
+
+#include "canvas/canvas_view.h"
+#include "widgets/number_text.h"
+
+#include <QAbstractItemView>
+#include <QLineEdit>
+
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+constexpr double maxPlain = 1e5; // percent
+
+} // namespace
+
+ZoomBox::ZoomBox(CanvasView* canvas, QWidget* parent) : QComboBox(parent), m_canvas(canvas) {
+    setEditable(true);
+    setInsertPolicy(NoInsert);
+    setCompleter(nullptr);
+    setAccessibleName(tr("Zoom"));
+    setToolTip(
+        tr("Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose."));
+    addItem(tr("Fit"));
+    for (const double factor : {0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0, 1000.0})
+        addItem(textOf(factor), factor);
+    setMinimumContentsLength(11);
+    setFrame(false);
+    view()->setMinimumWidth(view()->sizeHintForColumn(0) + 24);
+    connect(this, &QComboBox::activated, this, &ZoomBox::choose);
+    connect(lineEdit(), &QLineEdit::returnPressed, this, &ZoomBox::takeText);
+    connect(lineEdit(), &QLineEdit::editingFinished, this, &ZoomBox::showZoom);
+    connect(&canvas->navigation(), &CanvasNavigation::cameraChanged, this, &ZoomBox::showZoom);
+    showZoom();
+}
+
+QString ZoomBox::textOf(double factor) {
+    const double percent = 100 * factor;
+    if (percent >= maxPlain || percent < 0.01) return tr("%1 %").arg(QString::number(percent, 'g', 3));
+    return tr("%1 %").arg(shortNumber(QString::number(percent, 'g', percent < 1000 ? 3 : 4).toDouble()));
+}
+
+void ZoomBox::choose(int index) {
+    if (index == 0)
+        m_canvas->fit();
+    else if (const double factor = itemData(index).toDouble(); factor > 0)
+        m_canvas->navigation().setZoom(factor);
+    m_canvas->setFocus();
+    showZoom();
+}
+
+// With or without the percent sign; what is no number changes nothing.
+void ZoomBox::takeText() {
+    const auto percent = typedNumber(QString(lineEdit()->text()).remove(u'%').trimmed());
+    if (percent && *percent > 0) m_canvas->navigation().setZoom(*percent / 100);
+    m_canvas->setFocus();
+    showZoom();
+}
+
+void ZoomBox::showZoom() {
+    if (lineEdit()->hasFocus() && lineEdit()->isModified()) return; // being typed
+    const QSignalBlocker blocker(this);
+    setCurrentIndex(-1);
+    lineEdit()->setText(textOf(m_canvas->navigation().zoom()));
+}
+
+} // namespace view

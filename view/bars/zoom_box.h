@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QComboBox>
+
+namespace view {
+
+class CanvasView;
+
+// Shows the zoom of the canvas in percent, 100 % being a hundred pixels a unit of the plane; takes another by
+// typing, or one of the list, or that at which the attractor fits.
+class ZoomBox : public QComboBox {
+    Q_OBJECT
+
+public:
+    explicit ZoomBox(CanvasView* canvas, QWidget* parent = nullptr);
+
+    static QString textOf(double factor); // 1: "100 %"
+
+private:
+    void choose(int index);
+    void takeText();
+    void showZoom();
+
+    CanvasView* m_canvas;
+};
+
+} // namespace view

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/render_thread.h"
+#include "attractor/render/renderer.h"
+#include "attractor/request/camera.h"
+#include "document/document.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+namespace view {
+
+// The only place that knows both the document and the render thread: every change of the document or the
+// camera becomes a request, every finished frame a signal in the GUI thread.
+class RenderBridge : public QObject {
+    Q_OBJECT
+
+public:
+    explicit RenderBridge(document::Document* document, QObject* parent = nullptr);
+    ~RenderBridge() override;
+
+    void setCamera(const attractor::Camera& camera); // in device pixels; nothing is drawn before the first
+    const attractor::Camera& camera() const { return m_camera; }
+
+    // Samples to which a picture at rest is refined.
+    void setQuality(std::uint64_t samples);
+    std::uint64_t quality() const { return m_quality; }
+
+    // What is drawn of the fractal: its density, refined while at rest; Wⁿ of the cage at rest; or exactly so
+    // many points of the chaos game.
+    void showDensity();
+    void showSteps(int iterations);
+    void showChaosGame(std::uint64_t points, std::uint64_t seed);
+
+    // nullptr before the first, and while the entry is not a system of the plane.
+    std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
+    bool isCurrent() const; // whether the frame shows the document and the camera as they are now
+
+    // Samples in the first pass of a frame during a gesture: what this machine does in one sixtieth of a
+    // second.
+    std::uint64_t liveSamples() const { return m_liveSamples; }
+    void fixLiveSamples(std::uint64_t samples); // whatever that takes; for measuring
+
+signals:
+    void frameChanged();
+
+private:
+    // Whether brightness keeps its meaning from the frame before.
+    enum class Exposing { Kept, Eased, Measured };
+
+    enum class Haste {
+        Now,    // an older request is abandoned
+        InTurn, // one of many: when the frame under way has come, so that a stream of changes starves no
+                // frame
+    };
+
+    struct Shown {
+        attractor::Algorithm algorithm = attractor::Algorithm::Density;
+        int iterations = 0;
+        std::uint64_t points = 0;
+        std::uint64_t seed = 1;
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+
+    void show(const Shown& shown);
+    void follow(const document::Change& change);
+    void request(Haste haste);
+    void submit();
+    void takeFrame();
+    void adaptBudget(const attractor::Frame& frame);
+
+    document::Document* m_document;
+    attractor::Camera m_camera;
+    std::shared_ptr<const attractor::Frame> m_frame;
+    Shown m_shown;
+    std::uint64_t m_shownFrom = 1; // requests since this revision ask for it
+    std::uint64_t m_quality = 200'000'000;
+    std::uint64_t m_liveSamples = 4'000'000;
+    std::uint64_t m_requested = 0;    // revision of the newest request
+    std::uint64_t m_measuredFrom = 1; // requests since this revision share their exposure
+    Exposing m_exposing = Exposing::Measured;
+    bool m_adapting = true; // m_liveSamples follows the machine
+    bool m_live = false;
+    bool m_waiting = false; // a request takes its turn
+    QTimer m_underWay;      // runs until the first frame of the newest request, or until patience ends
+    std::unique_ptr<attractor::RenderThread> m_thread; // last: stops before the rest goes
+};
+
+} // namespace view

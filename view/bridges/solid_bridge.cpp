@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "bridges/solid_bridge.h"
+
+#include "attractor/threads/hardware_threads.h"
+#include "document/space_geometry.h"
+
+#include <utility>
+
+namespace view {
+
+SolidBridge::SolidBridge(document::Document* document, QObject* parent)
+    : QObject(parent), m_document(document), m_thread(std::make_unique<attractor::SolidThread>([this] {
+          QMetaObject::invokeMethod(this, &SolidBridge::takeFrame, Qt::QueuedConnection);
+      })) {
+    connect(document, &document::Document::changed, this, &SolidBridge::follow);
+}
+
+SolidBridge::~SolidBridge() = default;
+
+void SolidBridge::setCamera(const attractor::OrbitCamera& camera, bool isMoving) {
+    if (camera == m_camera) return;
+    m_camera = camera;
+    request(isMoving);
+}
+
+bool SolidBridge::isCurrent() const {
+    return m_frame && m_frame->revision == m_requested && m_frame->step == 1;
+}
+
+void SolidBridge::follow(const document::Change& change) {
+    using document::Change;
+    if (change.parts & (Change::System | Change::Cage | Change::Appearance | Change::Current | Change::File))
+        request(change.live);
+}
+
+void SolidBridge::request(bool isLive) {
+    const document::Fractal& fractal = m_document->fractal();
+    ++m_requested;
+    if (!document::space(fractal)) {
+        m_thread->cancel();
+        if (std::exchange(m_frame, nullptr)) emit frameChanged();
+        return;
+    }
+    if (!attractor::isUsable(m_camera)) return;
+    attractor::SpaceRequest request = document::spaceRequest(fractal, m_camera);
+    request.revision = m_requested;
+    request.threads = attractor::hardwareThreads();
+    m_thread->submit({std::move(request), document::solidAppearance(fractal), isLive});
+}
+
+void SolidBridge::takeFrame() {
+    auto frame = m_thread->newestFrame();
+    if (!frame || frame == m_frame || !document::space(m_document->fractal())) return;
+    m_frame = std::move(frame);
+    emit frameChanged();
+}
+
+} // namespace view

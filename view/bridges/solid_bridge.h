@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/solid_thread.h"
+#include "document/document.h"
+
+#include <QObject>
+
+#include <memory>
+
+namespace view {
+
+// What RenderBridge is for the plane: every change of a fractal in space or of the camera becomes a request,
+// every finished picture a signal in the GUI thread.
+class SolidBridge : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SolidBridge(document::Document* document, QObject* parent = nullptr);
+    ~SolidBridge() override;
+
+    // In device pixels; nothing is drawn before the first. `isMoving`: a hand turns it, more is to come.
+    void setCamera(const attractor::OrbitCamera& camera, bool isMoving);
+    const attractor::OrbitCamera& camera() const { return m_camera; }
+
+    // nullptr before the first, and while the entry is not in space.
+    std::shared_ptr<const attractor::SolidFrame> frame() const { return m_frame; }
+    bool isCurrent() const; // whether the frame is exact and shows the document and the camera as they are
+
+signals:
+    void frameChanged();
+
+private:
+    void follow(const document::Change& change);
+    void request(bool isLive);
+    void takeFrame();
+
+    document::Document* m_document;
+    attractor::OrbitCamera m_camera;
+    std::shared_ptr<const attractor::SolidFrame> m_frame;
+    std::uint64_t m_requested = 0;                    // revision of the newest request
+    std::unique_ptr<attractor::SolidThread> m_thread; // last: stops before the rest goes
+};
+
+} // namespace view

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_input.h"
+
+#include "widgets/arrow_keys.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
+#include <QTouchEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+constexpr double keyZoom = 1.25;
+constexpr double keyPan = 40; // pixels
+constexpr int notch = 120;    // of a wheel, in eighths of a degree
+
+double wheelFactor(const QWheelEvent& event) {
+    // A touchpad reports pixels, a wheel eighths of a degree: one notch is 120 of them, fine wheels send
+    // parts of it.
+    if (!event.pixelDelta().isNull()) return std::exp2(event.pixelDelta().y() / 240.0);
+    // With Alt held some platforms turn the wheel sideways.
+    const int angle = event.angleDelta().y() != 0 ? event.angleDelta().y() : event.angleDelta().x();
+    return std::exp2(angle / 480.0);
+}
+
+Qt::KeyboardModifier modifierOf(int key) {
+    switch (key) {
+    case Qt::Key_Shift:
+        return Qt::ShiftModifier;
+    case Qt::Key_Control:
+        return Qt::ControlModifier;
+    case Qt::Key_Alt:
+        return Qt::AltModifier;
+    default:
+        return Qt::NoModifier;
+    }
+}
+
+} // namespace
+
+bool CanvasInput::needsKey(const QKeyEvent& event) const {
+    return !arrowDirection(event.key()).isNull() || event.key() == Qt::Key_Space ||
+           (event.key() == Qt::Key_Backspace && m_tools.tool() == Toolbox::Tool::DefineTriangle);
+}
+
+bool CanvasInput::gesture(const QNativeGestureEvent& event) {
+    if (event.gestureType() == Qt::ZoomNativeGesture)
+        m_navigation.zoomAt(event.position(), std::max(0.1, 1 + event.value()));
+    else if (event.gestureType() == Qt::SmartZoomNativeGesture)
+        m_navigation.fit();
+    else
+        return false;
+    return true;
+}
+
+// One finger does what the left button does, two hold the plane. A touchpad is left to the mouse it moves.
+bool CanvasInput::touch(const QTouchEvent& event) {
+    if (event.pointingDevice()->type() != QInputDevice::DeviceType::TouchScreen) return false;
+    const QList<QEventPoint>& points = event.points();
+    m_pointer = {points.front().position(), event.modifiers(), Reach::Touch};
+    if (points.size() >= 2 && !m_pinch.isActive()) {
+        if (m_tools.polygonTool()) m_tools.active().cancel();
+        m_pinch.press(m_navigation.camera(), points[0].position(), points[1].position());
+        return true;
+    }
+    switch (event.type()) {
+    case QEvent::TouchBegin:
+        m_holding = Holding::Tool;
+        m_tools.active().press(m_pointer);
+        break;
+    case QEvent::TouchUpdate:
+        if (!m_pinch.isActive()) {
+            m_tools.active().move(m_pointer);
+            reportPointer();
+        } else if (points.size() >= 2) {
+            m_navigation.moveTo(m_pinch.cameraAt(points[0].position(), points[1].position()));
+        }
+        break;
+    case QEvent::TouchCancel:
+        if (m_tools.polygonTool()) m_tools.active().cancel();
+        [[fallthrough]];
+    default:
+        m_pinch.release();
+        m_holding = Holding::Nothing;
+        m_tools.active().release(m_pointer);
+        m_tools.active().leave();
+        break;
+    }
+    return true;
+}
+
+void CanvasInput::turnWheel(const QWheelEvent& event) {
+    if (m_tools.tool() == Toolbox::Tool::Branch && event.modifiers().testFlag(Qt::ShiftModifier)) {
+        m_wheelTurned += event.angleDelta().y() + event.angleDelta().x();
+        BranchTool& tool = m_tools.branchTool();
+        tool.setDepth(tool.depth() + m_wheelTurned / notch);
+        m_wheelTurned %= notch;
+        return;
+    }
+    m_navigation.zoomAt(event.position(), wheelFactor(event));
+}
+
+void CanvasInput::reportAt(const QPointF& position) {
+    PointerPosition pointer = pointerPosition(m_scene, position);
+    if (!isHolding()) findAddress(pointer, m_scene, m_tools.branchTool().depth());
+    emit pointerMoved(pointer);
+}
+
+QCursor CanvasInput::cursor() const {
+    if (m_holding == Holding::Plane) return Qt::ClosedHandCursor;
+    if (m_spaceHeld && !isHolding()) return Qt::OpenHandCursor;
+    return m_tools.active().cursor(m_pointer);
+}
+
+void CanvasInput::press(const QMouseEvent& event) {
+    m_pointer = {event.position(), event.modifiers(), Reach::Mouse};
+    if (isHolding()) return;
+    const bool left = event.button() == Qt::LeftButton;
+    if (event.button() == Qt::MiddleButton || (left && m_spaceHeld)) {
+        m_pan.press(m_navigation.camera(), event.position());
+        m_holding = Holding::Plane;
+    } else if (left) {
+        m_holding = Holding::Tool;
+        m_tools.active().press(m_pointer);
+    }
+    emit cursorChanged();
+}
+
+void CanvasInput::handleDoubleClick(const QMouseEvent& event) {
+    const CanvasPart part = m_scene.partAt(event.position(), Reach::Mouse);
+    if (event.button() == Qt::LeftButton && !m_spaceHeld && m_tools.tool() == Toolbox::Tool::Cage &&
+        part.kind == CanvasPart::Kind::Edge)
+        m_tools.cageTool().insertVertexAt(part.index, event.position());
+    press(event);
+}
+
+void CanvasInput::move(const QMouseEvent& event) {
+    m_pointer = {event.position(), event.modifiers(), Reach::Mouse};
+    if (m_holding == Holding::Plane)
+        m_navigation.moveTo(m_pan.cameraAt(event.position()));
+    else
+        m_tools.active().move(m_pointer);
+    reportPointer();
+    emit cursorChanged();
+}
+
+void CanvasInput::release(const QMouseEvent& event) {
+    m_pointer = {event.position(), event.modifiers(), Reach::Mouse};
+    const bool left = event.button() == Qt::LeftButton;
+    if (m_holding == Holding::Plane && (left || event.button() == Qt::MiddleButton)) {
+        m_pan.release();
+        m_holding = Holding::Nothing;
+    } else if (m_holding == Holding::Tool && left) {
+        m_holding = Holding::Nothing;
+        m_tools.active().release(m_pointer);
+    }
+    emit cursorChanged();
+}
+
+void CanvasInput::leave() {
+    m_tools.active().leave();
+    emit pointerLeft();
+}
+
+bool CanvasInput::cancelGesture() {
+    if (m_holding == Holding::Plane) {
+        m_navigation.setCamera(m_pan.before());
+        m_pan.release();
+        m_holding = Holding::Nothing;
+        emit cursorChanged();
+        return true;
+    }
+    if (!m_tools.active().isBusy() && m_tools.polygonTool()) return false;
+    return m_tools.active().cancel();
+}
+
+void CanvasInput::updateModifiers(Qt::KeyboardModifiers modifiers) {
+    m_pointer.modifiers = modifiers;
+    if (m_holding == Holding::Tool) m_tools.active().move(m_pointer);
+}
+
+bool CanvasInput::pressKey(const QKeyEvent& event) {
+    if (const Qt::KeyboardModifier modifier = modifierOf(event.key()); modifier != Qt::NoModifier) {
+        updateModifiers(event.modifiers() | modifier);
+        return true;
+    }
+    if (event.key() == Qt::Key_Space && !event.isAutoRepeat()) {
+        m_spaceHeld = true;
+        emit cursorChanged();
+        return true;
+    }
+    return m_tools.active().keyPress(event) || canvasKey(event);
+}
+
+// Whether the key means something to the canvas whatever the tool.
+bool CanvasInput::canvasKey(const QKeyEvent& event) {
+    if (const QPointF way = -arrowDirection(event.key()); !way.isNull()) {
+        m_navigation.pan(way * (event.modifiers().testFlag(Qt::ShiftModifier) ? 5 * keyPan : keyPan));
+        return true;
+    }
+    if (event.key() == Qt::Key_Escape) {
+        if (cancelGesture()) return true;
+        const bool focused = m_scene.selection().focused().kind != CanvasPart::Kind::None;
+        m_scene.selection().setFocused({});
+        return focused;
+    }
+    if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+    switch (event.key()) {
+    case Qt::Key_Space:
+        return true;
+    case Qt::Key_F:
+        m_navigation.fit();
+        return true;
+    case Qt::Key_1:
+        m_navigation.resetZoom();
+        return true;
+    case Qt::Key_H:
+        m_options.setOverlaysVisible(!m_options.overlaysVisible());
+        return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        m_navigation.zoomBy(keyZoom);
+        return true;
+    case Qt::Key_Minus:
+        m_navigation.zoomBy(1 / keyZoom);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool CanvasInput::releaseKey(const QKeyEvent& event) {
+    bool isOurs = true;
+    if (const Qt::KeyboardModifier modifier = modifierOf(event.key()); modifier != Qt::NoModifier)
+        updateModifiers(event.modifiers() & ~Qt::KeyboardModifiers(modifier));
+    else if (event.key() == Qt::Key_Space && !event.isAutoRepeat())
+        m_spaceHeld = false;
+    else
+        isOurs = m_tools.active().keyRelease(event);
+    emit cursorChanged();
+    return isOurs;
+}
+
+void CanvasInput::loseFocus() {
+    m_spaceHeld = false;
+    emit cursorChanged();
+}
+
+} // namespace view

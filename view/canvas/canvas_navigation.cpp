@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_navigation.h"
+
+#include "bridges/render_bridge.h"
+#include "canvas/geometry/canvas_geometry.h"
+#include "document/fractal.h"
+#include "io/file/background.h"
+
+#include <QWidget>
+
+#include <chrono>
+
+namespace view {
+
+namespace {
+
+constexpr double unitPixels = 100; // of one unit of the plane at 100 %
+constexpr double fitMargin = 0.09;
+constexpr double minShare = 0.5;         // of the size that the attractor has alone
+constexpr std::size_t manyMaps = 10'000; // their extent may take longer than a window may be busy
+constexpr std::chrono::milliseconds fitPatience{12};
+
+} // namespace
+
+CanvasNavigation::CanvasNavigation(CanvasScene& scene, RenderBridge& bridge, const QWidget& viewport)
+    : m_scene(scene), m_bridge(bridge), m_viewport(viewport) {
+    connect(&m_extent, &QFutureWatcherBase::finished, this, [this] {
+        if (m_isFitted && m_extent.future().resultCount() > 0) fitTo(m_extent.result());
+    });
+}
+
+void CanvasNavigation::setCamera(const attractor::Camera& camera) {
+    const double ratio = m_viewport.devicePixelRatioF();
+    const attractor::Camera shown = withinDepth(camera);
+    m_scene.setView(shown, ratio);
+    if (shown.width > 0 && shown.height > 0) m_bridge.setCamera(deviceCamera(shown, ratio));
+    emit cameraChanged();
+}
+
+void CanvasNavigation::moveTo(const attractor::Camera& camera) {
+    m_isFitted = false;
+    setCamera(camera);
+}
+
+void CanvasNavigation::adoptViewport() {
+    attractor::Camera adopted = camera();
+    adopted.width = m_viewport.width();
+    adopted.height = m_viewport.height();
+    setCamera(adopted);
+    if (m_isFitted) fit();
+}
+
+void CanvasNavigation::fit() {
+    using Extent = std::optional<document::Box>;
+    m_isFitted = true;
+    m_extent.setFuture({});
+    const auto fractal = m_scene.document().currentEntry().fractal;
+    const document::System2* system = document::system2(*fractal);
+    if (!system || system->maps.size() < manyMaps) return fitTo(document::displayedBox(*fractal));
+    const QFuture<Extent> extent = io::inBackground<Extent>(
+        [fractal](QPromise<Extent>& promise) { promise.addResult(document::displayedBox(*fractal)); });
+    if (io::finishesWithin(fitPatience, extent) && extent.resultCount() > 0) // most often it is known
+        fitTo(extent.result());
+    else
+        m_extent.setFuture(extent);
+}
+
+void CanvasNavigation::fitTo(const std::optional<document::Box>& attractor) {
+    std::optional<document::Box> all = attractor;
+    if (const auto& cage = m_scene.handles().cage())
+        for (const ifs::Vector<2>& vertex : cage->current) {
+            if (!all) all = document::Box{vertex, vertex};
+            all->min = all->min.cwiseMin(vertex);
+            all->max = all->max.cwiseMax(vertex);
+        }
+    if (!all) all = document::Box{ifs::Vector<2>(-1, -1), ifs::Vector<2>(1, 1)};
+    attractor::Camera fitted = attractor::fitted(camera(), all->min, all->max, fitMargin);
+    if (attractor) {
+        const attractor::Camera alone =
+            attractor::fitted(camera(), attractor->min, attractor->max, fitMargin);
+        if (fitted.pixelsPerUnit < minShare * alone.pixelsPerUnit) fitted = alone;
+    }
+    setCamera(fitted);
+}
+
+void CanvasNavigation::zoomAt(const QPointF& position, double factor) {
+    moveTo(attractor::zoomedAt(camera(), toVector(position), factor));
+    emit zoomed(position);
+}
+
+void CanvasNavigation::zoomBy(double factor) {
+    zoomAt(QPointF(m_viewport.width() / 2.0, m_viewport.height() / 2.0), factor);
+}
+
+double CanvasNavigation::zoom() const {
+    return camera().pixelsPerUnit / unitPixels;
+}
+
+void CanvasNavigation::setZoom(double factor) {
+    attractor::Camera zoomed = camera();
+    zoomed.pixelsPerUnit = factor * unitPixels;
+    moveTo(zoomed);
+}
+
+void CanvasNavigation::resetZoom() {
+    setZoom(1);
+}
+
+void CanvasNavigation::pan(const QPointF& pixels) {
+    moveTo(attractor::panned(camera(), toVector(pixels)));
+}
+
+void CanvasNavigation::setYAxis(attractor::YAxis yAxis) {
+    attractor::Camera turned = camera();
+    turned.yAxis = yAxis;
+    setCamera(turned);
+}
+
+} // namespace view

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "canvas/scene/canvas_scene.h"
+#include "document/fractal_geometry.h"
+
+#include <QFutureWatcher>
+
+#include <optional>
+
+namespace view {
+
+class RenderBridge;
+
+// Where the canvas looks: sets the camera of the scene and of the picture. Zooming knows no limit but that of
+// the numbers.
+class CanvasNavigation : public QObject {
+    Q_OBJECT
+
+public:
+    CanvasNavigation(CanvasScene& scene, RenderBridge& bridge, const QWidget& viewport);
+
+    const attractor::Camera& camera() const { return m_scene.camera(); }
+    void setCamera(const attractor::Camera& camera);
+    void moveTo(const attractor::Camera& camera); // by the user: it stays so when the window changes its size
+    void adoptViewport();                         // its size and pixel ratio
+
+    // The attractor into the view, and the cage where that makes the attractor hardly smaller. That of many
+    // maps may come into view a little later.
+    void fit();
+    bool isFitted() const { return m_isFitted; }
+    void zoomBy(double factor); // about the middle
+    void zoomAt(const QPointF& position, double factor);
+    double zoom() const;         // 1: one unit of the plane is a hundred pixels
+    void setZoom(double factor); // about the middle
+    void resetZoom();            // 100 %: one unit of the plane is a hundred pixels; the middle stays
+    void pan(const QPointF& pixels);
+    void setYAxis(attractor::YAxis yAxis);
+    attractor::YAxis yAxis() const { return camera().yAxis; }
+
+signals:
+    void cameraChanged();
+    void zoomed(const QPointF& position); // about it, in pixels
+
+private:
+    void fitTo(const std::optional<document::Box>& attractor);
+
+    CanvasScene& m_scene;
+    RenderBridge& m_bridge;
+    const QWidget& m_viewport;
+    bool m_isFitted = true; // follows the size of the window until the user moves the view
+    QFutureWatcher<std::optional<document::Box>> m_extent; // of the attractor that is to be fitted
+};
+
+} // namespace view

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/geometry/canvas_note.h"
+
+#include "document/edits/cage_edits.h"
+#include "document/fractal_geometry.h"
+#include "ifs/existence/attractor_existence.h"
+#include "ifs/system/branch.h"
+#include "ifs/system/iterated_function_system.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <span>
+
+namespace view {
+
+namespace {
+
+struct Notes {
+    Q_DECLARE_TR_FUNCTIONS(view::Canvas)
+};
+
+QString number(double value) {
+    return QString::number(value, 'g', 4);
+}
+
+// The witness of a verdict, in the numbers that the user counts by.
+struct Witness {
+    QString word;
+    QString stretch; // its largest singular value
+    QString radius;  // its spectral radius
+};
+
+Witness described(std::span<const ifs::AffineMap<2>> maps, const std::vector<std::size_t>& index,
+                  const std::vector<int>& word) {
+    const ifs::AffineMap<2> map = ifs::composed<2>(maps, word);
+    QStringList address;
+    for (const int letter : word)
+        address << QString::number(index[std::size_t(letter)] + 1);
+    return {address.join(QLatin1Char(' ')), number(ifs::spectralNorm(map.linear)),
+            number(ifs::spectralRadius(map.linear))};
+}
+
+QString noAttractor(const ifs::ActiveMaps<2>& active, const std::vector<int>& witness) {
+    const auto [word, stretch, radius] = described(active.maps, active.index, witness);
+    if (witness.size() == 1)
+        return Notes::tr(
+                   "No attractor: map %1 does not contract (largest singular value %2, spectral radius %3). "
+                   "Make it smaller, or switch it off.")
+            .arg(word, stretch, radius);
+    return Notes::tr("No attractor: the maps %1, applied one after the other, do not contract (largest "
+                     "singular value %2, spectral radius %3). Make one of them smaller, or switch it off.")
+        .arg(word, stretch, radius);
+}
+
+// The renderer only says that the picture is not to be trusted; the reason is looked for here.
+QString doubtful(const document::System2& system) {
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
+    const ifs::Existence existence = ifs::classify<2>(active.maps);
+    if (existence.verdict == ifs::Verdict::None && !existence.witness.empty())
+        return noAttractor(active, existence.witness);
+    for (std::size_t i = 0; i < active.maps.size(); ++i) {
+        const double stretch = ifs::spectralNorm(active.maps[i].linear);
+        if (stretch >= 1)
+            return Notes::tr("It is undecided whether this system has an attractor: map %1 stretches by up "
+                             "to %2. Points that escape are left out.")
+                .arg(active.index[i] + 1)
+                .arg(number(stretch));
+    }
+    return Notes::tr(
+        "It is undecided whether this system has an attractor. Points that escape are left out.");
+}
+
+bool isOnePoint(const document::System2& system) {
+    return ifs::countActive(system) == 1;
+}
+
+QString onePoint(const document::Fractal& fractal) {
+    const auto displayed = document::effectiveSystem(fractal);
+    const auto point = displayed ? ifs::fixedPoint(ifs::activeMaps(*displayed).maps.front()) : std::nullopt;
+    if (!point) return Notes::tr("With a single map, only its fixed point is left.");
+    return Notes::tr("With a single map, only its fixed point (%1, %2) is left.")
+        .arg(number(point->x()), number(point->y()));
+}
+
+} // namespace
+
+QString stopNote(const document::System2& system, const ifs::SafeWay& way) {
+    const std::vector<std::size_t> index = ifs::activeMaps(system).index;
+    if (way.verdict.verdict == ifs::Verdict::None) {
+        const auto [word, stretch, radius] = described(way.past, index, way.verdict.witness);
+        const QString sentence =
+            way.verdict.witness.size() == 1
+                ? Notes::tr("Stopped: beyond this, map %1 would not contract (largest singular value %2, "
+                            "spectral radius %3), and there would be no attractor.")
+                : Notes::tr(
+                      "Stopped: beyond this, the maps %1, applied one after the other, would not contract "
+                      "(largest singular value %2, spectral radius %3), and there would be no attractor.");
+        return sentence.arg(word, stretch, radius);
+    }
+    const auto largest = std::ranges::max_element(
+        way.past, {}, [](const ifs::AffineMap<2>& map) { return ifs::spectralNorm(map.linear); });
+    return Notes::tr("Stopped: beyond this, an attractor is not guaranteed (map %1 has the largest singular "
+                     "value, %2).")
+        .arg(index[std::size_t(largest - way.past.begin())] + 1)
+        .arg(number(ifs::spectralNorm(largest->linear)));
+}
+
+QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
+    const document::System2* system = document::system2(fractal);
+    if (!system)
+        return document::dimension(fractal) == 3
+                   ? QString() // the window into space shows it
+                   : Notes::tr("This entry could not be read. Its text is kept unchanged in the file.");
+    switch (note) {
+    case attractor::RenderNote::None:
+        return isOnePoint(*system) ? onePoint(fractal) : cageWarning(fractal);
+    case attractor::RenderNote::NoMaps:
+        if (ifs::countActive(*system) == 0 &&
+            std::ranges::any_of(system->maps, [](const auto& map) { return map.enabled; }))
+            return Notes::tr("No map that is switched on has a positive weight, so there is nothing to draw. "
+                             "Give one of them a weight.");
+        return Notes::tr("No map is active, so there is nothing to draw. Add a map or switch one on.");
+    case attractor::RenderNote::NoAttractor:
+    case attractor::RenderNote::Undecided:
+        return doubtful(*system);
+    case attractor::RenderNote::TooDeep:
+        return Notes::tr(
+            "This is the limit of numerical precision: zoom out a little for an accurate picture.");
+    case attractor::RenderNote::FewerIterations:
+        return Notes::tr("Drawn with fewer iterations than requested: more would exceed the memory limit.");
+    case attractor::RenderNote::Degenerate:
+        return Notes::tr(
+            "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");
+    }
+    return {};
+}
+
+QString noteInSpace(attractor::RenderNote note) {
+    switch (note) {
+    case attractor::RenderNote::None:
+    case attractor::RenderNote::FewerIterations:
+        return {};
+    case attractor::RenderNote::NoMaps:
+        return Notes::tr("No map is active, so there is nothing to draw. Add a map or switch one on.");
+    case attractor::RenderNote::NoAttractor:
+        return Notes::tr(
+            "This system has no attractor. The picture shows where its points spend their time.");
+    case attractor::RenderNote::Undecided:
+        return Notes::tr("Whether this system has an attractor is undecided.");
+    case attractor::RenderNote::TooDeep:
+        return Notes::tr(
+            "This is the limit of numerical precision: zoom out a little for an accurate picture.");
+    case attractor::RenderNote::Degenerate:
+        return Notes::tr(
+            "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");
+    }
+    return {};
+}
+
+} // namespace view

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/renderer.h"
+#include "document/fractal.h"
+#include "ifs/cage/map_handles.h"
+
+#include <QString>
+
+namespace view {
+
+// Why the canvas does not show what one would expect, as whole sentences; empty when it does.
+QString noteOn(const document::Fractal& fractal, attractor::RenderNote note);
+
+// The same of a system in space.
+QString noteInSpace(attractor::RenderNote note);
+
+// Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the
+// same maps taking part as those of `way`.
+QString stopNote(const document::System2& system, const ifs::SafeWay& way);
+
+} // namespace view

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+
+#include <QString>
+
+namespace view {
+
+// How coordinates of a view are written, along one axis (0: x, 1: y): with digits enough to tell neighbouring
+// pixels apart. Where that takes more than maxPlainDecimals, as a base that all of the view has in common and
+// an offset: "0.123456789 + 3.215e-13".
+class CoordinateText {
+public:
+    CoordinateText(const attractor::Camera& camera, int axis);
+
+    QString text(double value) const;  // always as many digits
+    QString label(double value) const; // of an axis: without zeros at the end; the offset alone
+    QString base() const;              // "0.123456789 + …"; empty where labels are whole coordinates
+    static constexpr int maxPlainDecimals = 9;
+
+private:
+    QString offset(double value) const;
+
+    int m_decimals = 0; // that neighbouring pixels differ in
+    int m_baseDecimals = 0;
+    double m_base = 0;
+};
+
+} // namespace view

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "canvas/geometry/snapping.h"
+#include "ifs/system/affine_map.h"
+
+#include <QPointF>
+
+#include <vector>
+
+namespace view {
+
+// One gesture on the vertices of polygons, as it was when it began. Every position of the pointer is answered
+// from here, so nothing accumulates and the way back is exact.
+struct PolygonDrag {
+    enum class Mode { Move, Rotate, Scale };
+
+    Mode mode = Mode::Move;
+    std::vector<ifs::Vector<2>> points;
+    std::vector<int> vertices; // those of the points that move
+    ifs::Vector<2> pivot = ifs::Vector<2>::Zero();
+    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // what was under the pointer
+    int snapVertex = 0;                            // the vertex that is drawn to snap targets
+};
+
+enum class Constraint {
+    Free,
+    Constrained, // Move and Scale: along one axis; Rotate: steps of 15°
+};
+
+struct DragResult {
+    std::vector<ifs::Vector<2>> points;
+    ifs::AffineMap<2> change; // what happens to the vertices that move
+    Snapped snap;             // of the snap vertex; snapped nowhere for Rotate and Scale
+};
+
+// The points after the pointer has moved by `offset` in the plane. Equal to drag.points when the offset is
+// zero. Camera and vertices of `targets` are those of the moment; the camera says how long a pixel is.
+DragResult dragged(const PolygonDrag& drag, const ifs::Vector<2>& offset, Constraint constraint,
+                   const SnapTargets& targets);
+
+// By numbers, as the keyboard does it. Angle in radians, counter-clockwise with y up.
+DragResult moved(const PolygonDrag& drag, const ifs::Vector<2>& offset);
+DragResult rotated(const PolygonDrag& drag, double angle);
+DragResult scaled(const PolygonDrag& drag, const ifs::Vector<2>& factors);
+
+} // namespace view

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/renderer.h"
+#include "canvas/items/overlay_item.h"
+
+#include <memory>
+
+namespace view {
+
+// The newest picture, where the view sees it now: until the next one arrives it is shown moved and scaled.
+class AttractorItem : public OverlayItem {
+public:
+    void setFrame(std::shared_ptr<const attractor::Frame> frame);
+    void setView(const attractor::Camera& camera, double devicePixelRatio);
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    void paintBackdrop(QPainter& painter) const;
+
+    std::shared_ptr<const attractor::Frame> m_frame;
+    attractor::Camera m_camera; // of the view, device independent
+    double m_ratio = 1;
+};
+
+// The pixels of a frame, not copied: valid as long as the frame.
+QImage imageOf(const attractor::Frame& frame);
+
+} // namespace view

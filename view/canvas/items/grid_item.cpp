@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/items/grid_item.h"
+
+#include "canvas/geometry/canvas_geometry.h"
+#include "canvas/geometry/coordinate_text.h"
+#include "canvas/geometry/grid_spacing.h"
+
+#include <QImage>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+// k·step for first ≤ k ≤ last; none where the numbers are too coarse to tell neighbours apart.
+struct Multiples {
+    double first = 0;
+    double last = -1;
+};
+
+Multiples multiplesBetween(double a, double b, double step) {
+    const double low = std::min(a, b) / step;
+    const double high = std::max(a, b) / step;
+    if (std::max(std::abs(low), std::abs(high)) > 4e15) return {};
+    return {std::ceil(low), std::floor(high)};
+}
+
+QFont labelFont(const QPainter& painter) {
+    QFont font = painter.font();
+    font.setPointSizeF(std::max(7.0, font.pointSizeF() - 1.5));
+    return font;
+}
+
+} // namespace
+
+void GridItem::setView(const attractor::Camera& camera) {
+    if (camera.width != m_camera.width || camera.height != m_camera.height) prepareGeometryChange();
+    m_camera = camera;
+    update();
+}
+
+void GridItem::setGridVisible(bool visible) {
+    m_grid = visible;
+    update();
+}
+
+void GridItem::setAxesVisible(bool visible) {
+    m_axes = visible;
+    update();
+}
+
+QRectF GridItem::boundingRect() const {
+    return {0, 0, double(m_camera.width), double(m_camera.height)};
+}
+
+// Device pixels of the grid's lines and the axis along one coordinate, in the order in which they are drawn.
+std::vector<GridItem::Line> GridItem::linesAlong(int axis, double ratio) const {
+    std::vector<Line> lines;
+    const auto pixel = [&](double coordinate) {
+        ifs::Vector<2> world = m_camera.centre;
+        world[axis] = coordinate;
+        return int(std::floor(attractor::toPixel(m_camera, world)[axis] * ratio));
+    };
+    if (m_grid) {
+        const GridSpacing spacing = gridSpacing(m_camera.pixelsPerUnit);
+        const ifs::Vector<2> corner = worldAt(m_camera, QPointF(0, 0));
+        const ifs::Vector<2> opposite = worldAt(m_camera, QPointF(m_camera.width, m_camera.height));
+        const Multiples seen = multiplesBetween(corner[axis], opposite[axis], spacing.minor);
+        for (double k = seen.first; k <= seen.last; ++k) {
+            if (k == 0 && m_axes) continue;
+            const bool major = std::fmod(k, spacing.subdivisions) == 0;
+            lines.push_back({pixel(k * spacing.minor), 1, major ? m_style.gridMajor : m_style.gridMinor});
+        }
+    }
+    const double origin = attractor::toPixel(m_camera, ifs::Vector<2>::Zero())[axis];
+    if (m_axes && origin >= 0 && origin <= (axis == 0 ? m_camera.width : m_camera.height)) {
+        const int thickness = std::max(1, qRound(ratio));
+        lines.push_back({pixel(0) - (thickness - 1) / 2, thickness, m_style.axis});
+    }
+    return lines;
+}
+
+// Upright lines are put into one strip that is laid over the view band by band: filled one by one, they would
+// take milliseconds, since each touches every row of the screen.
+void GridItem::paintLines(QPainter& painter) const {
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QSize size(int(std::ceil(m_camera.width * ratio)), int(std::ceil(m_camera.height * ratio)));
+    painter.scale(1 / ratio, 1 / ratio);
+    constexpr int band = 16;
+    QImage strip(size.width(), band, QImage::Format_ARGB32_Premultiplied);
+    strip.fill(Qt::transparent);
+    {
+        QPainter upright(&strip);
+        for (const Line& line : linesAlong(0, ratio))
+            upright.fillRect(line.at, 0, line.thickness, band, line.colour);
+    }
+    for (int top = 0; top < size.height(); top += band)
+        painter.drawImage(0, top, strip);
+    for (const Line& line : linesAlong(1, ratio))
+        painter.fillRect(0, line.at, size.width(), line.thickness, line.colour);
+}
+
+// The numbers stand by the axes, or at the edge where an axis is out of sight.
+void GridItem::paintLabels(QPainter& painter) const {
+    painter.setFont(labelFont(painter));
+    painter.setPen(m_style.label);
+    const QFontMetricsF metrics(painter.font());
+    const GridSpacing spacing = gridSpacing(m_camera.pixelsPerUnit);
+    const ifs::Vector<2> corner = worldAt(m_camera, QPointF(0, 0));
+    const ifs::Vector<2> opposite = worldAt(m_camera, QPointF(m_camera.width, m_camera.height));
+    const QPointF origin = pixelOf(m_camera, ifs::Vector<2>::Zero());
+    const CoordinateText abscissae(m_camera, 0), ordinates(m_camera, 1);
+    const Multiples across = multiplesBetween(corner.x(), opposite.x(), spacing.major);
+    const double baseline =
+        std::clamp(origin.y() + metrics.ascent() + 3, metrics.ascent() + 3,
+                   std::max(metrics.ascent() + 3, m_camera.height - metrics.descent() - 3));
+    for (double k = across.first; k <= across.last; ++k)
+        if (k != 0) {
+            const double x = pixelOf(m_camera, {k * spacing.major, 0}).x();
+            painter.drawText(QPointF(x + 4, baseline), abscissae.label(k * spacing.major));
+        }
+    const Multiples along = multiplesBetween(corner.y(), opposite.y(), spacing.major);
+    for (double k = along.first; k <= along.last; ++k) {
+        if (k == 0) continue;
+        const QString text = ordinates.label(k * spacing.major);
+        const double width = metrics.horizontalAdvance(text);
+        const double x = std::clamp(origin.x() + 4, 4.0, std::max(4.0, m_camera.width - width - 4));
+        painter.drawText(QPointF(x, pixelOf(m_camera, {0, k * spacing.major}).y() - 3), text);
+    }
+    if (!abscissae.base().isEmpty()) { // what the labels are to be added to
+        const QString text = QStringLiteral("x = %1   y = %2").arg(abscissae.base(), ordinates.base());
+        painter.drawText(QPointF(m_camera.width - metrics.horizontalAdvance(text) - 8, 2 * metrics.height()),
+                         text);
+    }
+}
+
+void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    painter->save();
+    paintLines(*painter);
+    painter->restore();
+    if (m_axes) paintLabels(*painter);
+}
+
+} // namespace view

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "canvas/items/overlay_item.h"
+
+#include <vector>
+
+namespace view {
+
+// A quiet grid whose spacing follows the zoom, the two axes, and numbers along the axes.
+class GridItem : public OverlayItem {
+public:
+    void setView(const attractor::Camera& camera);
+    void setGridVisible(bool visible);
+    void setAxesVisible(bool visible);
+    bool isGridVisible() const { return m_grid; }
+    bool areAxesVisible() const { return m_axes; }
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    struct Line {
+        int at; // its first device pixel
+        int thickness;
+        QColor colour;
+    };
+    std::vector<Line> linesAlong(int axis, double ratio) const;
+    void paintLines(QPainter& painter) const;
+    void paintLabels(QPainter& painter) const;
+
+    attractor::Camera m_camera;
+    bool m_grid = true;
+    bool m_axes = true;
+};
+
+} // namespace view

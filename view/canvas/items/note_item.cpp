@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/items/note_item.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+constexpr double padding = 10;
+constexpr double margin = 14;
+constexpr double widest = 560;
+constexpr double reach = 12; // of a handle about its middle
+constexpr int places = 30;   // in the middle, left and right, in rows from the edge on
+constexpr int flow = Qt::AlignCenter | Qt::TextWordWrap;
+
+} // namespace
+
+void NoteItem::setText(const QString& text) {
+    if (m_text == text) return;
+    prepareGeometryChange();
+    m_text = text;
+    choosePlace();
+    update();
+}
+
+void NoteItem::setView(const QRectF& view) {
+    prepareGeometryChange();
+    m_view = view;
+}
+
+void NoteItem::setFont(const QFont& font) {
+    prepareGeometryChange();
+    m_font = font;
+}
+
+void NoteItem::avoid(std::vector<QPointF> points, const QRectF& other) {
+    m_points = std::move(points);
+    m_other = other;
+    choosePlace();
+}
+
+int NoteItem::obstaclesAt(int place) const {
+    const QRectF box = boxAt(place).adjusted(-reach, -reach, reach, reach);
+    const auto hidden = std::ranges::count_if(m_points, [&](const QPointF& p) { return box.contains(p); });
+    return int(hidden) + (box.intersects(m_other) ? 1000 : 0) + (m_view.contains(boxAt(place)) ? 0 : 1000);
+}
+
+// Stays where it is as long as nothing is in its way.
+void NoteItem::choosePlace() {
+    if (m_text.isEmpty()) {
+        m_place = 0;
+        return;
+    }
+    int best = m_place;
+    for (int place = 0; place < places && obstaclesAt(best) > 0; ++place)
+        if (obstaclesAt(place) < obstaclesAt(best)) best = place;
+    if (best == m_place) return;
+    prepareGeometryChange();
+    m_place = best;
+    update();
+}
+
+QRectF NoteItem::box() const {
+    return boxAt(m_place);
+}
+
+QRectF NoteItem::boxAt(int place) const {
+    if (m_text.isEmpty()) return {};
+    const double width = std::max(80.0, std::min(widest, m_view.width() - 2 * (margin + padding)));
+    QRectF text = QFontMetricsF(m_font).boundingRect(QRectF(0, 0, width, 4000), flow, m_text);
+    text = QRectF(0, 0, text.width() + 1, text.height() + 1)
+               .adjusted(-padding, -padding * 0.7, padding, padding * 0.7);
+    const double left = m_view.left() + margin, right = m_view.right() - margin - text.width();
+    const double x = place % 3 == 0 ? m_view.center().x() - text.width() / 2 : place % 3 == 1 ? left : right;
+    const double inwards = margin + (place / 3) * text.height();
+    const double y = m_edge == Edge::Top ? m_view.top() + inwards : m_view.bottom() - inwards - text.height();
+    return {x, y, text.width(), text.height()};
+}
+
+QRectF NoteItem::boundingRect() const {
+    return box().adjusted(-2, -2, 2, 2);
+}
+
+void NoteItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    if (m_text.isEmpty()) return;
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QRectF frame = box();
+    painter->setPen(QPen(m_style.gridMajor, 1));
+    painter->setBrush(m_style.noteBackground);
+    painter->drawRoundedRect(frame, 7, 7);
+    painter->setFont(m_font);
+    painter->setPen(m_style.noteText);
+    painter->drawText(frame.adjusted(padding, 0, -padding, 0), flow, m_text);
+}
+
+} // namespace view

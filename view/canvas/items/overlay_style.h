@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/colour/palette.h"
+
+#include <QColor>
+#include <QPalette>
+#include <QPointF>
+#include <QPolygonF>
+
+class QPainter;
+class QPainterPath;
+
+namespace view {
+
+// Colours of what is drawn over the picture. They follow the background of the picture, not only the
+// desktop's palette: a handle must be seen on both.
+struct OverlayStyle {
+    QColor backdrop; // behind the picture
+    QColor checker;  // the other squares behind a transparent picture; invalid when it is opaque
+    QColor gridMinor;
+    QColor gridMajor;
+    QColor axis;
+    QColor label;
+    QColor halo; // wide and under every line
+    QColor line; // cage and gizmo
+    QColor core; // of a handle
+    QColor rim;
+    QColor number;
+    QColor accent;   // hover, selection, focus, snap
+    QColor onAccent; // text on it
+    QColor noteBackground;
+    QColor noteText;
+    double lineWidth = 2;
+    bool onDark = false; // the backdrop is dark
+};
+
+OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& palette);
+
+// A line in the halo.
+void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlayStyle& style,
+                    const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
+
+// A line that is seen on any picture whatever its colour: it lies on a line in the halo.
+void strokeSeen(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, const QColor& colour,
+                double width, Qt::PenStyle pattern = Qt::SolidLine);
+
+// The same for a closed outline, and thinner: the halo is outside, the colour of lines inside.
+void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlayStyle& style,
+                   const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
+
+// A line that is seen on any picture, in the accent colour.
+void strokeLit(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, double width,
+               Qt::PenStyle pattern = Qt::SolidLine);
+
+// Around what the keyboard moves.
+void strokeFocusRing(QPainter& painter, const QPointF& centre, double radius, const OverlayStyle& style);
+
+} // namespace view

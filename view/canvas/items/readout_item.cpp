@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/items/readout_item.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+namespace view {
+
+namespace {
+
+constexpr double padding = 7;
+constexpr double across = 22; // pixels from the pointer: clear of the handle and of the hand that holds it
+constexpr double down = 24;
+constexpr int flow = Qt::AlignLeft | Qt::AlignVCenter;
+
+} // namespace
+
+void ReadoutItem::setText(const QString& text, const QPointF& pointer) {
+    if (m_text == text && m_pointer == pointer) return;
+    prepareGeometryChange();
+    m_text = text;
+    m_pointer = pointer;
+    update();
+}
+
+void ReadoutItem::setView(const QRectF& view) {
+    prepareGeometryChange();
+    m_view = view;
+}
+
+void ReadoutItem::setFont(const QFont& font) {
+    prepareGeometryChange();
+    m_font = font;
+}
+
+QRectF ReadoutItem::box() const {
+    if (m_text.isEmpty()) return {};
+    const QRectF text = QFontMetricsF(m_font).boundingRect(QRectF(0, 0, 4000, 4000), flow, m_text);
+    const QSizeF size(text.width() + 2 * padding + 1, text.height() + 1.2 * padding);
+    QPointF corner = m_pointer + QPointF(across, down);
+    if (corner.x() + size.width() > m_view.right()) corner.setX(m_pointer.x() - across - size.width());
+    if (corner.y() + size.height() > m_view.bottom()) corner.setY(m_pointer.y() - down - size.height());
+    return {corner, size};
+}
+
+QRectF ReadoutItem::boundingRect() const {
+    return box().adjusted(-2, -2, 2, 2);
+}
+
+void ReadoutItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    if (m_text.isEmpty()) return;
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QRectF frame = box();
+    painter->setPen(QPen(m_style.gridMajor, 1));
+    painter->setBrush(m_style.noteBackground);
+    painter->drawRoundedRect(frame, 5, 5);
+    painter->setFont(m_font);
+    painter->setPen(m_style.noteText);
+    painter->drawText(frame.adjusted(padding, 0, 0, 0), flow, m_text);
+}
+
+} // namespace view

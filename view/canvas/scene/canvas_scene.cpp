@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/scene/canvas_scene.h"
+
+#include "canvas/geometry/canvas_geometry.h"
+#include "canvas/items/attractor_item.h"
+#include "canvas/items/cage_item.h"
+#include "canvas/scene/frame_layout.h"
+#include "document/fractal_geometry.h"
+
+#include <QFont>
+
+#include <utility>
+
+namespace view {
+
+using Kind = CanvasPart::Kind;
+
+namespace {
+
+constexpr std::size_t maxAvoided = 300; // handles that a sentence makes way for
+
+} // namespace
+
+CanvasScene::CanvasScene(document::Document* document, QObject* parent)
+    : QGraphicsScene(parent),
+      m_document(document),
+      m_selection(*document),
+      m_handles(*document, m_selection),
+      m_attractor(std::make_unique<AttractorItem>()),
+      m_grid(std::make_unique<GridItem>()),
+      m_cageItem(std::make_unique<CageItem>()),
+      m_mapFrames(std::make_unique<MapFramesItem>()),
+      m_gizmo(std::make_unique<GizmoItem>()) {
+    setItemIndexMethod(QGraphicsScene::NoIndex);
+    addItem(m_attractor.get());
+    double level = 1;
+    for (OverlayItem* item : overlays()) {
+        item->setZValue(level++);
+        addItem(item);
+    }
+    raiseHeld();
+    connect(&m_selection, &CanvasSelection::mapsChanged, this, &CanvasScene::requestLayout);
+    connect(&m_selection, &CanvasSelection::pointedChanged, this, &CanvasScene::requestLayout);
+    connect(&m_selection, &CanvasSelection::verticesChanged, this,
+            [this] { m_cageItem->setSelected(m_selection.vertices()); });
+    connect(&m_selection, &CanvasSelection::marksChanged, this, &CanvasScene::mark);
+    connect(&m_handles, &HandleModel::targetChanged, this, &CanvasScene::changeTarget);
+    connect(&m_handles, &HandleModel::changed, this, [this] {
+        dropWhatIsGone();
+        requestLayout();
+    });
+    connect(document, &document::Document::changed, this, &CanvasScene::follow);
+    follow({document::Change::Everything});
+}
+
+CanvasScene::~CanvasScene() = default;
+
+CanvasScene::Batch::~Batch() {
+    if (--m_scene.m_batches == 0 && m_scene.m_isLayoutStale) m_scene.layoutItems();
+}
+
+std::vector<OverlayItem*> CanvasScene::overlays() {
+    std::vector<OverlayItem*> items{m_grid.get()};
+    const auto add = [&](const std::vector<OverlayItem*>& more) {
+        items.insert(items.end(), more.begin(), more.end());
+    };
+    add(m_marks.itemsBelowHandles());
+    add({m_cageItem.get(), m_mapFrames.get(), m_gizmo.get()});
+    add(m_marks.itemsAboveHandles());
+    add(m_notes.items());
+    return items;
+}
+
+void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRatio) {
+    m_camera = camera;
+    const QRectF area(0, 0, camera.width, camera.height);
+    setSceneRect(area);
+    m_attractor->setView(camera, devicePixelRatio);
+    m_grid->setView(camera);
+    m_gizmo->setView(area);
+    m_marks.setView(camera);
+    m_notes.setView(area);
+    requestLayout();
+}
+
+void CanvasScene::setFrame(std::shared_ptr<const attractor::Frame> frame) {
+    m_frame = frame;
+    m_attractor->setFrame(std::move(frame));
+    updateNote();
+}
+
+void CanvasScene::setDesktop(const QPalette& palette, const QFont& font) {
+    m_palette = palette;
+    m_notes.setFont(font);
+    m_marks.setFont(font);
+    setFont(font);
+    restyle();
+}
+
+void CanvasScene::follow(const document::Change& change) {
+    using document::Change;
+    const Batch batch(*this);
+    const std::size_t vertices = m_handles.vertexCount();
+    m_handles.follow(change);
+    if (change.parts & (Change::Current | Change::File)) m_selection.clear();
+    if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
+        requestLayout();
+        m_selection.setMaps(m_selection.maps());   // those that are left
+        if (vertices != m_handles.vertexCount()) { // others have the numbers now
+            m_selection.setVertices({});
+            if (m_selection.focused().map < 0) m_selection.setFocused({});
+        }
+        dropWhatIsGone();
+        m_notes.forget();
+        updateNote();
+    }
+    if (change.parts & (Change::Appearance | Change::Current | Change::File)) {
+        restyle();
+        if (!m_isLayoutStale) layoutFrames();
+    }
+}
+
+void CanvasScene::changeTarget() {
+    const Batch batch(*this);
+    m_selection.setHovered({});
+    m_selection.setFocused({});
+    m_selection.setVertices({});
+    m_cageItem->setQuiet(m_handles.target() != HandleTarget::Cage);
+    raiseHeld();
+    requestLayout();
+}
+
+void CanvasScene::dropWhatIsGone() {
+    if (!m_handles.exists(m_selection.focused())) m_selection.setFocused({});
+    if (!m_handles.exists(m_selection.hovered())) m_selection.setHovered({});
+}
+
+// Handles that can be held lie over outlines that only show something.
+void CanvasScene::raiseHeld() {
+    m_cageItem->setZValue(m_mapFrames->zValue() + (m_handles.target() == HandleTarget::Cage ? 0.5 : -0.5));
+}
+
+QPolygonF CanvasScene::cagePolygon() const {
+    return m_handles.cage() ? pixelsOf(m_camera, m_handles.cage()->current) : QPolygonF();
+}
+
+CanvasPart CanvasScene::partAt(const QPointF& position, Reach reach) const {
+    return m_overlaysVisible && m_cageVisible ? hitTester().partAt(position, reach) : CanvasPart();
+}
+
+ifs::Word CanvasScene::addressAt(const QPointF& position) const {
+    if (!m_handles.cage()) return {};
+    return m_handles.addresses().at(worldAt(m_camera, position), 1 / m_camera.pixelsPerUnit);
+}
+
+void CanvasScene::holdKnobAt(const std::optional<QPointF>& position) {
+    if (position == m_heldKnob) return;
+    m_heldKnob = position;
+    requestLayout();
+}
+
+SnapTargets CanvasScene::snapTargets(const CanvasPart& part, const std::vector<int>& moving) const {
+    return {m_snapping, m_camera, m_handles.stillPoints(part, moving)};
+}
+
+void CanvasScene::requestLayout() {
+    if (m_batches > 0)
+        m_isLayoutStale = true;
+    else
+        layoutItems();
+}
+
+void CanvasScene::layoutItems() {
+    m_isLayoutStale = false;
+    m_cageItem->setPolygon(cagePolygon());
+    layoutFrames();
+    if (m_handles.cage()) {
+        m_gizmoLayout = gizmoLayout(pixelsOf(m_camera, m_handles.heldPoints()),
+                                    pixelOf(m_camera, m_handles.pivot()), sceneRect());
+        const Kind pressed = m_selection.pressed().kind;
+        if (m_heldKnob && pressed == Kind::Rotate) m_gizmoLayout.rotate = *m_heldKnob;
+        if (m_heldKnob && pressed == Kind::Scale) m_gizmoLayout.scale = *m_heldKnob;
+        m_gizmo->setLayout(m_gizmoLayout);
+    }
+    m_notes.avoid(handlePositions());
+    mark();
+    updateVisibility();
+}
+
+// Those that can be taken now.
+std::vector<QPointF> CanvasScene::handlePositions() const {
+    std::vector<QPointF> positions;
+    if (!m_handles.cage()) return positions;
+    if (m_handles.target() == HandleTarget::Cage) {
+        const QPolygonF polygon = cagePolygon();
+        positions.assign(polygon.begin(), polygon.end());
+    }
+    for (const MapFrame& frame : frames())
+        if (frame.selected && positions.size() < maxAvoided)
+            positions.insert(positions.end(), frame.corners.begin(), frame.corners.end());
+    if (m_handles.isAnythingHeld())
+        for (const QPointF& knob : {m_gizmoLayout.pivot, m_gizmoLayout.rotate, m_gizmoLayout.scale})
+            positions.push_back(knob);
+    return positions;
+}
+
+void CanvasScene::layoutFrames() {
+    FrameLayout layout = frameLayout(m_handles, m_selection, m_document->fractal(), m_camera);
+    m_isThinnedOut = layout.isThinnedOut;
+    m_mapFrames->setFrames(std::move(layout.frames), m_handles.target() == HandleTarget::Cage
+                                                         ? MapFramesItem::Mode::Hint
+                                                         : MapFramesItem::Mode::Held);
+}
+
+void CanvasScene::mark() {
+    const CanvasPart focused = m_selection.focused();
+    const bool lacksFrame =
+        m_handles.target() == HandleTarget::Maps && focused.map >= 0 && !frameOf(frames(), focused.map);
+    if (lacksFrame && !m_isLayoutStale) layoutFrames();
+    m_cageItem->setMarks(m_selection.hovered(), m_selection.pressed(), focused);
+    m_mapFrames->setMarks(m_selection.hovered(), m_selection.pressed(), focused);
+    m_gizmo->setMarks(m_selection.hovered(), m_selection.pressed(), focused);
+}
+
+void CanvasScene::restyle() {
+    const OverlayStyle style = overlayStyle(m_document->fractal().appearance.background, m_palette);
+    m_attractor->setStyle(style);
+    for (OverlayItem* item : overlays())
+        item->setStyle(style);
+}
+
+void CanvasScene::updateNote() {
+    m_notes.describe(m_document->fractal(), m_frame ? m_frame->note : attractor::RenderNote::None);
+}
+
+void CanvasScene::setOverlaysVisible(bool visible) {
+    m_overlaysVisible = visible;
+    updateVisibility();
+}
+
+void CanvasScene::setCageVisible(bool visible) {
+    m_cageVisible = visible;
+    updateVisibility();
+}
+
+void CanvasScene::updateVisibility() {
+    for (OverlayItem* item : overlays())
+        item->setVisible(m_overlaysVisible);
+    const bool cage = m_overlaysVisible && m_cageVisible && m_handles.cage();
+    m_cageItem->setVisible(cage);
+    m_mapFrames->setVisible(cage);
+    m_gizmo->setVisible(cage && m_handles.isAnythingHeld());
+}
+
+} // namespace view

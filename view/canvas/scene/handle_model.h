@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/scene/canvas_selection.h"
+#include "document/addresses.h"
+#include "document/map_handles.h"
+#include "ifs/cage/control_cage.h"
+
+#include <optional>
+#include <vector>
+
+namespace view {
+
+enum class HandleTarget { Cage, Maps, Branch };
+
+// What the handles hold: the cage, the maps as its images, or one branch. Positions are in the plane.
+// What is known of the maps and of the branch is found when it is first asked for.
+class HandleModel : public QObject {
+    Q_OBJECT
+
+public:
+    HandleModel(const document::Document& document, const CanvasSelection& selection);
+
+    void follow(const document::Change& change);
+
+    // The cage in force; nullopt when the entry is not a system of the plane.
+    const std::optional<ifs::ControlCage<2>>& cage() const { return m_cage; }
+    std::size_t vertexCount() const { return m_cage ? m_cage->current.size() : 0; }
+
+    HandleTarget target() const { return m_target; }
+    void setTarget(HandleTarget target);
+    const document::MapHandles* maps() const;      // nullptr: there is no cage
+    const document::MapHandles* branchMap() const; // the branch as it is shown, at index 0; nullptr: none
+
+    // The branch that is held, by indices in the system; empty: none.
+    const ifs::Word& branch() const { return m_branch; }
+    void setBranch(const ifs::Word& branch);
+    const document::Addresses& addresses() const; // of what is displayed
+
+    // The polygons that are held when the cage is not: of the maps, or of the branch.
+    int childCount() const;
+    std::vector<ifs::Vector<2>> corners(int child) const;
+    std::vector<ifs::Vector<2>> heldPoints() const;
+    bool isAnythingHeld() const;
+
+    // About which what is held turns and scales: the mean of its vertices until it is put elsewhere.
+    ifs::Vector<2> pivot() const;
+    void setPivot(const std::optional<ifs::Vector<2>>& pivot); // nullopt: the mean again
+    bool hasOwnPivot() const { return m_pivot.has_value(); }
+
+    bool exists(const CanvasPart& part) const; // none does always
+    std::vector<CanvasPart> parts() const;     // those the keyboard walks through, in that order
+    // Vertices that stay while `moving` of the part move.
+    std::vector<ifs::Vector<2>> stillPoints(const CanvasPart& part, const std::vector<int>& moving) const;
+
+signals:
+    void targetChanged();
+    void changed(); // the branch or the pivot
+
+private:
+    const document::Document& m_document;
+    const CanvasSelection& m_selection;
+    std::optional<ifs::ControlCage<2>> m_cage;
+    HandleTarget m_target = HandleTarget::Cage;
+    ifs::Word m_branch;
+    std::optional<ifs::Vector<2>> m_pivot;
+    mutable std::optional<document::MapHandles> m_maps;
+    mutable std::optional<document::MapHandles> m_branchMap;
+    mutable bool m_isBranchMapKnown = false;
+    mutable std::optional<document::Addresses> m_addresses;
+};
+
+} // namespace view

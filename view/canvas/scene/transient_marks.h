@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "canvas/geometry/snapping.h"
+
+#include <QFont>
+#include <QRectF>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace document {
+struct OutlineShape;
+}
+
+namespace view {
+
+class AnalysisItem;
+class BandItem;
+class OverlayItem;
+class ReadoutItem;
+class RubberItem;
+class SnapMark;
+class TrailItem;
+
+// What tools, analyses and the chaos game draw over the picture for a while. Points are in the plane.
+class TransientMarks {
+public:
+    TransientMarks();
+    ~TransientMarks();
+
+    std::vector<OverlayItem*> itemsBelowHandles() const;
+    std::vector<OverlayItem*> itemsAboveHandles() const;
+    void setView(const attractor::Camera& camera);
+
+    void showSnap(const std::optional<Snapped>& snap);
+    void showReadout(const QString& text, const QPointF& pointer); // in pixels; empty: none
+    const QString& readout() const;
+    void setFont(const QFont& font);
+    void showBand(const QRectF& band); // that selects, in pixels; empty: none
+    void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
+    void showOutlines(std::vector<document::OutlineShape> shapes); // of an analysis
+    void showTrail(const std::vector<ifs::Vector<2>>& points);     // of a chaos game, the newest last
+
+private:
+    attractor::Camera m_camera;
+    std::optional<Snapped> m_snap;
+    std::vector<ifs::Vector<2>> m_clicked;
+    std::optional<ifs::Vector<2>> m_rubberEnd;
+    std::vector<ifs::Vector<2>> m_trail;
+    std::unique_ptr<AnalysisItem> m_analysisItem;
+    std::unique_ptr<TrailItem> m_trailItem;
+    std::unique_ptr<RubberItem> m_rubberItem;
+    std::unique_ptr<SnapMark> m_snapMark;
+    std::unique_ptr<BandItem> m_bandItem;
+    std::unique_ptr<ReadoutItem> m_readoutItem;
+};
+
+} // namespace view

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/tools/maps_tool.h"
+
+#include "canvas/geometry/canvas_note.h"
+#include "document/edits/maps_edits.h"
+#include "ifs/cage/map_handles.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+using Kind = CanvasPart::Kind;
+using Mode = PolygonDrag::Mode;
+
+std::vector<ifs::AffineMap<2>> activeMaps(const document::Fractal& fractal) {
+    return ifs::activeMaps(*document::system2(fractal)).maps;
+}
+
+} // namespace
+
+void MapsTool::start() {
+    handles().setTarget(HandleTarget::Maps);
+    if (scene().areMapsThinnedOut())
+        emit message(tr("There are too many maps to show them all. Zoom in to see the others."));
+}
+
+void MapsTool::stop() {
+    PolygonTool::stop();
+    ended();
+    handles().setTarget(HandleTarget::Cage);
+}
+
+void MapsTool::selectOnly(int index) {
+    selection().setMapIndices({std::size_t(index)});
+}
+
+void MapsTool::pressed(const CanvasPart& part, Qt::KeyboardModifiers modifiers) {
+    if (part.map >= 0 && !selection().isMapSelected(part.map) && !(modifiers & adding)) selectOnly(part.map);
+}
+
+void MapsTool::clicked(const CanvasPart& part, const Pointer& pointer) {
+    if (part.map >= 0) selectClicked(std::size_t(part.map), pointer.modifiers);
+}
+
+std::optional<std::vector<std::size_t>> MapsTool::selectedItems() const {
+    if (handles().target() != HandleTarget::Maps) return std::nullopt; // one branch, by its point
+    return selection().mapIndices();
+}
+
+void MapsTool::selectItems(const std::vector<std::size_t>& indices) {
+    selection().setMapIndices(indices);
+}
+
+std::vector<std::size_t> MapsTool::enclosedBy(const QRectF& band) const {
+    return scene().hitTester().mapsWithin(band);
+}
+
+MapsTool::HeldMaps MapsTool::hold(const CanvasPart& part) {
+    if (part.map >= 0 && !selection().isMapSelected(part.map)) selectOnly(part.map);
+    return {document::MapHandles(scene().document().currentEntry().fractal, *handles().cage()),
+            selection().mapIndices()};
+}
+
+QString MapsTool::stepText(Mode mode, std::optional<std::size_t> corner) const {
+    const bool one = m_held.indices.size() == 1;
+    const auto number = one ? m_held.indices.front() + 1 : m_held.indices.size();
+    if (corner) return tr("Move corner %1 of map %2").arg(*corner + 1).arg(number);
+    if (mode == Mode::Move) return (one ? tr("Move map %1") : tr("Move %1 maps")).arg(number);
+    if (mode == Mode::Rotate) return (one ? tr("Rotate map %1") : tr("Rotate %1 maps")).arg(number);
+    return (one ? tr("Scale map %1") : tr("Scale %1 maps")).arg(number);
+}
+
+std::optional<PolygonTool::DragSubject> MapsTool::dragSubject(const CanvasPart& part, Mode mode) {
+    HeldMaps held = hold(part);
+    if (!held.maps || held.indices.empty()) return std::nullopt;
+    m_held = std::move(held);
+    if (!m_held.maps->canBeMoved()) {
+        emit message(
+            tr("Maps that are flat on the screen cannot be dragged. First open the cage or the maps."));
+        return std::nullopt;
+    }
+    m_corner.reset();
+    if (part.kind == Kind::Vertex && mode == Mode::Move) {
+        m_corner = std::size_t(part.index);
+        if (m_held.indices.size() > 1) m_held.indices = {std::size_t(part.map)};
+        return DragSubject{
+            stepText(mode, m_corner), m_held.maps->corners(m_held.indices.front()), {part.index}};
+    }
+    DragSubject subject;
+    for (const std::size_t index : m_held.indices)
+        for (const ifs::Vector<2>& corner : m_held.maps->corners(index))
+            subject.points.push_back(corner);
+    subject.vertices.resize(subject.points.size());
+    std::iota(subject.vertices.begin(), subject.vertices.end(), 0);
+    subject.text = stepText(mode, m_corner);
+    return subject;
+}
+
+document::Fractal MapsTool::after(const DragResult& result) const {
+    if (result.points == drag().points) return gesture().before();
+    if (m_corner)
+        return m_held.maps->withCornerMoved(m_held.indices.front(), *m_corner,
+                                            result.points[*m_corner] - drag().points[*m_corner]);
+    if (drag().mode == Mode::Move)
+        return m_held.maps->withMapsMoved(m_held.indices, result.change.translation);
+    return m_held.maps->withMapsChanged(m_held.indices, result.change);
+}
+
+double MapsTool::shareToShow(const std::function<const document::Fractal&(double)>& after) {
+    ifs::SafeWay way;
+    if (!m_allowsNoAttractor) way = ifs::safeWay([&](double share) { return activeMaps(after(share)); });
+    scene().notes().setPrompt(way.share < 1 ? stopNote(*document::system2(after(way.share)), way)
+                                            : QString());
+    return way.share;
+}
+
+void MapsTool::dismissStop() {
+    scene().notes().setPrompt({});
+}
+
+PolygonTool::Shown MapsTool::preview(const std::function<DragResult(double)>& resultAt) {
+    std::optional<Shown> shown; // the last that was asked for, mostly the one to show
+    document::Fractal fractal;
+    const auto at = [&](double share) -> const document::Fractal& {
+        if (!shown || shown->share != share) {
+            shown = {share, resultAt(share)};
+            fractal = after(shown->result);
+        }
+        return fractal;
+    };
+    at(shareToShow(at));
+    gesture().preview(std::move(fractal));
+    return *std::move(shown);
+}
+
+void MapsTool::ended() {
+    dismissStop();
+}
+
+// The selection goes with the focus.
+void MapsTool::walk(int step) {
+    PolygonTool::walk(step);
+    const CanvasPart part = selection().focused();
+    if (part.map >= 0 && !selection().isMapSelected(part.map)) selectOnly(part.map);
+}
+
+bool MapsTool::keyPress(const QKeyEvent& event) {
+    if (isBareKey(event, Qt::Key_Delete) || isBareKey(event, Qt::Key_Insert)) {
+        const std::vector<std::size_t> indices = selection().mapIndices();
+        const document::Rows rows(indices.begin(), indices.end());
+        document::Document& document = scene().document();
+        if (rows.empty())
+            emit message(tr("Select a map first."));
+        else
+            selection().setMaps(event.key() == Qt::Key_Delete ? deleteMaps(document, rows)
+                                                              : duplicateMaps(document, rows));
+        return true;
+    }
+    const int digit = event.key() - Qt::Key_1;
+    if (event.modifiers() == Qt::AltModifier && digit >= 0 && digit < 9) {
+        if (digit < selection().mapCount()) {
+            selectOnly(digit);
+            selection().setFocused({Kind::Inside, 0, digit});
+        }
+        return true;
+    }
+    if (event.modifiers() == Qt::ControlModifier && event.key() == Qt::Key_A) {
+        std::vector<std::size_t> all(std::size_t(selection().mapCount()));
+        std::iota(all.begin(), all.end(), std::size_t(0));
+        selection().setMapIndices(all);
+        return true;
+    }
+    return PolygonTool::keyPress(event);
+}
+
+} // namespace view

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/tools/polygon_tool.h"
+#include "document/map_handles.h"
+
+namespace view {
+
+// Drags the maps by the images of the cage: selects them, moves a corner, or moves, turns and scales all that
+// are selected.
+class MapsTool : public PolygonTool {
+    Q_OBJECT
+
+public:
+    using PolygonTool::PolygonTool;
+
+    // A drag stops where the attractor would be lost, unless this is allowed.
+    void setAllowsNoAttractor(bool allows) { m_allowsNoAttractor = allows; }
+    bool allowsNoAttractor() const { return m_allowsNoAttractor; }
+    // How much of a change, after(0) to after(1), may be shown: all of it, or as much as leaves an attractor.
+    // Then the canvas says why. What `after` returns must live until it is called again.
+    double shareToShow(const std::function<const document::Fractal&(double)>& after);
+    void dismissStop(); // takes that sentence away
+
+    void walk(int step) override;
+    bool keyPress(const QKeyEvent& event) override;
+    void start() override;
+    void stop() override;
+
+protected:
+    std::optional<DragSubject> dragSubject(const CanvasPart& part, PolygonDrag::Mode mode) override;
+    Shown preview(const std::function<DragResult(double)>& resultAt) override;
+    void pressed(const CanvasPart& part, Qt::KeyboardModifiers modifiers) override;
+    void clicked(const CanvasPart& part, const Pointer& pointer) override;
+    void ended() override;
+    std::optional<std::vector<std::size_t>> selectedItems() const override;
+    void selectItems(const std::vector<std::size_t>& indices) override;
+    std::vector<std::size_t> enclosedBy(const QRectF& band) const override;
+
+    // What a press on the part holds: the maps as they are then, and the indices of those that move. Empty:
+    // nothing.
+    struct HeldMaps {
+        std::optional<document::MapHandles> maps;
+        std::vector<std::size_t> indices;
+    };
+    virtual HeldMaps hold(const CanvasPart& part);
+    virtual QString stepText(PolygonDrag::Mode mode, std::optional<std::size_t> corner) const;
+
+private:
+    document::Fractal after(const DragResult& result) const;
+    void selectOnly(int index);
+
+    bool m_allowsNoAttractor = false;
+    HeldMaps m_held;                     // at the press
+    std::optional<std::size_t> m_corner; // when only this one of the first map moves
+};
+
+} // namespace view

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/tools/polygon_tool.h"
+
+#include "canvas/geometry/canvas_geometry.h"
+#include "canvas/geometry/drag_text.h"
+#include "canvas/scene/canvas_cursors.h"
+#include "canvas/scene/handle_text.h"
+#include "widgets/arrow_keys.h"
+
+#include <QKeyEvent>
+#include <QLineF>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace view {
+
+namespace {
+
+using Kind = CanvasPart::Kind;
+
+constexpr double slack = 2; // pixels a click may shake without becoming a drag
+
+PolygonDrag::Mode modeOf(const CanvasPart& part, Qt::KeyboardModifiers modifiers) {
+    if (part.kind == Kind::Rotate) return PolygonDrag::Mode::Rotate;
+    if (part.kind == Kind::Scale) return PolygonDrag::Mode::Scale;
+    if (modifiers.testFlag(Qt::ControlModifier)) return PolygonDrag::Mode::Rotate;
+    return modifiers.testFlag(Qt::AltModifier) ? PolygonDrag::Mode::Scale : PolygonDrag::Mode::Move;
+}
+
+int nearestVertex(const PolygonDrag& drag) {
+    return *std::ranges::min_element(drag.vertices, {}, [&](int vertex) {
+        return (drag.points[std::size_t(vertex)] - drag.press).squaredNorm();
+    });
+}
+
+double pace(Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ShiftModifier)) return 10;
+    return modifiers.testFlag(Qt::AltModifier) ? 0.1 : 1;
+}
+
+Constraint constraintOf(Qt::KeyboardModifiers modifiers) {
+    return modifiers.testFlag(Qt::ShiftModifier) ? Constraint::Constrained : Constraint::Free;
+}
+
+} // namespace
+
+PolygonTool::PolygonTool(CanvasScene& scene) : m_scene(scene) {
+    m_released.setSingleShot(true);
+    m_released.setInterval(40);
+    connect(&m_released, &QTimer::timeout, this, &PolygonTool::end);
+}
+
+PolygonTool::~PolygonTool() = default;
+
+void PolygonTool::press(const Pointer& pointer) {
+    end();
+    m_part = m_scene.partAt(pointer.position, pointer.reach);
+    selection().setFocused(m_part);
+    if (!handles().cage() || !m_scene.overlaysVisible()) return;
+    m_press = pointer.position;
+    m_camera = m_scene.camera();
+    m_pivotAtPress = handles().pivot();
+    m_ownPivotAtPress = handles().hasOwnPivot();
+    const bool transforms = pointer.modifiers & (Qt::ControlModifier | Qt::AltModifier);
+    if (m_part.kind == Kind::None && !transforms) {
+        const std::optional<std::vector<std::size_t>> selected = selectedItems();
+        if (!selected) return;
+        m_selectionAtPress = *selected;
+        m_state = State::Selecting;
+        selectWithin(pointer);
+        return;
+    }
+    m_state = State::Pressed;
+    m_drag = {};
+    m_drag.mode = modeOf(m_part, pointer.modifiers);
+    selection().setPressed(m_part);
+    pressed(m_part, pointer.modifiers);
+    emit cursorChanged();
+}
+
+void PolygonTool::move(const Pointer& pointer) {
+    switch (m_state) {
+    case State::Idle:
+    case State::Nudging:
+        hover(m_scene.partAt(pointer.position, pointer.reach));
+        return;
+    case State::Cancelled:
+        return;
+    case State::Selecting:
+        selectWithin(pointer);
+        return;
+    case State::Pressed:
+        if ((pointer.position - m_press).manhattanLength() <= slack) return;
+        if (m_part.kind == Kind::Pivot && m_drag.mode == PolygonDrag::Mode::Move) {
+            m_state = State::MovingPivot;
+        } else if (open(m_part, m_drag.mode, m_press)) {
+            m_state = State::Dragging;
+        } else {
+            end();
+            m_state = State::Cancelled;
+            return;
+        }
+        emit dragStarted();
+        break;
+    case State::Dragging:
+        turnInto(modeOf(m_part, pointer.modifiers));
+        break;
+    case State::MovingPivot:
+        break;
+    }
+    if (m_state == State::MovingPivot)
+        movePivot(pointer);
+    else
+        dragTo(pointer);
+}
+
+bool PolygonTool::open(const CanvasPart& part, PolygonDrag::Mode mode, const QPointF& press) {
+    std::optional<DragSubject> subject = dragSubject(part, mode);
+    if (!subject) return false;
+    m_drag = {mode, std::move(subject->points), std::move(subject->vertices)};
+    m_drag.pivot = handles().pivot();
+    m_drag.press = worldAt(m_scene.camera(), press);
+    m_drag.snapVertex = nearestVertex(m_drag);
+    m_stepText = subject->text;
+    m_gesture = std::make_unique<document::EditGesture>(m_scene.document().beginGesture(subject->text));
+    return true;
+}
+
+// Ctrl and Alt may be pressed after the button: some window managers keep a press that comes with one of them
+// for themselves. Letting go of the key changes nothing.
+void PolygonTool::turnInto(PolygonDrag::Mode mode) {
+    if (mode == PolygonDrag::Mode::Move || mode == m_drag.mode || !m_gesture || !m_gesture->isOpen()) return;
+    m_gesture.reset();
+    restorePivot();
+    const ifs::Vector<2> press = m_drag.press;
+    if (open(m_part, mode, m_press)) m_drag.press = press; // whatever the view has become since
+}
+
+void PolygonTool::dragTo(const Pointer& pointer) {
+    if (!m_gesture || !m_gesture->isOpen()) { // the document has moved on without us
+        end();
+        m_state = State::Cancelled;
+        return;
+    }
+    const CanvasScene::Batch batch(m_scene);
+    m_pointer = pointer.position;
+    // Zooming in the middle of a drag changes what a pixel means: then the plane is the reference.
+    const ifs::Vector<2> offset =
+        m_camera == m_scene.camera()
+            ? worldOffset(m_camera, pointer.position - m_press)
+            : ifs::Vector<2>(worldAt(m_scene.camera(), pointer.position) - m_drag.press);
+    if (m_part.kind == Kind::Rotate || m_part.kind == Kind::Scale) m_scene.holdKnobAt(pointer.position);
+    const Constraint constraint = constraintOf(pointer.modifiers);
+    SnapTargets targets = m_scene.snapTargets(m_part, m_drag.vertices);
+    const Snapping snapping = targets.snapping;
+    show([&](double share) {
+        targets.snapping = share < 1 ? Snapping() : snapping; // on the way nothing is drawn aside
+        return dragged(m_drag, offset * share, constraint, targets);
+    });
+}
+
+double PolygonTool::show(const std::function<DragResult(double)>& resultAt) {
+    const CanvasScene::Batch batch(m_scene);
+    const Shown shown = preview(resultAt);
+    const bool whole = m_drag.vertices.size() == m_drag.points.size();
+    if (m_ownPivotAtPress && whole && m_drag.mode == PolygonDrag::Mode::Move)
+        handles().setPivot(m_pivotAtPress + shown.result.change.translation);
+    m_scene.marks().showSnap(shown.result.snap);
+    if (m_state == State::Dragging) m_scene.marks().showReadout(readout(m_drag, shown.result), m_pointer);
+    describe(shown.result);
+    return shown.share;
+}
+
+// What has been done, and to what value. Nudges of one handle that follow each other closely are one step.
+void PolygonTool::describe(const DragResult& result) {
+    const QString text = withValue(m_stepText, m_drag, result);
+    const int kind =
+        m_state == State::Nudging
+            ? int(qHashMulti(0, int(handles().target()), int(m_part.kind), m_part.index, m_part.map) &
+                  0x7fffffff)
+            : -1;
+    m_gesture->describe(text, kind);
+}
+
+// The pivot is no part of the document. It is always drawn to the vertices: turning about one is common.
+void PolygonTool::movePivot(const Pointer& pointer) {
+    SnapTargets targets = m_scene.snapTargets({}, {});
+    targets.snapping |= SnapTo::Vertices;
+    const Snapped snap =
+        snapped(targets, m_pivotAtPress + worldOffset(m_scene.camera(), pointer.position - m_press));
+    handles().setPivot(snap.point);
+    m_scene.marks().showSnap(snap);
+}
+
+// At once, so that one sees it; a press on the empty canvas selects nothing.
+void PolygonTool::selectWithin(const Pointer& pointer) {
+    const QRectF band = QRectF(m_press, pointer.position).normalized();
+    std::vector<std::size_t> items = enclosedBy(band);
+    if (pointer.modifiers & adding) {
+        items.insert(items.end(), m_selectionAtPress.begin(), m_selectionAtPress.end());
+        std::ranges::sort(items);
+        items.erase(std::unique(items.begin(), items.end()), items.end());
+    }
+    selectItems(items);
+    m_scene.marks().showBand(band);
+}
+
+void PolygonTool::selectClicked(std::size_t item, Qt::KeyboardModifiers modifiers) {
+    if (!(modifiers & adding)) return selectItems({item});
+    std::vector<std::size_t> items = selectedItems().value_or(std::vector<std::size_t>());
+    if (std::erase(items, item) == 0) items.push_back(item);
+    selectItems(items);
+}
+
+void PolygonTool::release(const Pointer& pointer) {
+    if (m_state == State::Nudging) return;
+    const bool click = m_state == State::Pressed;
+    if (m_state == State::Dragging && m_gesture) m_gesture->commit();
+    end();
+    if (click) clicked(m_part, pointer);
+    selection().setHovered(m_scene.partAt(pointer.position, pointer.reach));
+    emit cursorChanged();
+}
+
+// Leaves nothing of a gesture behind; what has been previewed and not committed goes.
+void PolygonTool::end() {
+    const CanvasScene::Batch batch(m_scene);
+    if (m_state == State::Nudging && m_gesture) m_gesture->commit();
+    m_gesture.reset();
+    m_released.stop();
+    m_state = State::Idle;
+    selection().setPressed({});
+    m_scene.holdKnobAt(std::nullopt);
+    m_scene.marks().showSnap(std::nullopt);
+    m_scene.marks().showBand({});
+    m_scene.marks().showReadout({}, {});
+    ended();
+}
+
+void PolygonTool::leave() {
+    if (m_state == State::Idle) hover({});
+}
+
+bool PolygonTool::cancel() {
+    if (m_state == State::Idle || m_state == State::Cancelled) return false;
+    const State state = m_state;
+    if (m_gesture) m_gesture->cancel();
+    if (state == State::Selecting) selectItems(m_selectionAtPress);
+    if (state != State::Nudging) restorePivot();
+    end();
+    if (state != State::Nudging) m_state = State::Cancelled;
+    emit cursorChanged();
+    return true;
+}
+
+void PolygonTool::restorePivot() {
+    handles().setPivot(m_ownPivotAtPress ? std::optional(m_pivotAtPress) : std::nullopt);
+}
+
+// What the handles without a number are for is said in the status bar.
+void PolygonTool::hover(const CanvasPart& part) {
+    const CanvasPart before = selection().hovered();
+    if (part == before) return;
+    selection().setHovered(part);
+    const QString use = useOf(part);
+    if (!use.isEmpty() || !useOf(before).isEmpty()) emit message(use);
+}
+
+void PolygonTool::stop() {
+    cancel();
+    m_state = State::Idle;
+    selection().setHovered({});
+    selection().setFocused({});
+}
+
+QCursor PolygonTool::cursor(const Pointer& pointer) const {
+    const bool held =
+        m_state == State::Pressed || m_state == State::Dragging || m_state == State::MovingPivot;
+    if (held) return cursorFor(m_part, Holding::Yes);
+    if (m_state == State::Selecting) return cursorFor({}, Holding::No);
+    return cursorFor(m_scene.partAt(pointer.position, pointer.reach), Holding::No);
+}
+
+void PolygonTool::walk(int step) {
+    if (!handles().cage()) return;
+    if (m_state == State::Nudging) end();
+    const std::vector<CanvasPart> parts = handles().parts();
+    const auto count = std::ptrdiff_t(parts.size());
+    const auto found = std::ranges::find(parts, selection().focused());
+    std::ptrdiff_t index = step > 0 ? -1 : count;
+    if (found != parts.end()) index = found - parts.begin();
+    selection().setFocused(parts[std::size_t((index + step + count) % count)]);
+}
+
+bool PolygonTool::isBareKey(const QKeyEvent& event, Qt::Key key) const {
+    return event.key() == key && !(event.modifiers() & ~Qt::KeypadModifier) && !isBusy();
+}
+
+bool PolygonTool::keyPress(const QKeyEvent& event) {
+    const QPointF way = arrowDirection(event.key());
+    const CanvasPart part = selection().focused();
+    if (way.isNull() || part.kind == Kind::None || !handles().cage()) return false;
+    keepNudging(event.timestamp());
+    if (m_state == State::Idle || m_state == State::Nudging) nudge(part, way, event.modifiers());
+    return true;
+}
+
+bool PolygonTool::keyRelease(const QKeyEvent& event) {
+    if (arrowDirection(event.key()).isNull() || m_state != State::Nudging) return false;
+    if (event.isAutoRepeat()) return true;
+    m_releaseStamp = event.timestamp();
+    if (m_releaseStamp == 0)
+        end();
+    else
+        m_released.start();
+    return true;
+}
+
+// An X server reports a key that repeats as going up and down at the same time, and Qt sees through that only
+// when both reports have arrived.
+void PolygonTool::keepNudging(quint64 stamp) {
+    if (!m_released.isActive()) return;
+    m_released.stop();
+    if (stamp != m_releaseStamp) end();
+}
+
+// One undo step for as long as the key is held.
+void PolygonTool::nudge(const CanvasPart& part, const QPointF& way, Qt::KeyboardModifiers modifiers) {
+    if (part.kind == Kind::Pivot) {
+        handles().setPivot(handles().pivot() + worldOffset(m_scene.camera(), way * pace(modifiers)));
+        emit selection().focusMoved();
+        return;
+    }
+    if (m_state == State::Idle) {
+        m_part = part;
+        m_ownPivotAtPress = handles().hasOwnPivot();
+        m_pivotAtPress = handles().pivot();
+        if (!open(part, modeOf(part, Qt::NoModifier), m_scene.positionOf(part))) return;
+        m_nudge = {};
+        m_state = State::Nudging;
+        emit dragStarted();
+    }
+    if (!m_gesture->isOpen()) {
+        end();
+        return;
+    }
+    m_nudge += way * pace(modifiers);
+    m_nudge *= show([this](double share) { return nudged(m_nudge * share); });
+    emit selection().focusMoved();
+}
+
+DragResult PolygonTool::nudged(const QPointF& by) const {
+    const double amount = by.x() - by.y(); // right and up are more
+    if (m_drag.mode == PolygonDrag::Mode::Rotate) return rotated(m_drag, -amount * std::numbers::pi / 180);
+    if (m_drag.mode == PolygonDrag::Mode::Scale)
+        return scaled(m_drag, ifs::Vector<2>::Constant(std::pow(1.01, amount)));
+    return moved(m_drag, worldOffset(m_scene.camera(), by));
+}
+
+} // namespace view

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/tools/toolbox.h"
+
+#include "document/edits/cage_actions.h"
+#include "document/fractal.h"
+
+namespace view {
+
+Toolbox::Toolbox(CanvasScene& scene, CanvasOptions& options)
+    : m_document(&scene.document()),
+      m_scene(scene),
+      m_options(options),
+      m_cageTool(scene),
+      m_mapsTool(scene),
+      m_branchTool(scene),
+      m_defineTool(scene) {
+    for (CanvasTool* tool :
+         {static_cast<CanvasTool*>(&m_cageTool), static_cast<CanvasTool*>(&m_mapsTool),
+          static_cast<CanvasTool*>(&m_branchTool), static_cast<CanvasTool*>(&m_defineTool)}) {
+        connect(tool, &CanvasTool::message, this, &Toolbox::message);
+        connect(tool, &CanvasTool::cursorChanged, this, &Toolbox::cursorChanged);
+        connect(tool, &CanvasTool::finished, this, [this] { setTool(Tool::Cage); });
+    }
+    for (PolygonTool* tool : {static_cast<PolygonTool*>(&m_cageTool), static_cast<PolygonTool*>(&m_mapsTool),
+                              static_cast<PolygonTool*>(&m_branchTool)})
+        connect(tool, &PolygonTool::dragStarted, this, &Toolbox::used);
+}
+
+void Toolbox::stop() {
+    if (m_document) active().stop();
+}
+
+CanvasTool& Toolbox::active() {
+    if (PolygonTool* tool = polygonTool()) return *tool;
+    return m_defineTool;
+}
+
+PolygonTool* Toolbox::polygonTool() {
+    if (m_tool == Tool::Maps) return &m_mapsTool;
+    if (m_tool == Tool::Branch) return &m_branchTool;
+    return m_tool == Tool::Cage ? &m_cageTool : nullptr;
+}
+
+void Toolbox::setTool(Tool tool) {
+    if (tool == m_tool) return;
+    if (tool != Tool::Cage && !document::system2(m_document->fractal())) {
+        emit message(m_scene.notes().note());
+        emit toolChanged(m_tool); // a button that was pressed goes back
+        return;
+    }
+    if (tool == Tool::DefineTriangle && !isPlacementInvertible(m_document->fractal())) {
+        emit definingRefused();
+        emit toolChanged(m_tool);
+        return;
+    }
+    if (tool != Tool::Cage) m_options.setOverlaysVisible(true);
+    emit used();
+    active().stop();
+    m_tool = tool;
+    active().start();
+    emit cursorChanged();
+    emit toolChanged(tool);
+}
+
+void Toolbox::setAllowsNoAttractor(bool allows) {
+    m_mapsTool.setAllowsNoAttractor(allows);
+    m_branchTool.setAllowsNoAttractor(allows);
+}
+
+} // namespace view

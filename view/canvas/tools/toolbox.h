@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/scene/canvas_options.h"
+#include "canvas/tools/branch_tool.h"
+#include "canvas/tools/cage_tool.h"
+#include "canvas/tools/define_tool.h"
+
+#include <QPointer>
+
+namespace view {
+
+// The tools of the canvas, one of which is in use.
+class Toolbox : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Tool { Cage, Maps, Branch, DefineTriangle };
+
+    Toolbox(CanvasScene& scene, CanvasOptions& options);
+
+    // A tool that cannot be used now is refused: message() or definingRefused() says why.
+    void setTool(Tool tool);
+    Tool tool() const { return m_tool; }
+    void stop(); // what is held is let go
+    CanvasTool& active();
+    PolygonTool* polygonTool(); // the tool in use when it takes polygons, else nullptr
+
+    CageTool& cageTool() { return m_cageTool; }
+    MapsTool& mapsTool() { return m_mapsTool; }
+    BranchTool& branchTool() { return m_branchTool; }
+
+    // Whether dragging a map may lead where there is no attractor; else the drag stops there.
+    void setAllowsNoAttractor(bool allows);
+
+signals:
+    void toolChanged(view::Toolbox::Tool tool); // also when a tool was refused
+    void used();                                // another tool is in use, or a gesture has begun
+    void definingRefused();                     // the placement is flat
+    void message(const QString& sentence);      // for the status bar
+    void cursorChanged();
+
+private:
+    QPointer<document::Document> m_document;
+    CanvasScene& m_scene;
+    CanvasOptions& m_options;
+    CageTool m_cageTool;
+    MapsTool m_mapsTool;
+    BranchTool m_branchTool;
+    DefineTool m_defineTool;
+    Tool m_tool = Tool::Cage;
+};
+
+} // namespace view

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal_file.h"
+#include "io/table/table_reader.h"
+
+#include <QByteArray>
+#include <QList>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QMimeData;
+
+// Entries on their way through the clipboard and drag and drop, as the text of an .ifs file.
+namespace view {
+
+// The entries one after the other: readable ones in the form every reader takes, unreadable ones as they were
+// read.
+QByteArray entriesText(const QList<document::Entry>& entries);
+std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries);
+
+// Entries found in a text: an .ifs file or part of one, flames, or a bare table of numbers. Readable entries
+// carry no source, so that they are written anew; the ids mean nothing.
+struct FoundEntries {
+    QList<document::Entry> entries;
+    document::Problems problems{}; // all of them, of the text and of its entries
+    // The text, when it is a table that does not say what its columns are: its entry is in the order of
+    // Fractint, and the user is to be asked.
+    QString table{};
+    bool areFlames = false;
+};
+FoundEntries entriesIn(const QByteArray& text);                       // any thread
+std::function<QByteArray()> entriesTextIn(const QMimeData& mimeData); // called in any thread, at any time
+FoundEntries entriesIn(const QMimeData& mimeData);
+
+// Rows of maps likewise, as a table; those copied in this process are there as they were.
+std::unique_ptr<QMimeData> mapsMimeData(std::vector<ifs::WeightedMap<2>> maps);
+const std::vector<ifs::WeightedMap<2>>* ourMaps(const QMimeData& mimeData); // nullptr: not of this process
+bool holdsOurMaps(const QMimeData& mimeData); // of any process: the columns are known
+struct FoundMaps {
+    io::Table table;
+    bool isOrderOpen = false; // the text does not say what its columns are
+};
+FoundMaps mapsIn(const QString& text, bool areOurs); // any thread
+
+bool holdsText(const QMimeData& mimeData);      // not only blanks
+bool mayHoldEntries(const QMimeData& mimeData); // cheap; for enabling actions and accepting a drag
+
+} // namespace view

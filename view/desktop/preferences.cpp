@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "desktop/preferences.h"
+
+#include "desktop/settings.h"
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+const QString languageKey = QStringLiteral("preferences/language");
+const QString themeKey = QStringLiteral("preferences/theme");
+const QString qualityKey = QStringLiteral("preferences/quality");
+const QString reopenKey = QStringLiteral("preferences/reopen");
+
+} // namespace
+
+Preferences Preferences::stored() {
+    Preferences found;
+    found.language = view::stored(languageKey).toString();
+    const QString theme = view::stored(themeKey).toString();
+    if (theme == QLatin1String("light")) found.theme = Theme::Light;
+    if (theme == QLatin1String("dark")) found.theme = Theme::Dark;
+    found.quality = std::clamp<std::uint64_t>(view::stored(qualityKey, quint64(found.quality)).toULongLong(),
+                                              1'000'000, 100'000'000'000);
+    found.reopen = view::stored(reopenKey, found.reopen).toBool();
+    return found;
+}
+
+void Preferences::store() const {
+    view::store(languageKey, language);
+    view::store(themeKey, theme == Theme::Light  ? QStringLiteral("light")
+                          : theme == Theme::Dark ? QStringLiteral("dark")
+                                                 : QStringLiteral("desktop"));
+    view::store(qualityKey, quint64(quality));
+    view::store(reopenKey, reopen);
+}
+
+} // namespace view

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "desktop/settings.h"
+
+#include "io/file/background.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QFuture>
+#include <QHash>
+#include <QMutex>
+#include <QSettings>
+
+#include <utility>
+
+namespace view {
+
+namespace {
+
+// Files of settings hold everything as text.
+bool isSame(const QVariant& found, const QVariant& value) {
+    if (found.isValid() != value.isValid()) return false;
+    if (value.typeId() == QMetaType::QStringList) return found.toStringList() == value.toStringList();
+    if (value.typeId() == QMetaType::QByteArray) return found == value;
+    return found.toString() == value.toString();
+}
+
+// The names of files and folders that the settings hold are nobody else's business. QSettings would make them
+// as the umask says; it writes into the folder a file that takes over the permissions of the one before.
+void makePrivate(const QString& file) {
+    constexpr auto owner = QFile::ReadOwner | QFile::WriteOwner;
+    const QString folder = QFileInfo(file).path();
+    QDir().mkpath(folder);
+    QFile::setPermissions(folder, owner | QFile::ExeOwner);
+    QFile settings(file);
+    if (!settings.exists() && !settings.open(QIODevice::WriteOnly | QIODevice::NewOnly)) return;
+    settings.setPermissions(owner);
+}
+
+// What is on its way to the disk. Meanwhile nothing is read from there: Qt's reader would write what the
+// writer has not yet written.
+class Storing {
+public:
+    void add(const QString& key, const QVariant& value) {
+        if (isSame(find(key), value)) return;
+        const QMutexLocker locker(&m_mutex);
+        m_known[key] = value;
+        m_values[key] = {value, ++m_calls};
+        if (std::exchange(m_isStarted, true)) return;
+        m_last = QFuture<void>(io::inBackground<bool>([this](QPromise<bool>&) { write(); }));
+    }
+    QVariant find(const QString& key) {
+        {
+            const QMutexLocker locker(&m_mutex);
+            if (!m_values.isEmpty() && m_known.contains(key)) return m_known[key];
+        }
+        const QVariant found = QSettings().value(key);
+        const QMutexLocker locker(&m_mutex);
+        return m_known[key] = found;
+    }
+    void finish() {
+        m_last.waitForFinished();
+        const QMutexLocker locker(&m_mutex);
+        m_known.clear();
+    }
+
+private:
+    using Values = QHash<QString, std::pair<QVariant, int>>; // with the number of the call
+
+    void write() {
+        const QMutexLocker writing(&m_writing); // what is newer is written later
+        const Values values = [this] {
+            const QMutexLocker locker(&m_mutex);
+            m_isStarted = false;
+            return m_values;
+        }();
+        {
+            QSettings settings;
+            makePrivate(settings.fileName());
+            for (const auto& [key, value] : values.asKeyValueRange())
+                if (value.first.isValid())
+                    settings.setValue(key, value.first);
+                else
+                    settings.remove(key);
+        } // and now it is written
+        const QMutexLocker locker(&m_mutex);
+        m_values.removeIf([&](const auto& entry) { return values.value(entry.key()) == entry.value(); });
+    }
+
+    QMutex m_mutex;
+    Values m_values; // not yet written
+    QHash<QString, QVariant> m_known;
+    int m_calls = 0;
+    bool m_isStarted = false; // a write that will find what is added now
+    QMutex m_writing;
+    QFuture<void> m_last;
+};
+
+Storing& storing() {
+    static Storing all;
+    return all;
+}
+
+} // namespace
+
+void store(const QString& key, const QVariant& value) {
+    storing().add(key, value);
+}
+
+QVariant stored(const QString& key, const QVariant& otherwise) {
+    const QVariant value = storing().find(key);
+    return value.isValid() ? value : otherwise;
+}
+
+void finishStoring() {
+    storing().finish();
+}
+
+} // namespace view

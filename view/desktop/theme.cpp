@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "desktop/theme.h"
+
+#include <QApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPalette>
+#include <QProxyStyle>
+#include <QStyleOptionButton>
+
+#include <algorithm>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+struct RoleColour {
+    QPalette::ColorGroup group;
+    QPalette::ColorRole role;
+    QRgb light, dark;
+};
+
+constexpr RoleColour colours[] = {
+    {QPalette::All, QPalette::Window, 0xffefefef, 0xff333337},
+    {QPalette::All, QPalette::Base, 0xffffffff, 0xff1d1d20},
+    {QPalette::All, QPalette::AlternateBase, 0xfff6f6f6, 0xff252528},
+    {QPalette::All, QPalette::ToolTipBase, 0xffefefef, 0xff434348},
+    {QPalette::All, QPalette::Button, 0xffefefef, 0xff434348},
+    {QPalette::All, QPalette::Light, 0xffffffff, 0xff55555a},
+    {QPalette::All, QPalette::Midlight, 0xffe4e4e4, 0xff424247},
+    {QPalette::All, QPalette::Mid, 0xffb8b8b8, 0xff242427},
+    {QPalette::All, QPalette::Dark, 0xff9f9f9f, 0xff19191b},
+    {QPalette::All, QPalette::Shadow, 0xff767676, 0xff0e0e10},
+    {QPalette::All, QPalette::WindowText, 0xff1c1c1c, 0xffe8e8e8},
+    {QPalette::All, QPalette::Text, 0xff1c1c1c, 0xffe8e8e8},
+    {QPalette::All, QPalette::ButtonText, 0xff1c1c1c, 0xffe8e8e8},
+    {QPalette::All, QPalette::ToolTipText, 0xff1c1c1c, 0xffe8e8e8},
+    {QPalette::All, QPalette::BrightText, 0xffffffff, 0xffffffff},
+    {QPalette::All, QPalette::Highlight, 0xff2a6fb0, 0xff2f7ac2},
+    {QPalette::All, QPalette::HighlightedText, 0xffffffff, 0xffffffff},
+    {QPalette::All, QPalette::Link, 0xff1d5fa8, 0xff72b2f2},
+    {QPalette::All, QPalette::LinkVisited, 0xff1d5fa8, 0xff72b2f2},
+    {QPalette::Disabled, QPalette::WindowText, 0xff8c8c8c, 0xff808084},
+    {QPalette::Disabled, QPalette::Text, 0xff8c8c8c, 0xff808084},
+    {QPalette::Disabled, QPalette::ButtonText, 0xff8c8c8c, 0xff808084},
+    {QPalette::Disabled, QPalette::HighlightedText, 0xff8c8c8c, 0xff808084},
+    {QPalette::Disabled, QPalette::Highlight, 0xffb8b8b8, 0xff242427},
+};
+
+QPalette paletteOf(Preferences::Theme theme) {
+    QPalette palette;
+    for (const RoleColour& colour : colours)
+        palette.setColor(colour.group, colour.role,
+                         QColor::fromRgba(theme == Preferences::Theme::Dark ? colour.dark : colour.light));
+    return palette;
+}
+
+const QString fusion = QStringLiteral("fusion");
+
+// A cross, or a window in front of another, in the colour of text when it is drawn.
+class TitleButtonEngine : public QIconEngine {
+public:
+    explicit TitleButtonEngine(bool closes) : m_closes(closes) {}
+    QIconEngine* clone() const override { return new TitleButtonEngine(*this); }
+
+    void paint(QPainter* painter, const QRect& area, QIcon::Mode, QIcon::State) override {
+        const double side = std::min(area.width(), area.height()) * 0.6;
+        QRectF box(0, 0, side, side);
+        box.moveCenter(QRectF(area).center());
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(QPen(QApplication::palette().color(QPalette::WindowText), std::max(1.2, side / 7)));
+        painter->setBrush(Qt::NoBrush);
+        if (m_closes) {
+            painter->drawLine(box.topLeft(), box.bottomRight());
+            painter->drawLine(box.topRight(), box.bottomLeft());
+        } else {
+            painter->drawRect(box.adjusted(0, side * 0.3, -side * 0.3, 0));
+            painter->drawPolyline(QPolygonF{{box.left() + side * 0.3, box.top() + side * 0.3},
+                                            {box.left() + side * 0.3, box.top()},
+                                            box.topRight(),
+                                            {box.right(), box.bottom() - side * 0.3},
+                                            {box.right() - side * 0.3, box.bottom() - side * 0.3}});
+        }
+        painter->restore();
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap result(size);
+        result.fill(Qt::transparent);
+        QPainter painter(&result);
+        paint(&painter, QRect(QPoint(), size), mode, state);
+        return result;
+    }
+
+private:
+    bool m_closes;
+};
+
+// Fusion draws the frames of boxes and circles to be checked a shade darker than the window, which is hardly
+// seen in light themes and not at all in dark ones; so it does with buttons that are on. Here they stand out
+// at least by 3 to 1.
+class ClearFusion : public QProxyStyle {
+public:
+    ClearFusion() : QProxyStyle(fusion) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        if ((element == PE_PanelButtonCommand || element == PE_PanelButtonTool) && option->state & State_On) {
+            paintOn(*option, *painter);
+            return;
+        }
+        const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+        if (!button || (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton)) {
+            QProxyStyle::drawPrimitive(element, option, painter, widget);
+            return;
+        }
+        QStyleOptionButton clear = *button;
+        const QColor frame =
+            mixed(clear.palette.color(QPalette::Window), clear.palette.color(QPalette::WindowText), 0.6);
+        clear.palette.setColor(QPalette::Window, frame.lighter(fusionDarkens));
+        QProxyStyle::drawPrimitive(element, &clear, painter, widget);
+    }
+
+    // Fusion has them in dark grey on any background.
+    QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
+                       const QWidget* widget) const override {
+        if (which == SP_TitleBarCloseButton || which == SP_TitleBarNormalButton)
+            return QIcon(new TitleButtonEngine(which == SP_TitleBarCloseButton));
+        return QProxyStyle::standardIcon(which, option, widget);
+    }
+
+    // Its ticks and crosses are of another hand than our icons.
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* result) const override {
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons
+                   ? 0
+                   : QProxyStyle::styleHint(hint, option, widget, result);
+    }
+
+private:
+    // A button that is on: Fusion makes it a shade darker, which is not seen beside one that is off.
+    static void paintOn(const QStyleOption& option, QPainter& painter) {
+        const QColor button = option.palette.color(QPalette::Button);
+        const QColor highlight = option.palette.color(QPalette::Highlight);
+        const bool pointedAt = option.state & State_MouseOver && option.state & State_Enabled;
+        const QColor frame = mixed(highlight, option.palette.color(QPalette::ButtonText), 0.5);
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(frame);
+        painter.setBrush(mixed(button, highlight, pointedAt ? 0.45 : 0.35));
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+        painter.restore();
+    }
+
+    static constexpr int fusionDarkens = 127; // percent: from the window to the frame
+
+    static QColor mixed(const QColor& from, const QColor& to, float share) {
+        const auto mix = [share](float a, float b) { return a + share * (b - a); };
+        return QColor::fromRgbF(mix(from.redF(), to.redF()), mix(from.greenF(), to.greenF()),
+                                mix(from.blueF(), to.blueF()));
+    }
+};
+
+} // namespace
+
+void completePalette() {
+    QPalette palette = QApplication::palette();
+    QColor quiet = palette.color(QPalette::Active, QPalette::Text);
+    quiet.setAlpha(150);
+    if (palette.color(QPalette::Active, QPalette::PlaceholderText) == quiet) return;
+    palette.setColor(QPalette::PlaceholderText, quiet);
+    QApplication::setPalette(palette);
+}
+
+void applyTheme(Preferences::Theme theme) {
+    static const QString desktopStyle = QApplication::style()->name();
+    static QString worn;
+    const bool own = theme != Preferences::Theme::Desktop;
+    // Only this style of the toolkit takes every colour from the palette.
+    if (const QString style = own ? fusion : desktopStyle; style != std::exchange(worn, style)) {
+        if (style.compare(fusion, Qt::CaseInsensitive) == 0)
+            QApplication::setStyle(new ClearFusion);
+        else
+            QApplication::setStyle(style);
+    }
+    QApplication::setPalette(own ? paletteOf(theme) : QPalette());
+    completePalette();
+}
+
+} // namespace view

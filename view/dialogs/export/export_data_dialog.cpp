@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/export_data_dialog.h"
+
+#include "dialogs/column_orders.h"
+#include "dialogs/export/start_export.h"
+#include "document/edits/cage_edits.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/save_beside.h"
+#include "widgets/text_edit_workarounds.h"
+#include "widgets/tooltip_text.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFontDatabase>
+#include <QFormLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPointer>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace view {
+
+namespace {
+
+enum Format { Flame, Aifs, Csv, Tsv, PointsCsv, PointsPly };
+
+std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fractal) {
+    const ifs::ControlCage<2>* cage = document::cage2(fractal);
+    if (!cage || cage->rest.size() != 3) return {};
+    auto baked = document::baked(fractal);
+    return baked ? std::make_shared<const document::Fractal>(*std::move(baked)) : nullptr;
+}
+
+} // namespace
+
+ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent)
+    : QDialog(parent), m_fractal(document->fractal()), m_baked(bakedOf(m_fractal)) {
+    setWindowTitle(tr("Export Data of “%1”").arg(titleText(m_fractal.name)));
+    m_form = new QFormLayout;
+    createOptions(m_form);
+    m_preview = new TextEditWithWorkarounds<QPlainTextEdit>(this);
+    m_preview->setReadOnly(true);
+    m_preview->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_preview->setAccessibleName(tr("Preview of the file"));
+    m_preview->setWhatsThis(tr("The beginning of the file as it will be written."));
+    m_message = new QLabel(this);
+    m_message->setWordWrap(true);
+    m_message->setTextFormat(Qt::PlainText); // it quotes names and paths
+    m_message->setAccessibleName(tr("Result"));
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_progress->hide();
+    auto* buttons = new QDialogButtonBox(this);
+    m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_export->setWhatsThis(tr("Asks for a file name and writes the file."));
+    m_copy = buttons->addButton(tr("Copy &Text"), QDialogButtonBox::ActionRole);
+    m_copy->setWhatsThis(tr("Copies the whole text to the clipboard instead of writing a file."));
+    m_close = buttons->addButton(QDialogButtonBox::Close);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(m_form);
+    layout->addWidget(m_preview, 1);
+    layout->addWidget(m_message);
+    layout->addWidget(m_progress);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDataDialog::chooseFile);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    connect(m_copy, &QPushButton::clicked, this, &ExportDataDialog::copy);
+    resize(fontMetrics().averageCharWidth() * 90, fontMetrics().lineSpacing() * 26);
+    update();
+}
+
+ExportDataDialog::~ExportDataDialog() = default;
+
+void ExportDataDialog::createOptions(QFormLayout* form) {
+    m_format = new QComboBox(this);
+    m_format->setWhatsThis(
+        tr("The program that will read the data; each format contains what that program understands."));
+    m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
+                        tr("Table with commas (.csv)"), tr("Table with tabs (.tsv)"), tr("Points (.csv)"),
+                        tr("Points, coloured (.ply)")});
+    m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
+    m_points = new QSpinBox(this);
+    m_points->setWhatsThis(tr("How many points of the chaos game are written."));
+    m_points->setRange(1, int(io::PointCloud::maxPoints));
+    m_points->setValue(100'000);
+    m_points->setSingleStep(100'000);
+    m_points->setGroupSeparatorShown(true);
+    m_turnY = new QCheckBox(tr("Turn &y around so that the flame is the right way up"), this);
+    m_turnY->setWhatsThis(tr("In flame programs, y points down. With this option, the flame looks as it does "
+                             "here; without it, the numbers stay the same."));
+    m_turnY->setChecked(true);
+    m_bake = new QCheckBox(tr("&Bake the placement so that the maps draw the picture as shown"), this);
+    m_bake->setWhatsThis(tr("With this option, the cage becomes part of the maps. Without it, the maps are "
+                            "written as they are in the table."));
+    m_bake->setChecked(true);
+    form->addRow(tr("&Format:"), m_format);
+    form->addRow(tr("C&olumns:"), m_columns);
+    form->addRow(tr("&Points:"), m_points);
+    form->addRow(QString(), m_turnY);
+    form->addRow(QString(), m_bake);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDataDialog::update);
+    connect(m_columns, &ColumnOrders::changed, this, &ExportDataDialog::update);
+    connect(m_turnY, &QCheckBox::toggled, this, &ExportDataDialog::update);
+    connect(m_bake, &QCheckBox::toggled, this, &ExportDataDialog::update);
+}
+
+std::optional<io::TextFormat> ExportDataDialog::textFormat() const {
+    switch (m_format->currentIndex()) {
+    case Flame:
+        return io::TextFormat::Flame;
+    case Aifs:
+        return io::TextFormat::Aifs;
+    case Csv:
+        return io::TextFormat::Csv;
+    case Tsv:
+        return io::TextFormat::Tsv;
+    default:
+        return std::nullopt;
+    }
+}
+
+io::PointFormat ExportDataDialog::pointFormat() const {
+    return m_format->currentIndex() == PointsPly ? io::PointFormat::Ply : io::PointFormat::Csv;
+}
+
+QString ExportDataDialog::suffix() const {
+    if (const auto format = textFormat()) return io::suffixOf(*format);
+    return pointFormat() == io::PointFormat::Ply ? QStringLiteral("ply") : QStringLiteral("csv");
+}
+
+std::shared_ptr<const document::Fractal> ExportDataDialog::fractalToExport() const {
+    return m_baked && m_bake->isChecked() ? m_baked : std::make_shared<const document::Fractal>(m_fractal);
+}
+
+QByteArray ExportDataDialog::text() const {
+    io::TextOptions options;
+    options.axis = m_turnY->isChecked() ? io::FlameAxis::Flipped : io::FlameAxis::AsWritten;
+    options.columns = m_columns->columns();
+    return io::textOf({fractalToExport()}, *textFormat(), options);
+}
+
+// What the chosen format has no place for, as a sentence; empty when nothing is lost.
+QString ExportDataDialog::loss() const {
+    const auto format = textFormat();
+    if (!format) return {};
+    document::Fractal written = *fractalToExport();
+    if (auto* shape = document::plane(written); shape && m_baked && m_bake->isChecked())
+        shape->cage.reset(); // it has done its work
+    return io::lossOf(*format, written).value_or(QString());
+}
+
+void ExportDataDialog::update() {
+    constexpr qsizetype maxShown = 8000; // bytes; a palette is long
+    const auto format = textFormat();
+    const bool isTable = format && io::holdsOneSystem(*format);
+    m_form->setRowVisible(m_columns, isTable);
+    m_form->setRowVisible(m_points, !format);
+    m_form->setRowVisible(m_turnY, format == io::TextFormat::Flame);
+    m_form->setRowVisible(m_bake, format && m_baked);
+    m_copy->setVisible(format.has_value());
+    m_preview->setVisible(format.has_value());
+    const QString obstacle = document::system2(m_fractal)
+                                 ? isTable ? m_columns->obstacle() : QString()
+                                 : tr("Only the numbers of systems in the plane can be exported.");
+    const bool possible = obstacle.isEmpty();
+    m_export->setEnabled(possible);
+    m_copy->setEnabled(possible);
+    m_message->clear();
+    if (!possible)
+        say(obstacle);
+    else if (!format)
+        say(tr("The points of the chaos game as shown, without the first 14."));
+    else if (const QString loss = this->loss(); !loss.isEmpty())
+        say(loss);
+    if (format && possible) m_preview->setPlainText(QString::fromUtf8(text().left(maxShown)));
+}
+
+void ExportDataDialog::chooseFile() {
+    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
+    const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
+    const QString path = chooseFileToSave(this, tr("Export Data"), fileName, filter, suffix());
+    if (!path.isEmpty()) exportTo(path);
+}
+
+void ExportDataDialog::exportTo(const QString& path) {
+    if (textFormat()) {
+        const QPointer self(this);
+        const auto [isCancelled, failure] = saveBeside(path, text(), this);
+        if (!self) return;
+        io::ExportOutcome outcome;
+        outcome.stopped = isCancelled;
+        outcome.failure = failure;
+        return finish(outcome, path);
+    }
+    m_progress->setValue(0);
+    m_progress->show();
+    m_export->setEnabled(false);
+    m_close->setText(tr("&Stop"));
+    const io::PointCloud cloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()};
+    m_job = startExport(
+        cloud, path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+}
+
+void ExportDataDialog::copy() {
+    QGuiApplication::clipboard()->setText(QString::fromUtf8(text()));
+    sayWithLoss(tr("The text was copied to the clipboard."));
+}
+
+void ExportDataDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
+    m_job.reset();
+    m_progress->hide();
+    m_export->setEnabled(true);
+    m_close->setText(tr("&Close"));
+    if (outcome.stopped)
+        say(tr("Export stopped; nothing was written."));
+    else if (outcome.failure)
+        say(*outcome.failure);
+    else
+        sayWithLoss(tr("Written to %1.").arg(path));
+    if (!outcome.stopped && !outcome.failure) emit exported(path);
+}
+
+void ExportDataDialog::sayWithLoss(const QString& sentence) {
+    const QString lost = loss();
+    say(lost.isEmpty() ? sentence : sentence + u'\n' + lost);
+}
+
+void ExportDataDialog::say(const QString& sentence) {
+    m_message->setText(sentence);
+}
+
+} // namespace view

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/export_dialog.h"
+
+#include "dialogs/export/export_size_editor.h"
+#include "dialogs/export/start_export.h"
+#include "document/fractal_geometry.h"
+#include "ifs/copies/copy_hierarchy.h"
+#include "io/file/background.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/number_text.h"
+#include "widgets/tooltip_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+enum Format { Png, Svg, Pdf };
+
+// The same view in another size: what was on the screen stays in the picture.
+attractor::Camera resized(attractor::Camera camera, const QSize& size) {
+    const double factor = std::min(double(size.width()) / std::max(1, camera.width),
+                                   double(size.height()) / std::max(1, camera.height));
+    camera.pixelsPerUnit *= factor;
+    camera.width = size.width();
+    camera.height = size.height();
+    return camera;
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
+    : QDialog(parent), m_fractal(document->fractal()), m_camera(camera) {
+    setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
+    auto* layout = new QVBoxLayout(this);
+    m_options = new QWidget(this);
+    layout->addWidget(m_options);
+    createFormat();
+    layout->addWidget(createProgress());
+    auto* buttons = new QDialogButtonBox(this);
+    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_start->setWhatsThis(
+        tr("Asks for a file name and writes the file. You can keep working in the meantime."));
+    m_close = buttons->addButton(QDialogButtonBox::Close);
+    layout->addStretch();
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::chooseFile);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    m_planTimer.setSingleShot(true);
+    m_planTimer.setInterval(150);
+    connect(&m_planTimer, &QTimer::timeout, this, &ExportDialog::updateSvgPlan);
+    connect(&m_planning, &QFutureWatcherBase::finished, this, &ExportDialog::showSvgPlan);
+    connectOptions();
+    update();
+}
+
+ExportDialog::~ExportDialog() = default;
+
+void ExportDialog::createFormat() {
+    m_format = new QComboBox(m_options);
+    m_format->addItems(
+        {tr("PNG: pixels"), tr("SVG: shapes for drawing programs"), tr("PDF: shapes for print")});
+    m_format->setAccessibleName(tr("Format"));
+    m_format->setWhatsThis(
+        tr("PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size."));
+    const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
+    m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
+                                   std::max(1, int(std::lround(m_camera.height * ratio)))},
+                                  m_options);
+    m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
+    m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
+    m_transparent->setWhatsThis(tr("The picture has no background and can be placed over another."));
+    m_triangle = new QCheckBox(tr("Include the control t&riangle"), m_options);
+    m_triangle->setWhatsThis(tr("Draws the cage over the picture."));
+    m_form = new QFormLayout(m_options);
+    m_form->setContentsMargins({});
+    m_section = new QComboBox(m_options);
+    m_section->addItems({tr("The view on the canvas"), tr("The whole attractor")});
+    m_section->setAccessibleName(tr("Section"));
+    m_section->setWhatsThis(tr("What the picture shows: what the canvas shows, or the attractor with a small "
+                               "margin, wherever the canvas looks."));
+    m_form->addRow(tr("&Format:"), m_format);
+    m_form->addRow(tr("S&ection:"), m_section);
+    m_form->addRow(tr("Size:"), m_size);
+    m_form->addRow(QString(), m_transparent);
+    m_form->addRow(QString(), m_triangle);
+    createPngOptions();
+    createSvgOptions();
+}
+
+void ExportDialog::createPngOptions() {
+    m_quality = new QComboBox(m_options);
+    m_quality->addItem(tr("Draft: 25 samples per pixel"), 25);
+    m_quality->addItem(tr("Good: 100 samples per pixel"), 100);
+    m_quality->addItem(tr("Fine: 400 samples per pixel"), 400);
+    m_quality->addItem(tr("Finest: 2000 samples per pixel"), 2000);
+    m_quality->setCurrentIndex(1);
+    m_quality->setAccessibleName(tr("Quality"));
+    m_quality->setWhatsThis(tr(
+        "The number of points drawn for each pixel: more points make a smoother picture and take longer."));
+    m_supersample = new QSpinBox(m_options);
+    m_supersample->setRange(1, 4);
+    m_supersample->setValue(m_fractal.appearance.supersample);
+    m_supersample->setAccessibleName(tr("Cells along each side of a pixel"));
+    m_supersample->setWhatsThis(tr("The number of smaller cells along each side of a pixel: more cells make "
+                                   "smoother edges, at the cost of memory and time."));
+    m_depthOfColour = new QComboBox(m_options);
+    m_depthOfColour->addItem(tr("8 bits per channel"), QVariant::fromValue(io::PngFormat::Depth::Bits8));
+    m_depthOfColour->addItem(tr("16 bits per channel, for further editing"),
+                             QVariant::fromValue(io::PngFormat::Depth::Bits16));
+    m_depthOfColour->setAccessibleName(tr("Colour depth"));
+    m_depthOfColour->setWhatsThis(
+        tr("16 bits keep fine gradations for later editing; 8 bits are enough for viewing."));
+    m_memory = new QLabel(m_options);
+    m_memory->setAccessibleName(tr("Memory needed"));
+    m_form->addRow(tr("&Quality:"), m_quality);
+    m_form->addRow(tr("S&upersampling:"), m_supersample);
+    m_form->addRow(tr("C&olour depth:"), m_depthOfColour);
+    m_form->addRow(tr("Memory:"), m_memory);
+}
+
+void ExportDialog::createSvgOptions() {
+    m_style = new QComboBox(m_options);
+    m_style->addItem(tr("Copies of copies: a small file"), int(io::ShapeStyle::Structured));
+    m_style->addItem(tr("Outline, for cutters and plotters"), int(io::ShapeStyle::Outline));
+    m_style->addItem(tr("Points"), int(io::ShapeStyle::Points));
+    m_style->setAccessibleName(tr("Kind of shapes"));
+    m_style->setWhatsThis(tr("Copies of copies make a small file that drawing programs can edit; the outline "
+                             "is one path; points are dots of the chaos game."));
+    m_points = new QSpinBox(m_options);
+    m_points->setRange(1, int(io::SvgFormat::maxPoints));
+    m_points->setValue(int(io::SvgFormat().points));
+    m_points->setSingleStep(10'000);
+    m_points->setAccessibleName(tr("Number of points"));
+    m_points->setWhatsThis(tr("How many dots of the chaos game are drawn."));
+    m_autoDepth = new QCheckBox(tr("As deep as &needed for the pixels"), m_options);
+    m_autoDepth->setChecked(true);
+    m_autoDepth->setWhatsThis(
+        tr("Makes the copies smaller until they cannot be distinguished from the attractor at this pixel "
+           "size, or until programs would take long to draw them."));
+    m_depth = new QSpinBox(m_options);
+    m_depth->setRange(0, 200);
+    m_depth->setAccessibleName(tr("Levels of copies"));
+    m_depth->setWhatsThis(tr("The number of levels of copies. More levels hardly enlarge the file, but the "
+                             "picture takes longer to draw."));
+    m_plan = new QLabel(m_options);
+    m_plan->setWordWrap(true);
+    m_plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_plan->setAccessibleName(tr("Description of the picture"));
+    m_form->addRow(tr("S&hapes:"), m_style);
+    m_form->addRow(tr("&Points:"), m_points);
+    m_form->addRow(tr("&Depth:"), m_depth);
+    m_form->addRow(QString(), m_autoDepth);
+    m_form->addRow(m_plan);
+}
+
+QWidget* ExportDialog::createProgress() {
+    auto* page = new QWidget(this);
+    m_message = new QLabel(page);
+    m_message->setWordWrap(true);
+    m_message->setAccessibleName(tr("Result"));
+    m_message->hide();
+    m_progress = new QProgressBar(page);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_progress->hide();
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins({});
+    layout->addWidget(m_message);
+    layout->addWidget(m_progress);
+    return page;
+}
+
+void ExportDialog::connectOptions() {
+    connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
+        m_message->hide(); // what it says is of another file
+        update();
+    });
+    connect(m_section, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
+    connect(m_size, &ExportSizeEditor::changed, this, &ExportDialog::update);
+    connect(m_supersample, &QSpinBox::valueChanged, this, &ExportDialog::update);
+    connect(m_depthOfColour, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
+    connect(m_depth, &QSpinBox::valueChanged, this, &ExportDialog::update);
+    connect(m_style, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
+    connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
+}
+
+bool ExportDialog::isSvg() const {
+    return m_format->currentIndex() != Png;
+}
+
+io::ShapeStyle ExportDialog::style() const {
+    return io::ShapeStyle(m_style->currentData().toInt());
+}
+
+document::Fractal ExportDialog::fractalToExport() const {
+    document::Fractal fractal = m_fractal;
+    fractal.appearance.background.alpha = m_transparent->isChecked() ? 0 : 255;
+    if (!isSvg()) fractal.appearance.supersample = m_supersample->value();
+    return fractal;
+}
+
+attractor::Camera ExportDialog::camera() const {
+    const attractor::Camera camera = resized(m_camera, m_size->pixels());
+    if (Section(m_section->currentIndex()) == Section::View) return camera;
+    const std::optional<document::Box> box = document::displayedBox(m_fractal);
+    return box ? attractor::fitted(camera, box->min, box->max) : camera;
+}
+
+io::Export ExportDialog::exportNow() const {
+    const attractor::Camera camera = this->camera();
+    const auto cage = m_triangle->isChecked() ? io::CageVisibility::Shown : io::CageVisibility::Hidden;
+    if (isSvg()) {
+        const auto depth = m_autoDepth->isChecked() ? std::nullopt : std::optional(m_depth->value());
+        const auto file = m_format->currentIndex() == Pdf ? io::ShapeFile::Pdf : io::ShapeFile::Svg;
+        const io::SvgFormat format{depth, cage, style(), std::uint64_t(m_points->value())};
+        return io::SvgExport{fractalToExport(), camera, format, file};
+    }
+    io::PngExport picture{fractalToExport(),
+                          {},
+                          m_size->dotsPerInch(),
+                          cage,
+                          m_depthOfColour->currentData().value<io::PngFormat::Depth>()};
+    picture.request = document::renderRequest(picture.fractal, camera);
+    picture.request.threads = io::threadsOfThisMachine();
+    picture.request.samples =
+        std::uint64_t(camera.width) * std::uint64_t(camera.height) * m_quality->currentData().toULongLong();
+    return picture;
+}
+
+void ExportDialog::update() {
+    const bool plane = document::system2(m_fractal) != nullptr;
+    m_size->setResolutionVisible(!isSvg());
+    m_depth->setEnabled(!m_autoDepth->isChecked());
+    m_start->setEnabled(plane && !m_job);
+    if (!plane) {
+        m_message->setText(tr("Only systems in the plane can be exported as a picture."));
+        m_message->show();
+    }
+    const bool points = style() == io::ShapeStyle::Points;
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{m_quality, m_supersample, m_depthOfColour, m_memory})
+        m_form->setRowVisible(field, !isSvg());
+    for (QWidget* field : std::initializer_list<QWidget*>{m_style, m_plan})
+        m_form->setRowVisible(field, isSvg());
+    m_form->setRowVisible(m_points, isSvg() && points);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_depth, m_autoDepth})
+        m_form->setRowVisible(field, isSvg() && !points);
+    m_transparent->setEnabled(!isSvg() || style() != io::ShapeStyle::Outline);
+    if (isSvg()) {
+        m_planTimer.start();
+        return;
+    }
+    const auto png = std::get<io::PngExport>(exportNow());
+    m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png)))));
+}
+
+void ExportDialog::updateSvgPlan() {
+    m_isPlanOld = m_planning.isRunning();
+    if (!isSvg() || m_isPlanOld) return;
+    m_planning.setFuture(io::inBackground<io::SvgPlan>(
+        [svg = std::get<io::SvgExport>(exportNow())](QPromise<io::SvgPlan>& promise) {
+            promise.addResult(io::svgPlan(svg.fractal, svg.camera, svg.format));
+        }));
+    QTimer::singleShot(300, this, [this] {
+        if (m_planning.isRunning()) showPlan(tr("Computing the shapes…"));
+    });
+}
+
+void ExportDialog::showSvgPlan() {
+    if (m_isPlanOld) return updateSvgPlan();
+    const io::SvgPlan plan = m_planning.result();
+    if (plan.failure) {
+        showPlan(*plan.failure);
+        return;
+    }
+    m_depth->setMaximum(plan.deepest);
+    if (m_autoDepth->isChecked()) {
+        const QSignalBlocker quiet(m_depth);
+        m_depth->setValue(plan.depth);
+    }
+    if (style() == io::ShapeStyle::Points) {
+        showPlan(tr("One dot for every visible point of the chaos game."));
+        return;
+    }
+    showPlan(
+        tr("%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels "
+           "from the attractor, and no point of the attractor is farther than that from the drawing.")
+            .arg(groupedNumber(double(plan.references)), QString::number(plan.errorInPixels, 'f', 2),
+                 groupedNumber(double(ifs::CopyHierarchy::maxReferences))) +
+        (plan.isCutShort ? tr(" Accuracy to the pixel needs more levels; with these, programs still draw the "
+                              "picture without a long wait.")
+                         : QString()) +
+        (plan.unbent ? tr(" The cage bends the picture, which copies cannot reproduce: the affine fit of the "
+                          "cage is written instead. A PNG shows the bend.")
+                     : QString()));
+}
+
+void ExportDialog::showPlan(const QString& text) {
+    m_plan->setText(text);
+    makeRoomForPlan();
+}
+
+// The window grows with it.
+void ExportDialog::makeRoomForPlan() {
+    const int usual = 3 * m_plan->fontMetrics().lineSpacing(); // so that it seldom does
+    m_plan->setMinimumHeight(std::max(usual, m_plan->heightForWidth(m_plan->width())));
+}
+
+void ExportDialog::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    makeRoomForPlan();
+}
+
+void ExportDialog::setSection(Section section) {
+    m_section->setCurrentIndex(int(section));
+}
+
+void ExportDialog::setFolder(const QString& folder) {
+    m_folder = folder;
+}
+
+void ExportDialog::chooseFile() {
+    const bool isPdf = m_format->currentIndex() == Pdf;
+    const QString suffix = isPdf     ? QStringLiteral("pdf")
+                           : isSvg() ? QStringLiteral("svg")
+                                     : QStringLiteral("png");
+    const QString filter = isPdf     ? tr("PDF documents (*.pdf)")
+                           : isSvg() ? tr("Scalable pictures (*.svg)")
+                                     : tr("Pictures (*.png)");
+    const QString name = document::uniqueName({}, m_fractal.name) + u'.' + suffix;
+    const QString path =
+        chooseFileToSave(this, tr("Export Picture"),
+                         m_folder.isEmpty() ? name : QDir(m_folder).filePath(name), filter, suffix);
+    if (path.isEmpty()) return;
+    m_folder = QFileInfo(path).path(); // the next one goes there too
+    exportTo(path);
+}
+
+void ExportDialog::exportTo(const QString& path) {
+    setBusy(true);
+    m_job = startExport(
+        exportNow(), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+}
+
+void ExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
+    m_job.reset();
+    setBusy(false);
+    m_message->show();
+    if (outcome.stopped) {
+        m_message->setText(tr("Export stopped; nothing was written."));
+    } else if (outcome.failure) {
+        m_message->setText(*outcome.failure);
+        emit failed(*outcome.failure);
+    } else {
+        m_message->setText(tr("Written to %1.").arg(path));
+        emit exported(path);
+    }
+}
+
+void ExportDialog::setBusy(bool busy) {
+    m_options->setEnabled(!busy);
+    m_start->setEnabled(!busy);
+    m_close->setText(busy ? tr("&Stop") : tr("&Close"));
+    m_progress->setValue(0);
+    m_progress->setVisible(busy);
+    if (busy) m_message->hide();
+}
+
+} // namespace view

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "document/document.h"
+#include "io/export_job.h"
+
+#include <QDialog>
+#include <QFutureWatcher>
+#include <QImage>
+#include <QTimer>
+
+#include <memory>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QWidget;
+
+namespace view {
+
+class ExportSizeEditor;
+
+// Exports what the camera shows as PNG or SVG. The work goes on in a thread of the model; the dialog stays
+// responsive, and closing it stops the export.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent = nullptr);
+    ~ExportDialog() override;
+
+    enum class Section { View, Attractor };
+    void setSection(Section section);      // what the picture shows; the view at first
+    void setFolder(const QString& folder); // to suggest; without one, that of the last export
+    void exportTo(const QString& path);    // what the Export button does once a file is chosen
+
+signals:
+    void exported(const QString& path);
+    void failed(const QString& sentence);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void createFormat();
+    void createPngOptions();
+    void createSvgOptions();
+    QWidget* createProgress();
+    void connectOptions();
+
+    bool isSvg() const; // or PDF: shapes
+    io::ShapeStyle style() const;
+    document::Fractal fractalToExport() const;
+    attractor::Camera camera() const;
+    io::Export exportNow() const;
+    void update();
+    void updateSvgPlan(); // beside the window
+    void showSvgPlan();
+    void showPlan(const QString& text);
+    void makeRoomForPlan();
+    void chooseFile();
+    void finish(const io::ExportOutcome& outcome, const QString& path);
+    void setBusy(bool busy);
+
+    document::Fractal m_fractal; // as it was when the dialog opened, with what the camera showed
+    attractor::Camera m_camera;
+    QString m_folder;
+    QComboBox* m_format = nullptr;
+    QComboBox* m_section = nullptr;
+    ExportSizeEditor* m_size = nullptr;
+    QCheckBox* m_transparent = nullptr;
+    QCheckBox* m_triangle = nullptr;
+    QComboBox* m_quality = nullptr;
+    QSpinBox* m_supersample = nullptr;
+    QComboBox* m_depthOfColour = nullptr;
+    QLabel* m_memory = nullptr;
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_style = nullptr;
+    QSpinBox* m_points = nullptr;
+    QCheckBox* m_autoDepth = nullptr;
+    QSpinBox* m_depth = nullptr;
+    QLabel* m_plan = nullptr;
+    QWidget* m_options = nullptr;
+    QLabel* m_message = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_close = nullptr;
+    QTimer m_planTimer;
+    QFutureWatcher<io::SvgPlan> m_planning;
+    bool m_isPlanOld = false;             // what is worked out is no longer what is wanted
+    std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
+};
+
+} // namespace view

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "document/document.h"
+
+#include <QImage>
+#include <QRectF>
+
+#include <functional>
+
+class QPainter;
+class QWidget;
+
+namespace view {
+
+// Shows a print preview of the page below, and prints it from there.
+void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent);
+
+// Name, comments, picture and table of coefficients, from the top of `page` down. What does not fit legibly
+// goes on the pages after it: `newPage` begins one.
+void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& fractal,
+                const QImage& picture, const std::function<void()>& newPage);
+
+} // namespace view

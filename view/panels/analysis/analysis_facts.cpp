@@ -1,0 +1,490 @@
+// SPDX-License-Identifier: MIT
+#include "panels/analysis/analysis_facts.h"
+
+#include "document/edits/cage_edits.h"
+#include "ifs/facts.h"
+#include "io/report/figure_error.h"
+#include "panels/cage/cage_texts.h"
+#include "widgets/number_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace view {
+
+namespace {
+
+using document::Analysis;
+
+constexpr std::size_t maxListed = 24; // maps of which a line says something
+
+QString word(const std::vector<int>& address, const std::vector<std::size_t>& rows) {
+    QStringList letters;
+    for (const int letter : address)
+        letters << QString::number(rows[std::size_t(letter)] + 1);
+    return letters.join(u' ');
+}
+
+// A bound says its size, not its digits.
+QString bound(double value) {
+    return QString::number(value, 'g', 2);
+}
+
+class Facts {
+    Q_DECLARE_TR_FUNCTIONS(Analysis)
+
+public:
+    explicit Facts(std::shared_ptr<const Analysis> analysis) : m_analysis(std::move(analysis)) {}
+    QList<Fact> all();
+
+private:
+    using Format = QString (*)(double);
+    // The same text with few digits and, when it is asked for, with all: those of 10⁵ maps take long.
+    template <class Writer>
+    void add(const QString& name, const QString& definition, bool isKnown, Writer write) {
+        if (isKnown)
+            m_lines.append({name, write(*m_analysis, &shortNumber),
+                            [analysis = m_analysis, write] { return write(*analysis, &fullNumber); },
+                            definition});
+        else
+            m_lines.append({name, QString(), [] { return QString(); }, definition});
+    }
+    template <int Dim> static const ifs::Facts<Dim>& factsIn(const Analysis& analysis) {
+        if constexpr (Dim == 2)
+            return analysis.facts;
+        else
+            return *analysis.solid;
+    }
+    template <int Dim> static QString tuple(const ifs::Vector<Dim>& v, Format number) {
+        QStringList coordinates;
+        for (const double x : v)
+            coordinates << number(x);
+        return u'(' + coordinates.join(QStringLiteral(", ")) + u')';
+    }
+    // All of them with all digits, to copy; to read, those of the first maps.
+    template <class Text> static QString list(std::size_t count, Format number, Text textOf) {
+        const std::size_t listed = number == &shortNumber ? std::min(count, maxListed) : count;
+        QStringList texts;
+        for (std::size_t i = 0; i < listed; ++i)
+            texts << textOf(i);
+        if (listed < count) texts << tr("… and %n more", nullptr, static_cast<int>(count - listed));
+        return texts.join(QStringLiteral("  "));
+    }
+    // With " ± …" when the error shows in the digits that are written.
+    static QString note(const std::vector<double>& values, double error, double size, Format number) {
+        constexpr int shownDigits = 5, allDigits = 15;
+        return io::errorNote(values, error, size, number == &shortNumber ? shownDigits : allDigits);
+    }
+    static QString unknown() { return tr("unknown: the error would be larger"); }
+    template <int Dim> void addMaps();
+    template <int Dim> void addFixedPoints();
+    template <int Dim> void addDimensions();
+    template <int Dim> void addMoments();
+    template <int Dim> void addExtents();
+    template <int Dim> void addHull();
+    template <int Dim> void addContacts();
+    template <int Dim> void addInvariants();
+    template <int Dim> static QString caveat(const Analysis& analysis);
+
+    std::shared_ptr<const Analysis> m_analysis;
+    QList<Fact> m_lines;
+};
+
+// By which a fixed point may be off: far where a map nearly keeps a direction.
+template <int Dim> double errorOf(const ifs::Vector<Dim>& fixedPoint, const ifs::AffineMap<Dim>& map) {
+    const auto enclosed = ifs::enclosedFixedPoint(map);
+    return enclosed ? enclosed->error + (enclosed->point - fixedPoint).norm()
+                    : std::numeric_limits<double>::infinity();
+}
+
+// 0 under a flat cage, which has no maps.
+double fixedPointError(const Analysis& analysis, std::size_t k) {
+    const auto& active = analysis.facts.active;
+    if (active.maps.empty()) return 0;
+    const auto row = std::ranges::lower_bound(active.index, analysis.fixedBy[k]) - active.index.begin();
+    return errorOf<2>(analysis.fixedPoints[k], active.maps[std::size_t(row)]);
+}
+
+template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
+    if (facts.box) return (facts.box->max - facts.box->min).norm();
+    return std::sqrt(std::max(facts.moments->covariance.trace(), 0.0));
+}
+
+template <int Dim> std::vector<double> coordinates(const ifs::Vector<Dim>& v) {
+    return {v.begin(), v.end()};
+}
+
+QString signs(const ifs::Orientation<2>& orientation) {
+    return document::orientationText(orientation);
+}
+QString signs(const ifs::Orientation<3>& orientation) {
+    return orientationText(orientation);
+}
+
+QList<Fact> Facts::all() {
+    const auto addAll = [this]<int Dim>(std::integral_constant<int, Dim>) {
+        addMaps<Dim>();
+        addFixedPoints<Dim>();
+        addDimensions<Dim>();
+        addMoments<Dim>();
+        addExtents<Dim>();
+        addHull<Dim>();
+        const qsizetype first = m_lines.size();
+        addContacts<Dim>();
+        addInvariants<Dim>();
+        for (qsizetype k = first; k < m_lines.size(); ++k)
+            m_lines[k].isPending = !m_analysis->isComplete;
+    };
+    if (m_analysis->solid)
+        addAll(std::integral_constant<int, 3>());
+    else
+        addAll(std::integral_constant<int, 2>());
+    return m_lines;
+}
+
+template <int Dim> void Facts::addMaps() {
+    const ifs::Facts<Dim>& facts = factsIn<Dim>(*m_analysis);
+    const QString verdict = existenceSentence(facts.existence, facts.active.index);
+    add(tr("Attractor"),
+        tr("A compact set to which every compact starting set leads, step by step. A system has one exactly "
+           "if its maps contract in some norm."),
+        true, [verdict](const Analysis&, Format) { return verdict; });
+    add(tr("Contraction"), tr("‖A‖ of each active map: the largest factor by which it stretches distances."),
+        !facts.active.maps.empty(), [](const Analysis& analysis, Format number) {
+            const auto& maps = factsIn<Dim>(analysis).active.maps;
+            return list(maps.size(), number,
+                        [&](std::size_t i) { return number(ifs::spectralNorm<Dim>(maps[i].linear)); });
+        });
+}
+
+template <int Dim> void Facts::addFixedPoints() {
+    std::vector<std::size_t> rows; // in space: of the active maps that have one
+    if constexpr (Dim == 3) {
+        const auto& maps = m_analysis->solid->active.maps;
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            if (ifs::fixedPoint(maps[i])) rows.push_back(i);
+    }
+    const std::size_t count = Dim == 2 ? m_analysis->fixedPoints.size() : rows.size();
+    add(tr("Fixed points"), tr("The point that each map leaves unchanged; it belongs to the attractor."),
+        count > 0, [count, rows](const Analysis& analysis, Format number) {
+            return list(count, number, [&](std::size_t i) {
+                ifs::Vector<Dim> point;
+                double error = 0;
+                if constexpr (Dim == 2) {
+                    point = analysis.fixedPoints[i];
+                    error = fixedPointError(analysis, i);
+                } else {
+                    const auto& map = analysis.solid->active.maps[rows[i]];
+                    point = *ifs::fixedPoint(map);
+                    error = errorOf<3>(point, map);
+                }
+                const ifs::Vector<Dim> known = io::withoutNoise(point, error);
+                return tuple<Dim>(known, number) + note(coordinates<Dim>(known), error, point.norm(), number);
+            });
+        });
+}
+
+// What is known of the open set condition.
+template <int Dim> QString Facts::caveat(const Analysis& analysis) {
+    const auto& contacts = factsIn<Dim>(analysis).invariants.contacts;
+    if (!contacts) return {};
+    switch (contacts->separation) {
+    case ifs::Separation::Strong:
+        return u' ' + tr("(of the attractor: its pieces are disjoint)");
+    case ifs::Separation::Overlapping:
+        return u' ' + tr("(upper bound: pieces coincide)");
+    case ifs::Separation::Unknown:
+        break;
+    }
+    return u' ' + tr("(if the open set condition holds; else an upper bound)");
+}
+
+template <int Dim> void Facts::addContacts() {
+    const auto& invariants = factsIn<Dim>(*m_analysis).invariants;
+    const auto& index = factsIn<Dim>(*m_analysis).active.index;
+    add(tr("Separation"),
+        tr("Whether the pieces that the maps make of the attractor are disjoint (strong separation, proved "
+           "by disjoint covers), or words of maps coincide, so that the open set condition fails."),
+        invariants.contacts.has_value(), [](const Analysis& analysis, Format) {
+            switch (factsIn<Dim>(analysis).invariants.contacts->separation) {
+            case ifs::Separation::Strong:
+                return tr("strong: no two pieces meet");
+            case ifs::Separation::Overlapping:
+                return tr("none: pieces coincide");
+            case ifs::Separation::Unknown:
+                break;
+            }
+            return tr("unknown");
+        });
+    add(tr("Connectedness"),
+        tr("An attractor is connected exactly if its pieces are joined by common points (Hata). Common "
+           "points are looked for among fixed points of short words, and their absence is proved by "
+           "disjoint covers."),
+        invariants.contacts.has_value(), [](const Analysis& analysis, Format) {
+            switch (factsIn<Dim>(analysis).invariants.contacts->connectedness) {
+            case ifs::Connectedness::Connected:
+                return tr("connected");
+            case ifs::Connectedness::ConnectedToRounding:
+                return tr("connected, as far as rounding tells");
+            case ifs::Connectedness::Disconnected:
+                return tr("not connected");
+            case ifs::Connectedness::Unknown:
+                break;
+            }
+            return tr("unknown");
+        });
+    add(tr("Overlaps"),
+        tr("Words of maps that are one and the same map, neither of them the beginning of the other: their "
+           "pieces coincide."),
+        invariants.contacts && !invariants.contacts->overlaps.empty(),
+        [index](const Analysis& analysis, Format) {
+            QStringList texts;
+            for (const auto& overlap : factsIn<Dim>(analysis).invariants.contacts->overlaps)
+                texts << (overlap.isExact ? QStringLiteral("%1 = %2") : QStringLiteral("%1 ≈ %2"))
+                             .arg(word(overlap.first, index), word(overlap.second, index));
+            return texts.join(QStringLiteral("  "));
+        });
+}
+
+template <int Dim> void Facts::addInvariants() {
+    const auto& invariants = factsIn<Dim>(*m_analysis).invariants;
+    add(tr("Joint spectral radius"),
+        tr("The largest factor per map by which long words stretch. Both ends of the interval are proved; a "
+           "system contracts in some norm exactly if it is less than 1."),
+        invariants.jointSpectralRadius && std::isfinite(invariants.jointSpectralRadius->most),
+        [](const Analysis& analysis, Format number) {
+            const auto [least, most] = *factsIn<Dim>(analysis).invariants.jointSpectralRadius;
+            constexpr double tight = 1e-8; // not to be told apart at short digits
+            if (number == &shortNumber && most - least < tight) return number(most);
+            if (number == &shortNumber)
+                return QStringLiteral("%1 … %2").arg(QString::number(std::floor(least * 1e4) / 1e4),
+                                                     QString::number(std::ceil(most * 1e4) / 1e4));
+            return QStringLiteral("%1 … %2").arg(number(least), number(most));
+        });
+    add(tr("Entropy"), tr("−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats."),
+        invariants.entropy.has_value(), [](const Analysis& analysis, Format number) {
+            return number(*factsIn<Dim>(analysis).invariants.entropy);
+        });
+    add(tr("Lyapunov exponent"),
+        tr("Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are "
+           "similarities in some coordinates."),
+        invariants.lyapunovExponent.has_value(), [](const Analysis& analysis, Format number) {
+            return number(*factsIn<Dim>(analysis).invariants.lyapunovExponent);
+        });
+    add(tr("Dimension of the measure"),
+        Dim == 2
+            ? tr("Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant "
+                 "measure under the open set condition, and an upper bound of it otherwise.")
+            : tr("Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant "
+                 "measure under the open set condition, and an upper bound of it otherwise."),
+        invariants.measureDimension.has_value(), [](const Analysis& analysis, Format number) {
+            return number(*factsIn<Dim>(analysis).invariants.measureDimension) + caveat<Dim>(analysis);
+        });
+}
+
+template <int Dim> void Facts::addDimensions() {
+    const ifs::Facts<Dim>& facts = factsIn<Dim>(*m_analysis);
+    add(tr("Similarity dimension"),
+        tr("The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities "
+           "in some coordinates. It is the dimension of the attractor under the open set condition, and an "
+           "upper bound of it otherwise."),
+        facts.similarityDimension.has_value(), [](const Analysis& analysis, Format number) {
+            return number(*factsIn<Dim>(analysis).similarityDimension) + caveat<Dim>(analysis);
+        });
+    if constexpr (Dim == 3) return; // the others are worked out in the plane
+    add(tr("Affinity dimension"),
+        tr("Falconer’s dimension, at most 2: the exponent at which the sum of the singular value functions "
+           "of all words of one length neither grows nor shrinks as the words get longer. It is an upper "
+           "bound for the box-counting dimension, and equal to it for almost all translations if the maps "
+           "contract enough."),
+        facts.affinityDimension.has_value(),
+        [](const Analysis& analysis, Format number) { return number(*analysis.facts.affinityDimension); });
+    m_lines.last().isPending = !m_analysis->isComplete;
+    add(tr("Box-counting dimension"),
+        tr("Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε "
+           "that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the "
+           "uncertainty comes from how parts of that range differ, and is no proof."),
+        m_analysis->boxCounting.has_value(), [](const Analysis& analysis, Format number) {
+            const auto& counting = *analysis.boxCounting;
+            return QStringLiteral("%1 ± %2").arg(number(counting.fit.slope), bound(counting.uncertainty));
+        });
+    m_lines.last().isPending = !m_analysis->isComplete;
+}
+
+template <int Dim> void Facts::addMoments() {
+    const bool isKnown = factsIn<Dim>(*m_analysis).moments.has_value();
+    add(tr("Mean"),
+        tr("Mean of the invariant measure, solved without sampling: the centre of mass of the picture."),
+        isKnown, [](const Analysis& analysis, Format number) {
+            const auto& moments = *factsIn<Dim>(analysis).moments;
+            const double error = moments.meanError, size = sizeOf(factsIn<Dim>(analysis));
+            if (io::isWorthless(error, std::max(size, moments.mean.norm()))) return unknown();
+            const ifs::Vector<Dim> known = io::withoutNoise(moments.mean, error);
+            return tuple<Dim>(known, number) + note(coordinates<Dim>(known), error, size, number);
+        });
+    add(tr("Covariance"),
+        Dim == 2 ? tr("Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the "
+                      "picture spreads. An even mass that fills the ellipse has the same mean and "
+                      "covariance.")
+                 : tr("Covariance xx, xy, xz, yy, yz, zz of the invariant measure, solved without sampling: "
+                      "how far the picture spreads."),
+        isKnown, [](const Analysis& analysis, Format number) {
+            const double error = factsIn<Dim>(analysis).moments->covarianceError;
+            const double size = std::pow(sizeOf(factsIn<Dim>(analysis)), 2);
+            const auto& covariance = factsIn<Dim>(analysis).moments->covariance;
+            if (io::isWorthless(error, std::max(size, covariance.trace()))) return unknown();
+            const ifs::Matrix<Dim> known = io::withoutNoise(covariance, error);
+            std::vector<double> entries;
+            QStringList texts;
+            for (int row = 0; row < Dim; ++row)
+                for (int column = row; column < Dim; ++column) {
+                    entries.push_back(known(row, column));
+                    texts << number(entries.back());
+                }
+            return texts.join(QStringLiteral(", ")) + note(entries, error, size, number);
+        });
+}
+
+template <int Dim> void Facts::addExtents() {
+    const ifs::Facts<Dim>& facts = factsIn<Dim>(*m_analysis);
+    add(Dim == 2 ? tr("Box") : tr("Box", "in space"),
+        Dim == 2 ? tr("The smallest box with sides parallel to the axes that contains the attractor; "
+                      "certified. Its sides are off by the error at most.")
+                 : tr("The smallest box with edges parallel to the axes that contains the attractor, to the "
+                      "error bound."),
+        facts.box.has_value(), [](const Analysis& analysis, Format number) {
+            const auto& box = *factsIn<Dim>(analysis).box;
+            const double size = sizeOf(factsIn<Dim>(analysis));
+            if (io::isWorthless(box.error, std::max(size, 1e-9 * box.max.norm()))) return unknown();
+            const ifs::Vector<Dim> low = io::withoutNoise(box.min, box.error);
+            const ifs::Vector<Dim> high = io::withoutNoise(box.max, box.error);
+            std::vector<double> ends;
+            QStringList sides;
+            for (int axis = 0; axis < Dim; ++axis) {
+                ends.insert(ends.end(), {low[axis], high[axis]});
+                sides << QStringLiteral("[%1, %2]").arg(number(low[axis]), number(high[axis]));
+            }
+            return sides.join(QStringLiteral(" × ")) + note(ends, box.error, size, number);
+        });
+    if constexpr (Dim == 3)
+        add(tr("Box error bound"), tr("The attractor extends at most this far beyond the box; certified."),
+            facts.box.has_value(), [](const Analysis& analysis, Format number) {
+                const double error = analysis.solid->box->error;
+                return number == &shortNumber ? bound(error) : number(error);
+            });
+    add(tr("Canonical simplex"),
+        Dim == 2 ? tr("The smallest isosceles right triangle with legs parallel to the axes that contains "
+                      "the attractor; certified. The signs give the directions of its legs. Of a single "
+                      "point, the leg is 1.")
+                 : tr("The smallest tetrahedron with three equal legs parallel to the axes that contains the "
+                      "attractor; certified. The signs give the directions of its legs. Of a single point, "
+                      "the leg is 1."),
+        facts.simplex.has_value(), [](const Analysis& analysis, Format number) {
+            const auto& simplex = *factsIn<Dim>(analysis).simplex;
+            if (io::isWorthless(simplex.error, simplex.leg)) return unknown();
+            const ifs::Vector<Dim> corner = io::withoutNoise(simplex.vertices[0], simplex.error);
+            std::vector<double> values = coordinates<Dim>(corner);
+            values.push_back(simplex.leg);
+            return tr("%1, leg %2, corner %3")
+                       .arg(signs(simplex.orientation), number(simplex.leg), tuple<Dim>(corner, number)) +
+                   note(values, simplex.error, simplex.leg, number);
+        });
+}
+
+template <int Dim> void Facts::addHull() {
+    const bool isKnown = factsIn<Dim>(*m_analysis).hull.has_value();
+    if constexpr (Dim == 2)
+        add(tr("Hull area"),
+            tr("Area of the computed hull, whose vertices are points of the attractor. The exact convex hull "
+               "is larger by at most its perimeter times the error bound e, and πe² for the corners."),
+            isKnown, [](const Analysis& analysis, Format number) {
+                const auto& hull = *analysis.facts.hull;
+                const double error = ifs::areaError(hull), size = std::pow(sizeOf(analysis.facts), 2);
+                if (io::isWorthless(error, std::max(hull.area, 1e-3 * size))) return unknown();
+                return number(hull.area) + note({hull.area}, error, size, number);
+            });
+    else
+        add(tr("Hull volume"),
+            tr("Volume of the computed hull, whose vertices are points of the attractor. The exact convex "
+               "hull is larger by the error at most."),
+            isKnown, [](const Analysis& analysis, Format number) {
+                const auto& hull = *analysis.solid->hull;
+                const double error = ifs::volumeError(hull), size = std::pow(sizeOf(*analysis.solid), 3);
+                if (io::isWorthless(error, std::max(hull.volume, 1e-3 * size))) return unknown();
+                return number(hull.volume) + note({hull.volume}, error, size, number);
+            });
+    add(tr("Hull vertices"),
+        tr("Vertices of the computed hull; each is a point of the attractor. If the exact hull has "
+           "infinitely many, as many are computed as the tolerance requires."),
+        isKnown, [](const Analysis& analysis, Format) {
+            return QString::number(factsIn<Dim>(analysis).hull->vertices.size());
+        });
+    add(tr("Hull error bound"),
+        Dim == 2 ? tr("The attractor extends at most this far beyond the polygon; certified.")
+                 : tr("The attractor extends at most this far beyond the polyhedron; certified."),
+        isKnown, [](const Analysis& analysis, Format number) {
+            const double error = factsIn<Dim>(analysis).hull->error;
+            return number == &shortNumber ? bound(error) : number(error);
+        });
+}
+
+// Never “1” for what is less.
+QString factorText(double factor) {
+    const QString text = shortNumber(factor);
+    return factor < 1 && text.toDouble() >= 1 ? fullNumber(factor) : text;
+}
+
+QString contractionSentence(const ifs::Existence& existence) {
+    const QString factor = factorText(existence.contractivity);
+    switch (existence.norm) {
+    case ifs::NormKind::Ellipsoidal:
+        return Facts::tr("Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.")
+            .arg(factor);
+    case ifs::NormKind::Polytope:
+        return Facts::tr(
+                   "Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of "
+                   "%1 or less.")
+            .arg(factor);
+    case ifs::NormKind::Euclidean:
+    case ifs::NormKind::Words:
+        break;
+    }
+    return Facts::tr("Yes: any %1 maps in a row contract, by a factor of %2 or less per map.")
+        .arg(existence.wordLength)
+        .arg(factor);
+}
+
+} // namespace
+
+QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows) {
+    const QString factor = factorText(existence.contractivity);
+    switch (existence.verdict) {
+    case ifs::Verdict::Hyperbolic:
+        return Facts::tr("Yes: hyperbolic, every map has a contraction factor of %1 or less.").arg(factor);
+    case ifs::Verdict::EventuallyContractive:
+        return contractionSentence(existence);
+    case ifs::Verdict::None:
+        if (existence.witness.size() == 1)
+            return Facts::tr("None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).")
+                .arg(word(existence.witness, rows), factor);
+        return Facts::tr("None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).")
+            .arg(word(existence.witness, rows), factor);
+    case ifs::Verdict::Undecided:
+        return Facts::tr("Undecided: no proof either way was found.");
+    case ifs::Verdict::Empty:
+        return Facts::tr("None: no map is active.");
+    }
+    return {};
+}
+
+QList<Fact> analysisFacts(std::shared_ptr<const document::Analysis> analysis) {
+    return Facts(std::move(analysis)).all();
+}
+
+} // namespace view

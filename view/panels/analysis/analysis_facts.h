@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/analysis.h"
+
+#include <QList>
+#include <QString>
+
+#include <functional>
+#include <memory>
+
+namespace view {
+
+// One line of what is known of a picture.
+struct Fact {
+    QString name;
+    QString value;                  // short digits; empty: not known
+    std::function<QString()> exact; // all digits, to copy
+    QString definition;
+    bool isPending = false; // still being worked out
+};
+
+// The same lines in the same order for every system of the plane, and for every system in space.
+QList<Fact> analysisFacts(std::shared_ptr<const document::Analysis> analysis);
+
+// Whether the maps that take part have an attractor, and why, in one sentence; maps are numbered from 1.
+QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows);
+
+} // namespace view

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "panels/appearance/appearance_panel.h"
+
+#include "panels/appearance/appearance_colour_button.h"
+#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/gradient_editor.h"
+#include "panels/appearance/gradient_preview.h"
+#include "widgets/icon.h"
+#include "widgets/number_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+using attractor::Appearance;
+using attractor::ColourBy;
+
+constexpr int labelSpacing = 16;
+constexpr int swatchesPerRow = 7;
+constexpr int maxSwatches = 70; // further maps take their colours in the table
+
+QString stepText(const QString& name, const attractor::Rgba& colour) {
+    return AppearancePanel::tr("%1: %2").arg(name, QColor(colour.red, colour.green, colour.blue).name());
+}
+
+} // namespace
+
+AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_edit(document) {
+    setAccessibleName(tr("Appearance"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 12, 12, 12);
+    auto* form = new QFormLayout;
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows); // a narrow window belongs to the picture
+    form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    form->setHorizontalSpacing(0);
+    form->setVerticalSpacing(10);
+    layout->addLayout(form);
+    makeColourRows(form);
+    makeToneRows(form);
+    makeMapColours(form);
+    // The space beside a label is a part of it: the form leaves its own out of account when it decides which
+    // rows to wrap, and a field would lose its end.
+    for (int row = 0; row < form->rowCount(); ++row)
+        if (const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole))
+            item->widget()->setContentsMargins(0, 0, labelSpacing, 0);
+    m_reset = new QToolButton(this);
+    m_reset->setText(tr("Reset to Default"));
+    m_reset->setToolTip(tr("Reset every setting of this panel to its default"));
+    m_reset->setAutoRaise(true);
+    connect(m_reset, &QToolButton::clicked, this, &AppearancePanel::resetToDefault);
+    layout->addSpacing(4);
+    layout->addWidget(m_reset, 0, Qt::AlignLeft);
+    layout->addStretch();
+    connect(document, &document::Document::changed, this, &AppearancePanel::follow);
+    follow({document::Change::Everything, false});
+}
+
+void AppearancePanel::makeColourRows(QFormLayout* form) {
+    m_colourBy = new QComboBox(this);
+    m_colourBy->setAccessibleName(tr("Colour by"));
+    m_colourBy->setWhatsThis(tr("What the colour of a point shows: how many points fall there, which map "
+                                "came last, or the whole address."));
+    const auto add = [this](const QString& name, const QString& tip, ColourBy value) {
+        m_colourBy->addItem(name, static_cast<int>(value));
+        m_colourBy->setItemData(m_colourBy->count() - 1, tip, Qt::ToolTipRole);
+    };
+    add(tr("Density"), tr("Colour by the density of points"), ColourBy::Density);
+    add(tr("Map"), tr("Colour by the last map applied"), ColourBy::Map);
+    add(tr("Address"), tr("Colour by the address of each point"), ColourBy::Address);
+    add(tr("Plain"), tr("One colour, with the density as its opacity"), ColourBy::Plain);
+    connect(m_colourBy, &QComboBox::activated, this, [this] {
+        const auto value = static_cast<ColourBy>(m_colourBy->currentData().toInt());
+        edit(tr("Colour by: %1").arg(m_colourBy->currentText()),
+             [value](Appearance& a) { a.colourBy = value; });
+    });
+    form->addRow(tr("Colour by"), m_colourBy);
+
+    makeGradientRows(form);
+
+    m_plain = colourButton(tr("Plain colour"), &Appearance::plain);
+    m_plainLabel = new QLabel(tr("Colour"), this);
+    form->addRow(m_plainLabel, m_plain);
+}
+
+void AppearancePanel::makeGradientRows(QFormLayout* form) {
+    m_gradient = new GradientChooser(this);
+    m_gradient->setAccessibleName(tr("Palette"));
+    m_gradient->setWhatsThis(
+        tr("The colours from the thinnest parts to the densest, or along the addresses."));
+    m_gradientLabel = new QLabel(tr("Palette"), this);
+    connect(m_gradient, &GradientChooser::chosen, this, [this](const attractor::Palette& palette) {
+        edit(tr("Palette: %1").arg(m_gradient->currentText()), [&](Appearance& a) { a.palette = palette; });
+    });
+    m_editGradient = new QToolButton(this);
+    m_editGradient->setIcon(icon(QStringLiteral("edit")));
+    m_editGradient->setIconSize({18, 18});
+    m_editGradient->setCheckable(true);
+    m_editGradient->setAutoRaise(true);
+    m_editGradient->setAccessibleName(tr("Edit Palette"));
+    m_editGradient->setToolTip(tr("Edit the palette, or load one from a file"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(m_gradient, 1);
+    row->addWidget(m_editGradient);
+    form->addRow(m_gradientLabel, row);
+
+    m_editor = new GradientEditor(this);
+    m_editor->hide();
+    form->addRow(m_editor);
+    connect(m_editGradient, &QToolButton::toggled, m_editor, &QWidget::setVisible);
+    connect(m_editor, &GradientEditor::tried, this,
+            [this](const QString& what, const attractor::Palette& palette) {
+                preview(what, [&](Appearance& a) { a.palette = palette; });
+            });
+    connect(m_editor, &GradientEditor::accepted, this, [this] { m_edit.commit(); });
+    connect(m_editor, &GradientEditor::rejected, this, [this] { m_edit.cancel(); });
+    connect(m_editor, &GradientEditor::message, this, &AppearancePanel::message);
+}
+
+void AppearancePanel::makeToneRows(QFormLayout* form) {
+    m_background = colourButton(tr("Background colour"), &Appearance::background);
+    m_transparent = new QCheckBox(tr("Transparent"), this);
+    m_transparent->setWhatsThis(tr("Makes the background of exported pictures transparent."));
+    connect(m_transparent, &QCheckBox::clicked, this, [this](bool on) {
+        edit(on ? tr("Make the background transparent") : tr("Make the background opaque"),
+             [on](Appearance& a) { a.background.alpha = on ? 0 : 255; });
+    });
+    auto* background = new QHBoxLayout;
+    background->setSpacing(12);
+    background->addWidget(m_background);
+    background->addWidget(m_transparent);
+    background->addStretch();
+    form->addRow(tr("Background"), background);
+
+    m_brightness = slider(tr("Brightness"), 0.1, 1000, &Appearance::brightness);
+    m_brightness->setToolTip(tr("How strongly thin parts show: κ of the logarithmic tone curve"));
+    m_gamma = slider(tr("Gamma"), 0.5, 8, &Appearance::gamma);
+    m_gamma->setToolTip(tr("Exponent of the tone curve: higher values lift the dark parts"));
+    form->addRow(tr("Brightness"), m_brightness);
+    form->addRow(tr("Gamma"), m_gamma);
+
+    m_supersampling = new QComboBox(this);
+    m_supersampling->setAccessibleName(tr("Supersampling"));
+    m_supersampling->setWhatsThis(tr(
+        "Computes every pixel from several smaller ones: smoother edges, at the cost of memory and time."));
+    for (int factor = 1; factor <= 4; ++factor)
+        m_supersampling->addItem(factor == 1 ? tr("Off") : tr("%1 × %1 sub-pixels").arg(factor), factor);
+    connect(m_supersampling, &QComboBox::activated, this, [this] {
+        const int factor = m_supersampling->currentData().toInt();
+        edit(tr("Supersampling: %1").arg(m_supersampling->currentText()),
+             [factor](Appearance& a) { a.supersample = factor; });
+    });
+    form->addRow(tr("Supersampling"), m_supersampling);
+}
+
+void AppearancePanel::makeMapColours(QFormLayout* form) {
+    m_mapColoursLabel = new QLabel(tr("Map colours"), this);
+    m_mapColours = new QWidget(this);
+    m_mapColoursGrid = new QGridLayout(m_mapColours);
+    m_mapColoursGrid->setContentsMargins(0, 0, 0, 0);
+    m_mapColoursGrid->setSpacing(4);
+    m_mapColoursGrid->setColumnStretch(swatchesPerRow, 1);
+    form->addRow(m_mapColoursLabel, m_mapColours);
+}
+
+ColourButton* AppearancePanel::colourButton(const QString& name, attractor::Rgba Appearance::*member) {
+    const auto alpha =
+        member == &Appearance::background ? ColourButton::Alpha::Adjustable : ColourButton::Alpha::Opaque;
+    auto* button = new ColourButton(name, alpha, this);
+    connect(button, &ColourButton::tried, this, [this, name, member](const attractor::Rgba& colour) {
+        preview(stepText(name, colour), [&](Appearance& a) { a.*member = colour; });
+    });
+    connect(button, &ColourButton::accepted, this, [this] { m_edit.commit(); });
+    connect(button, &ColourButton::rejected, this, [this] { m_edit.cancel(); });
+    return button;
+}
+
+AppearanceSlider* AppearancePanel::slider(const QString& name, double min, double max,
+                                          double Appearance::*member) {
+    auto* made = new AppearanceSlider(name, min, max, this);
+    connect(made, &AppearanceSlider::tried, this, [this, name, member](double value) {
+        preview(tr("%1: %2").arg(name, shortNumber(value)), [=](Appearance& a) { a.*member = value; });
+    });
+    connect(made, &AppearanceSlider::accepted, this, [this] { m_edit.commit(); });
+    connect(made, &AppearanceSlider::rejected, this, [this] { m_edit.cancel(); });
+    return made;
+}
+
+void AppearancePanel::preview(const QString& text, const Setting& set) {
+    m_edit.preview(text, [&](document::Fractal& fractal) { set(fractal.appearance); });
+}
+
+void AppearancePanel::edit(const QString& text, const Setting& set) {
+    m_edit.commit();
+    document::Fractal fractal = m_document->fractal();
+    set(fractal.appearance);
+    m_document->edit(text, std::move(fractal));
+}
+
+void AppearancePanel::resetToDefault() {
+    edit(tr("Reset the appearance"), [](Appearance& a) { a = {}; });
+}
+
+void AppearancePanel::follow(const document::Change& change) {
+    using document::Change;
+    if (!(change.parts &
+          (Change::Appearance | Change::System | Change::Current | Change::File | Change::Entries)))
+        return;
+    const Appearance& appearance = m_document->fractal().appearance;
+    setEnabled(document::dimension(m_document->fractal()) == 2);
+    m_colourBy->setCurrentIndex(m_colourBy->findData(static_cast<int>(appearance.colourBy)));
+    m_gradient->showPalette(appearance.palette);
+    m_editor->setGradient(appearance.palette);
+    m_plain->setColour(appearance.plain);
+    m_background->setColour(appearance.background);
+    m_transparent->setChecked(appearance.background.alpha == 0);
+    m_brightness->setValue(appearance.brightness);
+    m_gamma->setValue(appearance.gamma);
+    m_supersampling->setCurrentIndex(m_supersampling->findData(appearance.supersample));
+    const bool usesPalette =
+        appearance.colourBy == ColourBy::Density || appearance.colourBy == ColourBy::Address;
+    m_gradient->setEnabled(usesPalette);
+    m_gradientLabel->setEnabled(usesPalette);
+    m_editGradient->setEnabled(usesPalette);
+    m_editor->setEnabled(usesPalette);
+    m_plain->setEnabled(appearance.colourBy == ColourBy::Plain);
+    m_plainLabel->setEnabled(m_plain->isEnabled());
+    m_reset->setEnabled(!(appearance == Appearance{}));
+    showMapColours();
+}
+
+void AppearancePanel::showMapColours() {
+    const document::System2* system = document::system2(m_document->fractal());
+    const Appearance& appearance = m_document->fractal().appearance;
+    const std::size_t count = system ? std::min<std::size_t>(system->maps.size(), maxSwatches) : 0;
+    while (m_mapButtons.size() < count) {
+        const std::size_t index = m_mapButtons.size();
+        auto* button =
+            new ColourButton(tr("Colour of map %1").arg(index + 1), ColourButton::Alpha::Opaque, this);
+        const auto at = static_cast<int>(index);
+        m_mapColoursGrid->addWidget(button, at / swatchesPerRow, at % swatchesPerRow);
+        connect(button, &ColourButton::tried, this, [this, index](const attractor::Rgba& colour) {
+            const document::System2* now = document::system2(m_document->fractal());
+            if (!now || index >= now->maps.size()) return;
+            const ifs::MapId id = now->maps[index].id;
+            preview(stepText(tr("Colour of map %1").arg(index + 1), colour),
+                    [&](Appearance& a) { a.mapColours[id] = colour; });
+        });
+        connect(button, &ColourButton::accepted, this, [this] { m_edit.commit(); });
+        connect(button, &ColourButton::rejected, this, [this] { m_edit.cancel(); });
+        m_mapButtons.push_back(button);
+    }
+    const auto shown = std::ranges::count_if(m_mapButtons, [](const QWidget* b) { return !b->isHidden(); });
+    if (std::size_t(shown) != count) {
+        m_mapColours->hide(); // else the window is laid out for every button
+        for (std::size_t i = 0; i < m_mapButtons.size(); ++i)
+            m_mapButtons[i]->setVisible(i < count);
+        m_mapColours->show();
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        m_mapButtons[i]->setColour(attractor::mapColour(appearance, system->maps[i].id, i));
+    m_mapColours->setEnabled(appearance.colourBy == ColourBy::Map);
+    m_mapColoursLabel->setEnabled(m_mapColours->isEnabled());
+}
+
+} // namespace view

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edits/live_edit.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QGridLayout;
+class QLabel;
+class QToolButton;
+
+namespace view {
+
+class AppearanceSlider;
+class ColourButton;
+class GradientChooser;
+class GradientEditor;
+
+// How the attractor is coloured. Every control is live; one undo step per drag, dialog or typed number.
+class AppearancePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit AppearancePanel(document::Document* document, QWidget* parent = nullptr);
+
+    QComboBox* colourBy() const { return m_colourBy; }
+    GradientChooser* gradient() const { return m_gradient; }
+    GradientEditor* gradientEditor() const { return m_editor; }
+    QToolButton* editGradient() const { return m_editGradient; }
+    AppearanceSlider* brightness() const { return m_brightness; }
+    AppearanceSlider* gamma() const { return m_gamma; }
+    QCheckBox* transparent() const { return m_transparent; }
+    QComboBox* supersampling() const { return m_supersampling; }
+    void resetToDefault();
+
+signals:
+    void message(const QString& sentence);
+
+private:
+    using Setting = std::function<void(attractor::Appearance&)>;
+    void makeColourRows(QFormLayout* form);
+    void makeGradientRows(QFormLayout* form);
+    void makeToneRows(QFormLayout* form);
+    void makeMapColours(QFormLayout* form);
+    ColourButton* colourButton(const QString& name, attractor::Rgba attractor::Appearance::*member);
+    AppearanceSlider* slider(const QString& name, double min, double max,
+                             double attractor::Appearance::*member);
+    void follow(const document::Change& change);
+    void showMapColours();
+    void preview(const QString& text, const Setting& set);
+    void edit(const QString& text, const Setting& set);
+
+    document::Document* m_document;
+    document::LiveEdit m_edit;
+    QComboBox* m_colourBy;
+    GradientChooser* m_gradient;
+    QLabel* m_gradientLabel;
+    QToolButton* m_editGradient;
+    GradientEditor* m_editor;
+    ColourButton* m_plain;
+    QLabel* m_plainLabel;
+    ColourButton* m_background;
+    QCheckBox* m_transparent;
+    AppearanceSlider* m_brightness;
+    AppearanceSlider* m_gamma;
+    QComboBox* m_supersampling;
+    QLabel* m_mapColoursLabel;
+    QWidget* m_mapColours;
+    QGridLayout* m_mapColoursGrid;
+    std::vector<ColourButton*> m_mapButtons;
+    QToolButton* m_reset;
+};
+
+} // namespace view

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/colour/palette.h"
+
+#include <QWidget>
+
+class QToolButton;
+
+namespace view {
+
+class ColourButton;
+class GradientStrip;
+class NumberField;
+
+// Edits a palette: stops on a strip, their colours and positions, reversed, distributed, loaded from and
+// saved to files of other programs. Reports like the strip does.
+class GradientEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit GradientEditor(QWidget* parent = nullptr);
+
+    void setGradient(const attractor::Palette& gradient);
+    GradientStrip* strip() const { return m_strip; }
+    ColourButton* colour() const { return m_colour; }
+    NumberField* position() const { return m_position; }
+
+    void reverse();
+    void distribute();
+    void load(const QString& path); // asks which, when the file holds several
+    void save(const QString& path); // as .gpl
+
+signals:
+    void tried(const QString& what, const attractor::Palette& gradient);
+    void accepted();
+    void rejected();
+    void message(const QString& sentence); // what became of a file
+
+private:
+    void connectEditors(); // of the strip and of the selected stop
+    void showSelected();
+    void apply(const QString& what, const attractor::Palette& gradient);
+    void chooseAndLoad();
+    void chooseAndSave();
+    void chooseAmong(const std::vector<attractor::Palette>& palettes);
+
+    GradientStrip* m_strip;
+    ColourButton* m_colour;
+    NumberField* m_position;
+    QToolButton* m_remove;
+};
+
+} // namespace view

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "panels/appearance/gradient_preview.h"
+
+#include "panels/appearance/appearance_colour_button.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace view {
+
+namespace {
+
+constexpr QSize previewSize(88, 14);
+
+// The names of the built-in palettes, for the translators: the palettes themselves know no Qt.
+[[maybe_unused]] constexpr const char* paletteNames[] = {
+    QT_TRANSLATE_NOOP("Palette", "Maple"),     QT_TRANSLATE_NOOP("Palette", "Fern"),
+    QT_TRANSLATE_NOOP("Palette", "Glacier"),   QT_TRANSLATE_NOOP("Palette", "Orchid"),
+    QT_TRANSLATE_NOOP("Palette", "Aurora"),    QT_TRANSLATE_NOOP("Palette", "Dusk"),
+    QT_TRANSLATE_NOOP("Palette", "Copper"),    QT_TRANSLATE_NOOP("Palette", "Lagoon"),
+    QT_TRANSLATE_NOOP("Palette", "Silver"),    QT_TRANSLATE_NOOP("Palette", "Ink"),
+    QT_TRANSLATE_NOOP("Palette", "Herbarium"), QT_TRANSLATE_NOOP("Palette", "Sanguine"),
+    QT_TRANSLATE_NOOP("Palette", "Cyanotype"),
+};
+
+} // namespace
+
+QPixmap gradientPixmap(const attractor::Palette& palette, const QSize& size, qreal pixelRatio) {
+    const QSize pixels = size * pixelRatio;
+    QImage row(pixels.width(), 1, QImage::Format_ARGB32);
+    for (int x = 0; x < pixels.width(); ++x)
+        row.setPixelColor(x, 0, toColour(attractor::colourAt(palette, (x + 0.5) / pixels.width())));
+    QPixmap pixmap(pixels);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPainterPath shape;
+    shape.addRoundedRect(QRectF(QPointF(0.5, 0.5), QSizeF(pixels) - QSizeF(1, 1)), 2 * pixelRatio,
+                         2 * pixelRatio);
+    painter.setClipPath(shape);
+    painter.drawImage(QRect(QPoint(0, 0), pixels), row);
+    painter.setClipping(false);
+    painter.setPen(QPen(QColor(128, 128, 128, 140), pixelRatio));
+    painter.drawPath(shape);
+    painter.end();
+    pixmap.setDevicePixelRatio(pixelRatio);
+    return pixmap;
+}
+
+GradientChooser::GradientChooser(QWidget* parent) : QComboBox(parent) {
+    setIconSize(previewSize);
+    for (const attractor::Palette& palette : attractor::builtInPalettes()) {
+        const QString english = QString::fromStdString(palette.name);
+        add(palette, QCoreApplication::translate("Palette", english.toUtf8().constData()));
+    }
+    m_builtIn = m_palettes.size();
+    connect(this, &QComboBox::activated, this, [this](int index) {
+        if (index >= 0) emit chosen(m_palettes[static_cast<std::size_t>(index)]);
+    });
+}
+
+void GradientChooser::add(const attractor::Palette& palette, const QString& name) {
+    m_palettes.push_back(palette);
+    QIcon icon;
+    for (const qreal ratio : {1.0, 2.0})
+        icon.addPixmap(gradientPixmap(palette, previewSize, ratio));
+    addItem(icon, name);
+}
+
+void GradientChooser::showPalette(const attractor::Palette& palette) {
+    for (std::size_t i = 0; i < m_palettes.size(); ++i) {
+        if (m_palettes[i] == palette) {
+            setCurrentIndex(static_cast<int>(i));
+            return;
+        }
+    }
+    if (m_palettes.size() > m_builtIn) {
+        m_palettes.resize(m_builtIn);
+        removeItem(static_cast<int>(m_builtIn));
+    }
+    const QString name = QString::fromStdString(palette.name);
+    add(palette, name.isEmpty() ? tr("of this fractal") : tr("%1 (of this fractal)").arg(name));
+    setCurrentIndex(count() - 1);
+}
+
+} // namespace view

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "ifs/extent/extent.h"
+
+#include <QString>
+
+// What the Cage panel says about a cage.
+namespace view {
+
+// At rest, placed, mirrored, bent or flat, as a sentence. The cage is the one in force of the fractal.
+QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<2>& cage);
+QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<3>& cage);
+
+// The barycentric coordinates of the point, or why the cage gives it none.
+template <int Dim> QString barycentricText(const ifs::ControlCage<Dim>& cage, const ifs::Vector<Dim>& point);
+
+// "(+, −, +)"
+QString orientationText(const ifs::Orientation<3>& orientation);
+
+// The minimal canonical simplex of what is displayed, or why there is none. Takes long; any thread.
+QString enclosingSimplexText(const document::Fractal& fractal);
+
+// The pattern with the vertex, counted from 1, and its coordinates in the place of %1, %2 …
+template <int Dim>
+QString stepText(const QString& pattern, std::size_t vertex, const ifs::Vector<Dim>& position);
+
+} // namespace view

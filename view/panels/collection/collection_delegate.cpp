@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "panels/collection/collection_delegate.h"
+
+#include "panels/collection/collection_model.h"
+#include "widgets/thumbnail_tile.h"
+
+#include <QApplication>
+#include <QListView>
+#include <QPainter>
+
+#include <cmath>
+#include <numbers>
+
+namespace view {
+namespace {
+
+constexpr int padding = 4;
+
+QFont nameFont(const QFont& font) {
+    QFont smaller = font;
+    if (font.pointSizeF() > 0) smaller.setPointSizeF(font.pointSizeF() * 0.86);
+    return smaller;
+}
+
+QFont headingFont(const QFont& font) {
+    QFont bold = font;
+    bold.setBold(true);
+    return bold;
+}
+
+// Golden with a dark edge: to be seen on any picture.
+void paintStar(QPainter* painter, const QRect& picture) {
+    constexpr double radius = 7;
+    const QPointF centre(picture.right() - radius - 3, picture.top() + radius + 3);
+    QPolygonF star;
+    for (int i = 0; i < 10; ++i) {
+        const double angle = std::numbers::pi * (i / 5.0 - 0.5);
+        const double reach = i % 2 == 0 ? radius : 0.45 * radius;
+        star << centre + reach * QPointF(std::cos(angle), std::sin(angle));
+    }
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen(QColor(0x3a, 0x2a, 0x00), 1));
+    painter->setBrush(QColor(0xff, 0xcc, 0x33));
+    painter->drawPolygon(star);
+    painter->restore();
+}
+
+bool isHeading(const QModelIndex& index) {
+    return index.data(CollectionModel::HeadingRole).toBool();
+}
+
+} // namespace
+
+void CollectionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                               const QModelIndex& index) const {
+    painter->save();
+    if (isHeading(index))
+        paintHeading(painter, option, index);
+    else
+        paintEntry(painter, option, index);
+    painter->restore();
+}
+
+QSize CollectionDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    if (!isHeading(index))
+        return {pictureSide + 2 * padding, pictureSide + 3 * padding + heights(option.font).name};
+    const int height = heights(option.font).heading + 4 * padding;
+    const auto* list = qobject_cast<const QListView*>(option.widget);
+    const int width = list ? list->viewport()->width() - 2 * list->spacing() - 1 : 200;
+    return {qMax(width, pictureSide), height}; // alone in its row
+}
+
+const CollectionDelegate::Heights& CollectionDelegate::heights(const QFont& font) const {
+    if (m_heights.name == 0 || m_heights.font != font)
+        m_heights = {font, QFontMetrics(nameFont(font)).height(), QFontMetrics(headingFont(font)).height()};
+    return m_heights;
+}
+
+void CollectionDelegate::paintHeading(QPainter* painter, const QStyleOptionViewItem& option,
+                                      const QModelIndex& index) const {
+    const QFont font = headingFont(option.font);
+    const QRect text = option.rect.adjusted(padding, 2 * padding, -padding, -padding);
+    painter->setFont(font);
+    painter->setPen(option.palette.color(QPalette::Active, QPalette::Text));
+    painter->drawText(
+        text, static_cast<int>(Qt::AlignBottom | QStyle::visualAlignment(option.direction, Qt::AlignLeft)),
+        QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, text.width()));
+}
+
+void CollectionDelegate::paintEntry(QPainter* painter, QStyleOptionViewItem option,
+                                    const QModelIndex& index) const {
+    option.showDecorationSelected = true; // behind picture and name alike
+    const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
+    style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
+
+    const QRect picture(option.rect.left() + (option.rect.width() - pictureSide) / 2,
+                        option.rect.top() + padding, pictureSide, pictureSide);
+    paintThumbnail(*painter, picture,
+                   {static_cast<Thumbnail::State>(index.data(CollectionModel::ThumbnailStateRole).toInt()),
+                    index.data(Qt::DecorationRole).value<QPixmap>()},
+                   option.palette);
+
+    if (index.data(CollectionModel::FavouriteRole).toBool()) paintStar(painter, picture);
+
+    const QFont font = nameFont(option.font);
+    const bool selected = option.state & QStyle::State_Selected;
+    const QRect name(option.rect.left() + 1, picture.bottom() + padding, option.rect.width() - 2,
+                     QFontMetrics(font).height());
+    painter->setFont(font);
+    painter->setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+    painter->drawText(name, Qt::AlignCenter,
+                      QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, name.width()));
+}
+
+} // namespace view

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "panels/collection/collection_model.h"
+
+#include "desktop/clipboard.h"
+#include "io/file/background.h"
+#include "widgets/tooltip_text.h"
+
+#include <QMimeData>
+
+#include <algorithm>
+
+namespace view {
+namespace {
+
+bool isReadable(const document::Entry& entry) {
+    return document::dimension(*entry.fractal) != 0;
+}
+
+// Without what follows a colon: there is room for a few words below a picture.
+QString shortTitle(const QString& title) {
+    return title.section(QLatin1String(": "), 0, 0);
+}
+
+QString titleOf(const document::Fractal& fractal) {
+    const QString title = fractal.headerComment.trimmed();
+    return title.isEmpty() ? fractal.name : title;
+}
+
+QString toolTip(const document::Fractal& fractal, const QString& theme) {
+    QStringList comments;
+    for (const QString& comment : fractal.comments)
+        comments.append(comment.trimmed());
+    QString text =
+        QStringLiteral("<b>%1</b> (%2)").arg(titleOf(fractal).toHtmlEscaped(), fractal.name.toHtmlEscaped());
+    if (!comments.isEmpty()) text += QStringLiteral("<br>") + comments.join(QLatin1Char(' ')).toHtmlEscaped();
+    return text + QStringLiteral("<br><i>%1</i>").arg(theme.toHtmlEscaped());
+}
+
+} // namespace
+
+CollectionModel::CollectionModel(Thumbnails* thumbnails, QObject* parent)
+    : QAbstractListModel(parent), m_thumbnails(thumbnails) {
+    connect(thumbnails, &Thumbnails::ready, this, [this](quint64 key) {
+        const auto row =
+            std::find_if(m_rows.begin(), m_rows.end(), [key](const Row& r) { return r.key == key; });
+        if (row == m_rows.end()) return;
+        const QModelIndex changed = index(static_cast<int>(row - m_rows.begin()));
+        emit dataChanged(changed, changed, {Qt::DecorationRole, ThumbnailStateRole});
+    });
+}
+
+void CollectionModel::append(const io::CollectionTheme& theme, const QString& folder) {
+    QList<Row> rows{{0, theme.title, theme.description, folder, {}}};
+    for (const document::Entry& entry : theme.entries)
+        if (isReadable(entry)) rows.append({++m_lastKey, theme.title, {}, folder, entry});
+    const int first = rowCount();
+    beginInsertRows({}, first, first + static_cast<int>(rows.size()) - 1);
+    m_rows += rows;
+    endInsertRows();
+}
+
+void CollectionModel::removeFolder(const QString& folder) {
+    for (int row = rowCount() - 1; row >= 0; --row) {
+        if (m_rows[row].folder != folder) continue;
+        const int last = row;
+        while (row > 0 && m_rows[row - 1].folder == folder)
+            --row;
+        beginRemoveRows({}, row, last);
+        io::freeInBackground(m_rows.mid(row, last - row + 1));
+        m_rows.remove(row, last - row + 1);
+        endRemoveRows();
+    }
+}
+
+std::shared_ptr<const document::Fractal> CollectionModel::fractalAt(const QModelIndex& index) const {
+    return index.isValid() ? m_rows[index.row()].entry.fractal : nullptr;
+}
+
+int CollectionModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+QVariant CollectionModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
+    const Row& row = m_rows[index.row()];
+    if (role == FolderRole) return row.folder;
+    return row.entry.fractal ? entryData(row, role) : headingData(row, role);
+}
+
+QString CollectionModel::favouriteKey(const Row& row) {
+    return QStringList{row.folder, row.theme, row.entry.fractal->name}.join(QLatin1Char('|'));
+}
+
+void CollectionModel::setFavourites(const QStringList& favourites) {
+    m_favourites = {favourites.begin(), favourites.end()};
+    if (!m_rows.isEmpty()) emit dataChanged(index(0), index(rowCount() - 1), {FavouriteRole});
+}
+
+bool CollectionModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != FavouriteRole || !fractalAt(index)) return false;
+    const QString key = favouriteKey(m_rows[index.row()]);
+    if (value.toBool())
+        m_favourites.insert(key);
+    else
+        m_favourites.remove(key);
+    emit dataChanged(index, index, {FavouriteRole});
+    return true;
+}
+
+QVariant CollectionModel::headingData(const Row& row, int role) const {
+    switch (role) {
+    case Qt::DisplayRole:
+        return row.theme;
+    case Qt::ToolTipRole:
+        return tooltipText(row.description);
+    case Qt::AccessibleTextRole:
+        return tr("Theme: %1").arg(row.theme);
+    case Qt::AccessibleDescriptionRole:
+        return row.description;
+    case HeadingRole:
+        return true;
+    default:
+        return {};
+    }
+}
+
+QVariant CollectionModel::entryData(const Row& row, int role) const {
+    const document::Fractal& fractal = *row.entry.fractal;
+    switch (role) {
+    case Qt::DisplayRole:
+        return shortTitle(titleOf(fractal));
+    case Qt::ToolTipRole:
+        return toolTip(fractal, row.theme);
+    case Qt::AccessibleTextRole:
+        return m_favourites.contains(favouriteKey(row))
+                   ? tr("%1, from %2, a favourite").arg(titleOf(fractal), row.theme)
+                   : tr("%1, from %2").arg(titleOf(fractal), row.theme);
+    case Qt::AccessibleDescriptionRole:
+        return fractal.comments.join(QLatin1Char(' ')).simplified();
+    case Qt::DecorationRole:
+        return m_thumbnails->thumbnail(row.key, row.entry.fractal).pixmap;
+    case ThumbnailStateRole:
+        return static_cast<int>(m_thumbnails->thumbnail(row.key, row.entry.fractal).state);
+    case HeadingRole:
+        return false;
+    case FavouriteRole:
+        return m_favourites.contains(favouriteKey(row));
+    case SearchRole:
+        return (QStringList{fractal.name, fractal.headerComment, row.theme} + fractal.comments)
+            .join(QLatin1Char('\n'));
+    default:
+        return {};
+    }
+}
+
+Qt::ItemFlags CollectionModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) return Qt::NoItemFlags;
+    if (!fractalAt(index)) return Qt::ItemNeverHasChildren; // a title is neither chosen nor stepped on
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
+}
+
+QStringList CollectionModel::mimeTypes() const {
+    return {QStringLiteral("text/plain")};
+}
+
+QMimeData* CollectionModel::mimeData(const QModelIndexList& indexes) const {
+    QList<document::Entry> entries;
+    for (const QModelIndex& index : indexes)
+        if (fractalAt(index)) entries.append(m_rows[index.row()].entry);
+    return entriesMimeData(entries).release();
+}
+
+} // namespace view

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include "panels/collection/collection_panel.h"
+
+#include "desktop/settings.h"
+#include "io/picture/thumbnail_cache.h"
+#include "panels/collection/collection_delegate.h"
+#include "panels/collection/collection_filter.h"
+#include "panels/collection/collection_model.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/flat_buttons.h"
+#include "widgets/focus_shortcuts.h"
+#include "widgets/icon.h"
+#include "widgets/thumbnails.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QProgressBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <chrono>
+
+namespace view {
+namespace {
+
+const QString foldersKey = QStringLiteral("collection/folders");
+const QString favouritesKey = QStringLiteral("collection/favourites");
+constexpr std::chrono::milliseconds patience{400}; // before reading is worth a word
+
+} // namespace
+
+CollectionPanel::CollectionPanel(QWidget* parent)
+    : QWidget(parent),
+      m_thumbnails(new Thumbnails(this)),
+      m_model(new CollectionModel(m_thumbnails, this)),
+      m_filtered(new CollectionFilter(this)),
+      m_search(new QLineEdit(this)),
+      m_grid(new QListView(this)),
+      m_whyEmpty(new QLabel(m_grid->viewport())),
+      m_progress(createProgress()) {
+    setAccessibleName(tr("Collection"));
+    m_thumbnails->setCache(std::make_unique<io::ThumbnailCache>(io::ThumbnailCache::usualFolder()));
+    m_search->setAccessibleName(tr("Search the collection"));
+    m_search->setWhatsThis(tr("Shows only the fractals whose name, theme or comment contains these words. "
+                              "Enter opens the first of them."));
+    m_search->setPlaceholderText(tr("Search the collection"));
+    m_search->setStatusTip(tr("Show only fractals whose name, title, theme or source contains these words."));
+    m_search->setClearButtonEnabled(true);
+    m_search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+    createGrid();
+    createActions();
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addWidget(m_search);
+    layout->addWidget(m_grid, 1);
+    layout->addWidget(m_progress);
+    layout->addWidget(buttonBar({m_open, m_add, m_onlyFavourites, m_addFolder}, m_onlyFavourites, this));
+
+    m_model->setFavourites(stored(favouritesKey).toStringList());
+    read({});
+    m_folders = stored(foldersKey).toStringList();
+    for (const QString& folder : std::as_const(m_folders))
+        read(folder);
+    updateActions();
+}
+
+CollectionPanel::~CollectionPanel() {
+    m_reading.cancel(); // the thread needs nothing of this
+}
+
+void CollectionPanel::createGrid() {
+    m_filtered->setSourceModel(m_model);
+    m_grid->setModel(m_filtered);
+    m_grid->setItemDelegate(new CollectionDelegate(m_grid));
+    m_grid->setAccessibleName(tr("Fractals of the collection"));
+    m_grid->setWhatsThis(tr("Ready-made fractals. Double-click one or press Enter to open it in this window; "
+                            "right-click it to add it to the file instead."));
+    m_grid->setViewMode(QListView::IconMode);
+    m_grid->setMovement(QListView::Static);
+    m_grid->setResizeMode(QListView::Adjust);
+    m_grid->setSpacing(2);
+    m_grid->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_grid->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_grid->setDragEnabled(true);
+    m_grid->setDragDropMode(QAbstractItemView::DragOnly);
+    m_grid->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_whyEmpty->setAlignment(Qt::AlignCenter);
+    m_whyEmpty->setWordWrap(true);
+    m_whyEmpty->setEnabled(false); // as a placeholder is drawn
+    m_whyEmpty->hide();
+    auto* cover = new QVBoxLayout(m_grid->viewport());
+    cover->addWidget(m_whyEmpty);
+    connect(m_search, &QLineEdit::textChanged, m_filtered, &CollectionFilter::setWords);
+    connect(m_search, &QLineEdit::textChanged, this, &CollectionPanel::sayWhyEmpty);
+    connect(m_search, &QLineEdit::textChanged, this, &CollectionPanel::chooseFound);
+    connect(m_search, &QLineEdit::returnPressed, this, [this] { m_use->trigger(); });
+    connect(m_grid, &QListView::doubleClicked, this, [this] { m_use->trigger(); });
+    connect(m_grid->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &CollectionPanel::updateActions);
+    connect(m_grid, &QWidget::customContextMenuRequested, this, &CollectionPanel::showContextMenu);
+}
+
+// The first, so that Enter opens it.
+void CollectionPanel::chooseFound() {
+    if (m_search->text().isEmpty()) return;
+    for (int row = 0; row < m_filtered->rowCount(); ++row) {
+        const QModelIndex index = m_filtered->index(row, 0);
+        if (index.flags() & Qt::ItemIsSelectable) return m_grid->setCurrentIndex(index);
+    }
+}
+
+void CollectionPanel::sayWhyEmpty() {
+    m_whyEmpty->setVisible(m_filtered->rowCount() == 0);
+    m_whyEmpty->setText(m_search->text().isEmpty()
+                            ? tr("No favourites yet. Select a fractal and press Ctrl+D.")
+                            : tr("No fractal here contains these words."));
+}
+
+void CollectionPanel::createActions() {
+    m_use = createAction(
+        tr("&Use"),
+        tr("Add the selected fractal to the open file, or open it if you have not edited anything."),
+        QStringLiteral("add"), {Qt::Key_Return, Qt::Key_Enter});
+    connect(m_use, &QAction::triggered, this, [this] {
+        if (const document::Fractal* fractal = current()) emit chosen(*fractal);
+    });
+    m_open =
+        createAction(tr("&Open as New Document"), tr("Open the selected fractal as a separate document."),
+                     QStringLiteral("open"), {});
+    m_add = createAction(tr("&Add to This File"), tr("Add the selected fractal to the open file."),
+                         QStringLiteral("add"), {Qt::SHIFT | Qt::Key_Return, Qt::SHIFT | Qt::Key_Enter});
+    m_favourite = createAction(tr("Fa&vourite"), tr("Add the selected fractal to your favourites."),
+                               QStringLiteral("favourite"), {Qt::CTRL | Qt::Key_D});
+    m_favourite->setCheckable(true);
+    m_onlyFavourites = createAction(tr("Only Fa&vourites"), tr("Show only your favourites."),
+                                    QStringLiteral("favourite"), {});
+    m_onlyFavourites->setCheckable(true);
+    connect(m_favourite, &QAction::triggered, this, [this](bool on) {
+        m_model->setData(m_filtered->mapToSource(m_grid->currentIndex()), on, CollectionModel::FavouriteRole);
+        store(favouritesKey, m_model->favourites());
+        if (m_onlyFavourites->isChecked()) m_filtered->setOnlyFavourites(true); // titles may go as well
+        sayWhyEmpty();
+    });
+    connect(m_onlyFavourites, &QAction::toggled, m_filtered, &CollectionFilter::setOnlyFavourites);
+    connect(m_onlyFavourites, &QAction::toggled, this, &CollectionPanel::sayWhyEmpty);
+    m_addFolder =
+        createAction(tr("Add &Folder…"), tr("Add the .ifs files of one of your own folders to this list."),
+                     QStringLiteral("add-folder"), {});
+    connect(m_open, &QAction::triggered, this, [this] {
+        if (const document::Fractal* fractal = current()) emit openRequested(*fractal);
+    });
+    connect(m_add, &QAction::triggered, this, [this] {
+        if (const document::Fractal* fractal = current()) emit addRequested(*fractal);
+    });
+    connect(m_addFolder, &QAction::triggered, this, &CollectionPanel::chooseFolder);
+    new FocusShortcuts(m_grid);
+}
+
+QAction* CollectionPanel::createAction(const QString& text, const QString& statusTip, const QString& iconName,
+                                       const QList<QKeySequence>& keys) {
+    auto* action = new QAction(icon(iconName), text, this);
+    action->setStatusTip(statusTip);
+    action->setToolTip(statusTip);
+    action->setShortcuts(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    m_grid->addAction(action);
+    return action;
+}
+
+QWidget* CollectionPanel::createProgress() {
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    m_done = new QProgressBar(row);
+    m_done->setAccessibleName(tr("Progress of reading the collection"));
+    layout->addWidget(m_done, 1);
+    auto* stop = new QToolButton(row);
+    stop->setIcon(icon(QStringLiteral("close")));
+    stop->setIconSize({18, 18});
+    stop->setAutoRaise(true);
+    stop->setAccessibleName(tr("Stop reading"));
+    stop->setToolTip(tr("Stop reading this folder. Files that were already read stay in the list."));
+    stop->setStatusTip(stop->toolTip());
+    layout->addWidget(stop);
+    row->hide();
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(patience);
+    connect(&m_patience, &QTimer::timeout, row, &QWidget::show);
+    connect(stop, &QToolButton::clicked, &m_reading, &QFutureWatcherBase::cancel);
+    connect(&m_reading, &QFutureWatcherBase::progressRangeChanged, m_done, &QProgressBar::setRange);
+    connect(&m_reading, &QFutureWatcherBase::progressValueChanged, m_done, &QProgressBar::setValue);
+    connect(&m_reading, &QFutureWatcherBase::resultReadyAt, this, &CollectionPanel::take);
+    connect(&m_reading, &QFutureWatcherBase::finished, this, [this] {
+        if (m_unread.isEmpty()) return; // it was none
+        m_unread.removeFirst();
+        readNext();
+    });
+    return row;
+}
+
+void CollectionPanel::showContextMenu(const QPoint& position) {
+    QMenu menu(this);
+    menu.addActions({m_use, m_add, m_open, m_favourite});
+    menu.addSeparator();
+    menu.addAction(m_addFolder);
+    const QString folder = m_grid->indexAt(position).data(CollectionModel::FolderRole).toString();
+    if (!folder.isEmpty()) {
+        QString name = folder;
+        QAction* remove =
+            menu.addAction(tr("&Remove Folder “%1”").arg(name.replace(u'&', QLatin1String("&&"))));
+        remove->setStatusTip(tr("Remove this folder from the list. Its files are not changed."));
+        connect(remove, &QAction::triggered, this, [this, folder] { removeFolder(folder); });
+    }
+    menu.exec(m_grid->viewport()->mapToGlobal(position));
+}
+
+void CollectionPanel::addFolder(const QString& folder) {
+    if (folder.isEmpty() || m_folders.contains(folder)) return;
+    m_folders.append(folder);
+    saveFolders();
+    read(folder);
+}
+
+void CollectionPanel::removeFolder(const QString& folder) {
+    m_folders.removeAll(folder);
+    saveFolders();
+    const qsizetype index = m_unread.lastIndexOf(folder);
+    if (index == 0)
+        m_reading.cancel();
+    else if (index > 0)
+        m_unread.removeAt(index);
+    m_model->removeFolder(folder);
+}
+
+void CollectionPanel::read(const QString& folder) {
+    m_unread.append(folder);
+    if (m_unread.size() == 1) readNext();
+}
+
+void CollectionPanel::readNext() {
+    m_patience.stop();
+    m_progress->hide();
+    if (m_unread.isEmpty()) {
+        m_reading.setFuture({}); // what was read is no longer kept for it
+        return;
+    }
+    const QString& folder = m_unread.first();
+    m_done->setFormat(folder.isEmpty() ? tr("Reading the collection…")
+                                       : tr("Reading “%1”…").arg(QFileInfo(folder).fileName()));
+    m_patience.start();
+    m_reading.setFuture(io::readThemes(folder));
+}
+
+void CollectionPanel::take(int theme) {
+    if (!m_reading.isCanceled()) m_model->append(m_reading.resultAt(theme), m_unread.first());
+}
+
+void CollectionPanel::chooseFolder() {
+    addFolder(view::chooseFolder(this, tr("Folder of .ifs Files")));
+}
+
+void CollectionPanel::saveFolders() const {
+    store(foldersKey, m_folders);
+}
+
+void CollectionPanel::updateActions() {
+    m_use->setEnabled(current());
+    m_open->setEnabled(current());
+    m_add->setEnabled(current());
+    m_favourite->setEnabled(current());
+    m_favourite->setChecked(m_grid->currentIndex().data(CollectionModel::FavouriteRole).toBool());
+}
+
+const document::Fractal* CollectionPanel::current() const {
+    return m_model->fractalAt(m_filtered->mapToSource(m_grid->currentIndex())).get();
+}
+
+bool CollectionPanel::event(QEvent* event) {
+    if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal)
+        m_thumbnails->setSize(CollectionDelegate::pictureSide, devicePixelRatioF());
+    return QWidget::event(event);
+}
+
+} // namespace view

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/collection_source.h"
+
+#include <QFutureWatcher>
+#include <QStringList>
+#include <QTimer>
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QProgressBar;
+
+namespace view {
+
+class CollectionFilter;
+class CollectionModel;
+class Thumbnails;
+
+// The bundled collection and the user's own folders of .ifs files, by theme, to browse and search. It opens
+// nothing itself.
+class CollectionPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CollectionPanel(QWidget* parent = nullptr);
+    ~CollectionPanel() override;
+
+    void addFolder(const QString& folder); // remembered in the settings
+    void removeFolder(const QString& folder);
+    QStringList folders() const { return m_folders; }
+
+signals:
+    void chosen(const document::Fractal& fractal);        // by a double click or Enter
+    void openRequested(const document::Fractal& fractal); // as a document of its own
+    void addRequested(const document::Fractal& fractal);  // to the open file
+
+protected:
+    bool event(QEvent* event) override;
+
+private:
+    void createGrid();
+    void createActions();
+    QAction* createAction(const QString& text, const QString& statusTip, const QString& iconName,
+                          const QList<QKeySequence>& keys);
+    QWidget* createProgress();
+    void showContextMenu(const QPoint& position);
+    void read(const QString& folder); // empty: the bundled files
+    void readNext();
+    void take(int theme);
+    void chooseFolder();
+    void saveFolders() const;
+    void updateActions();
+    void chooseFound();
+    void sayWhyEmpty();
+    const document::Fractal* current() const;
+
+    Thumbnails* m_thumbnails;
+    CollectionModel* m_model;
+    CollectionFilter* m_filtered;
+    QLineEdit* m_search;
+    QListView* m_grid;
+    QLabel* m_whyEmpty;
+    QAction* m_use = nullptr;
+    QAction* m_open = nullptr;
+    QAction* m_add = nullptr;
+    QAction* m_favourite = nullptr;
+    QAction* m_onlyFavourites = nullptr;
+    QAction* m_addFolder = nullptr;
+    QStringList m_folders;
+    QStringList m_unread; // folders; the first one is being read
+    QFutureWatcher<io::CollectionTheme> m_reading;
+    QTimer m_patience;
+    QProgressBar* m_done = nullptr;
+    QWidget* m_progress; // around m_done; seen when reading takes long
+};
+
+} // namespace view

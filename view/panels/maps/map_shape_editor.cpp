@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "panels/maps/map_shape_editor.h"
+
+#include "widgets/number_field.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+using Editor = MapShapeEditor;
+
+template <int Dim> int rowIn(const ifs::IteratedFunctionSystem<Dim>& system, ifs::MapId id) {
+    const auto found = std::ranges::find(system.maps, id, &ifs::WeightedMap<Dim>::id);
+    return id == ifs::MapId::None || found == system.maps.end() ? -1 : int(found - system.maps.begin());
+}
+
+static_assert(int(Editor::Rotation) == document::MapShape::Rotation &&
+              int(Editor::TranslationX) == document::MapShape::PartCount);
+static_assert(int(Editor::AxisX) == document::MapShape3::AxisX &&
+              int(Editor::SpaceTranslationX) == document::MapShape3::PartCount);
+
+} // namespace
+
+MapShapeEditor::MapShapeEditor(document::Document* document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_edit(document), m_title(new QLabel(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    QFont bold = m_title->font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    layout->addWidget(m_title);
+    makePlaneForm();
+    makeSpaceForm();
+    connect(document, &document::Document::changed, this, [this](const document::Change& change) {
+        if (change.parts & (document::Change::Current | document::Change::File)) {
+            shapes<2>().known.clear();
+            shapes<3>().known.clear();
+        }
+        follow();
+    });
+    follow();
+}
+
+MapShapeEditor::Form& MapShapeEditor::makeForm(int dimension, int firstTranslation) {
+    Form& form = formOf(dimension);
+    form.firstTranslation = firstTranslation;
+    form.box = new QWidget(this);
+    auto* grid = new QGridLayout(form.box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(2);
+    layout()->addWidget(form.box);
+    return form;
+}
+
+void MapShapeEditor::makePlaneForm() {
+    const Form& form = makeForm(2, TranslationX);
+    addField(2, tr("Rotation °"), tr("Angle in degrees, counter-clockwise with y up"), {1, 0});
+    addField(2, tr("Scale x"), tr("Length of the image of the x unit vector"), {1, 1});
+    addField(2, tr("Scale y"), tr("Scale at right angles to that; negative if the map reflects"), {1, 2});
+    addField(2, tr("Shear"), tr("Shear along x, applied first"), {3, 0});
+    addField(2, tr("Shift x"), tr("Translation e, applied last"), {3, 1});
+    addField(2, tr("Shift y"), tr("Translation f, applied last"), {3, 2});
+    form.fields[Rotation]->setStep(1);
+    form.fields[ScaleX]->setRange({0.0, std::nullopt});
+}
+
+void MapShapeEditor::makeSpaceForm() {
+    const Form& form = makeForm(3, SpaceTranslationX);
+    const QString axis = tr("Axis of the rotation; only its direction matters");
+    addField(3, tr("Axis x"), axis, {1, 0});
+    addField(3, tr("Axis y"), axis, {1, 1});
+    addField(3, tr("Axis z"), axis, {1, 2});
+    addField(3, tr("Rotation °"),
+             tr("Angle in degrees, counter-clockwise as seen from the tip of the axis looking back"), {1, 3});
+    addField(3, tr("Scale x"), tr("Length of the image of the x unit vector"), {3, 0});
+    addField(3, tr("Scale y"), tr("Scale along y, before the rotation"), {3, 1});
+    addField(3, tr("Scale z"), tr("Scale along z, before the rotation; negative if the map reflects"),
+             {3, 2});
+    addField(3, tr("Shear xy"), tr("What y adds to x, applied first"), {5, 0});
+    addField(3, tr("Shear xz"), tr("What z adds to x, applied first"), {5, 1});
+    addField(3, tr("Shear yz"), tr("What z adds to y, applied first"), {5, 2});
+    addField(3, tr("Shift x"), tr("Translation j, applied last"), {7, 0});
+    addField(3, tr("Shift y"), tr("Translation k, applied last"), {7, 1});
+    addField(3, tr("Shift z"), tr("Translation l, applied last"), {7, 2});
+    form.fields[Angle]->setStep(1);
+    form.fields[SpaceScaleX]->setRange({0.0, std::nullopt});
+    form.fields[SpaceScaleY]->setRange({0.0, std::nullopt});
+}
+
+void MapShapeEditor::addField(int dimension, const QString& name, const QString& tip, Place place) {
+    Form& form = formOf(dimension);
+    const int part = int(form.fields.size());
+    auto* label = new QLabel(name, form.box);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    auto* field = new NumberField(form.box);
+    field->setAccessibleName(name);
+    field->setToolTip(tip);
+    label->setBuddy(field);
+    auto* grid = static_cast<QGridLayout*>(form.box->layout());
+    grid->addWidget(label, place.row, place.column);
+    grid->addWidget(field, place.row + 1, place.column);
+    grid->setColumnStretch(place.column, 1);
+    form.fields.push_back(field);
+    connect(field, &NumberField::edited, this,
+            [this, dimension, part](double value) { edit(dimension, part, value); });
+    connect(field, &NumberField::committed, this, [this] { m_edit.commit(); });
+    connect(field, &NumberField::cancelled, this, &MapShapeEditor::cancel);
+}
+
+int MapShapeEditor::rowOfMap() const {
+    const document::Fractal& fractal = m_document->fractal();
+    if (const document::System2* system = document::system2(fractal)) return rowIn(*system, m_id);
+    if (const document::System3* system = document::system3(fractal)) return rowIn(*system, m_id);
+    return -1;
+}
+
+void MapShapeEditor::setMap(ifs::MapId id) {
+    if (id == m_id) return;
+    m_edit.commit();
+    m_id = id;
+    follow();
+}
+
+void MapShapeEditor::follow() {
+    const document::Fractal& fractal = m_document->fractal();
+    const bool isSpace = document::space(fractal) != nullptr;
+    formOf(2).box->setVisible(!isSpace);
+    formOf(3).box->setVisible(isSpace);
+    const int row = rowOfMap();
+    setEnabled(row >= 0);
+    m_title->setText(row < 0 ? tr("No map is selected") : tr("Map %1").arg(row + 1));
+    if (row < 0) return;
+    if (isSpace)
+        show(*document::system3(fractal));
+    else
+        show(*document::system2(fractal));
+}
+
+template <int Dim> void MapShapeEditor::show(const ifs::IteratedFunctionSystem<Dim>& system) {
+    const Form& form = formOf(Dim);
+    const ifs::AffineMap<Dim>& map = system.maps[std::size_t(rowIn(system, m_id))].map;
+    document::MapShapeIn<Dim>& shape = shapes<Dim>().known[m_id];
+    shape.show(map.linear);
+    for (std::size_t part = 0; part < shape.parts().size(); ++part)
+        form.fields[part]->setValue(shape.parts()[part]);
+    for (int k = 0; k < Dim; ++k)
+        form.fields[std::size_t(form.firstTranslation + k)]->setValue(map.translation[k]);
+}
+
+void MapShapeEditor::edit(int dimension, int part, double value) {
+    const int row = rowOfMap();
+    if (row < 0 || document::dimension(m_document->fractal()) != dimension) return;
+    if (!m_edit.isOpen()) {
+        if (dimension == 2)
+            shapes<2>().before = shapes<2>().known[m_id];
+        else
+            shapes<3>().before = shapes<3>().known[m_id];
+    }
+    const NumberField* field = formOf(dimension).fields[std::size_t(part)];
+    const QString text = tr("%1: %2 %3").arg(m_title->text(), field->accessibleName(), shortNumber(value));
+    m_edit.preview(text, [&](document::Fractal& fractal) {
+        if (dimension == 2)
+            change(*document::system2(fractal), part, value);
+        else
+            change(*document::system3(fractal), part, value);
+    });
+}
+
+template <int Dim>
+void MapShapeEditor::change(ifs::IteratedFunctionSystem<Dim>& system, int part, double value) {
+    const Form& form = formOf(Dim);
+    const int row = rowIn(system, m_id);
+    if (row < 0) return;
+    ifs::AffineMap<Dim>& map = system.maps[std::size_t(row)].map;
+    using Shape = document::MapShapeIn<Dim>;
+    if (part >= form.firstTranslation)
+        map.translation[part - form.firstTranslation] = value; // the linear part keeps its digits
+    else
+        map.linear = shapes<Dim>().known[m_id].changed(typename Shape::Part(part), value);
+}
+
+// A number that changes no coefficient, as the axis of no rotation, comes back as well.
+void MapShapeEditor::cancel() {
+    if (!m_edit.isOpen()) return;
+    m_edit.cancel();
+    if (document::dimension(m_document->fractal()) == 2)
+        shapes<2>().known[m_id] = shapes<2>().before;
+    else
+        shapes<3>().known[m_id] = shapes<3>().before;
+    follow();
+}
+
+} // namespace view

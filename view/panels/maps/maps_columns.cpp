@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "panels/maps/maps_columns.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QStyle>
+#include <QTableView>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace view {
+
+namespace {
+
+constexpr int narrowest = 30; // of a number column
+constexpr int swatch = 26;
+constexpr int minDecimals = 2;
+
+} // namespace
+
+MapsColumns::MapsColumns(QTableView* table, MapsModel* model)
+    : QObject(table), m_table(table), m_model(model) {
+    table->installEventFilter(this);
+}
+
+bool MapsColumns::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange) fit();
+    return QObject::eventFilter(watched, event);
+}
+
+// What the numbers need, and the letter over them.
+int MapsColumns::widthOf(int column) const {
+    const QString name = m_model->headerData(column, Qt::Horizontal).toString();
+    const QAbstractItemView* view = m_table; // where the hint is public
+    return std::max({narrowest, view->sizeHintForColumn(column),
+                     m_table->horizontalHeader()->fontMetrics().horizontalAdvance(name) + 12});
+}
+
+// Whether there is a scroll bar must not depend on the widths that depend on it: it always has its room.
+int MapsColumns::available() const {
+    return m_table->width() - 2 * m_table->frameWidth() - m_table->verticalHeader()->sizeHint().width() -
+           m_table->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_table) - 2 * swatch;
+}
+
+void MapsColumns::fit() {
+    m_table->setColumnWidth(MapsModel::Enabled, swatch);
+    m_table->setColumnWidth(MapsModel::Colour, swatch);
+    const int room = available();
+    const int codeEnd = m_model->columnOf(MapsModel::Weight) + 1;
+    std::vector<int> code(std::size_t(codeEnd - MapsModel::A)); // coefficients and weight
+    std::iota(code.begin(), code.end(), int(MapsModel::A));
+    std::vector<int> widths(code.size());
+    for (int decimals = maxDecimals; decimals >= minDecimals; --decimals) {
+        m_model->limitDecimals(decimals);
+        std::ranges::transform(code, widths.begin(), [this](int column) { return widthOf(column); });
+        if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;
+    }
+    // What is left is for the digits and signs that come up in a drag.
+    const int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
+    for (std::size_t i = 0; i < code.size(); ++i)
+        if (!m_table->isColumnHidden(code[i]))
+            m_table->setColumnWidth(code[i], widths[i] + std::min(left / int(code.size()), narrowest));
+    for (int column = codeEnd; column < m_model->columnCount(); ++column)
+        if (!m_table->isColumnHidden(column)) m_table->setColumnWidth(column, widthOf(column));
+}
+
+} // namespace view

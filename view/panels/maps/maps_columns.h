@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "panels/maps/maps_model.h"
+
+class QTableView;
+
+namespace view {
+
+// The widths of the columns of the table of maps. Code and weight fit the width of the table, with fewer
+// decimals where there is no room for all; further columns are scrolled to.
+class MapsColumns : public QObject {
+    Q_OBJECT
+
+public:
+    MapsColumns(QTableView* table, MapsModel* model);
+
+    void fit(); // to the numbers of now; not in the middle of a drag
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    int widthOf(int column) const;
+    int available() const;
+
+    QTableView* m_table;
+    MapsModel* m_model;
+};
+
+} // namespace view

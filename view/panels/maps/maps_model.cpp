@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: MIT
+#include "panels/maps/maps_model.h"
+
+#include "document/edits/cage_edits.h"
+#include "document/edits/maps_edits.h"
+#include "ifs/system/decomposition.h"
+#include "widgets/number_text.h"
+
+#include "io/text/number.h"
+
+#include <QColor>
+#include <QGuiApplication>
+#include <QHash>
+#include <QPalette>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+// A coefficient of the map, counted from 0: the linear part row by row, then the translation.
+template <int Dim> double coefficient(const ifs::AffineMap<Dim>& map, int which) {
+    return which < Dim * Dim ? map.linear(which / Dim, which % Dim) : map.translation[which - Dim * Dim];
+}
+
+template <int Dim> void setCoefficient(ifs::AffineMap<Dim>& map, int which, double value) {
+    if (which < Dim * Dim)
+        map.linear(which / Dim, which % Dim) = value;
+    else
+        map.translation[which - Dim * Dim] = value;
+}
+
+template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
+    return ifs::spectralNorm<Dim>(map.linear) < 1;
+}
+
+QString kindText(ifs::MapKind kind) {
+    switch (kind) {
+    case ifs::MapKind::Similarity:
+        return MapsModel::tr("similarity");
+    case ifs::MapKind::ReflectedSimilarity:
+        return MapsModel::tr("reflected similarity");
+    case ifs::MapKind::Affine:
+        return MapsModel::tr("affine");
+    case ifs::MapKind::Singular:
+        return MapsModel::tr("singular");
+    case ifs::MapKind::Constant:
+        return MapsModel::tr("constant");
+    }
+    return {};
+}
+
+QString kindTip(ifs::MapKind kind, int dimension) {
+    const bool plane = dimension == 2;
+    switch (kind) {
+    case ifs::MapKind::Similarity:
+        return MapsModel::tr("A similarity keeps shapes: it turns, scales and shifts.");
+    case ifs::MapKind::ReflectedSimilarity:
+        return MapsModel::tr(
+            "A reflected similarity keeps shapes but mirrors them; it also turns, scales and shifts them.");
+    case ifs::MapKind::Affine:
+        return MapsModel::tr("An affine map keeps lines and parallels but not angles.");
+    case ifs::MapKind::Singular:
+        return plane ? MapsModel::tr("A singular map takes the whole plane to a line.")
+                     : MapsModel::tr("A singular map takes the whole of space to a plane or a line.");
+    case ifs::MapKind::Constant:
+        return plane ? MapsModel::tr("A constant map takes the whole plane to one point.")
+                     : MapsModel::tr("A constant map takes the whole of space to one point.");
+    }
+    return {};
+}
+
+QString coefficientTip(int dimension) {
+    return dimension == 2
+               ? MapsModel::tr("The map takes (x, y) to (a x + b y + e, c x + d y + f).")
+               : MapsModel::tr("The map takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, "
+                               "g x + h y + i z + l).");
+}
+
+// What displays the code; nullopt where no code would show the same: while the placement is flat or bends.
+template <int Dim> std::optional<ifs::AffineMap<Dim>> displayOf(const document::Shape<Dim>& shape) {
+    if (!shape.cage || shape.cage->rest == shape.cage->current) return ifs::AffineMap<Dim>{};
+    if (ifs::bends(*shape.cage)) return std::nullopt;
+    const ifs::AffineMap<Dim> display = ifs::displayMap(*shape.cage);
+    return ifs::conjugate(display, ifs::IteratedFunctionSystem<Dim>{}) ? std::optional(display)
+                                                                       : std::nullopt;
+}
+
+template <int Dim>
+std::optional<ifs::AffineMap<Dim>> effectiveMap(const ifs::AffineMap<Dim>& display,
+                                                const ifs::AffineMap<Dim>& map) {
+    return display == ifs::AffineMap<Dim>{} ? map : ifs::conjugate(display, map);
+}
+
+constexpr int rowsLookedAt = 1000;
+
+int decimalsOf(const QString& number) {
+    const auto point = number.indexOf(u'.');
+    return point < 0 || number.contains(u'e') ? 0 : static_cast<int>(number.size() - point - 1);
+}
+
+} // namespace
+
+MapsModel::MapsModel(document::Document* document, QObject* parent)
+    : QAbstractTableModel(parent), m_document(document), m_edit(document) {
+    connect(document, &document::Document::changed, this, &MapsModel::follow);
+    reload(false);
+}
+
+void MapsModel::follow(const document::Change& change) {
+    using document::Change;
+    if (!(change.parts & (Change::System | Change::Cage | Change::Appearance | Change::Entries |
+                          Change::Current | Change::File)))
+        return;
+    const bool sameCode = isCodeShown(m_document->fractal()); // as while the cage is dragged
+    const bool sameRows = sameCode || areRowsShown(m_document->fractal());
+    if (!sameRows || change.parts & (Change::Current | Change::File)) {
+        beginResetModel();
+        reload(sameCode);
+        endResetModel();
+        return;
+    }
+    reload(sameCode);
+    if (rowCount() == 0) return;
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    if (!sameCode) emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1); // the warnings
+}
+
+bool MapsModel::isCodeShown(const document::Fractal& fractal) const {
+    if (const document::System2* system = document::system2(fractal))
+        return dimension() == 2 && system->maps == std::get<0>(m_shown).maps;
+    const document::System3* system = document::system3(fractal);
+    return system && dimension() == 3 && system->maps == std::get<1>(m_shown).maps;
+}
+
+bool MapsModel::areRowsShown(const document::Fractal& fractal) const {
+    const auto areSame = [](const auto& a, const auto& b) {
+        return std::ranges::equal(a, b, [](const auto& p, const auto& q) { return p.id == q.id; });
+    };
+    if (const document::System2* system = document::system2(fractal))
+        return dimension() == 2 && areSame(system->maps, std::get<0>(m_shown).maps);
+    const document::System3* system = document::system3(fractal);
+    return system && dimension() == 3 && areSame(system->maps, std::get<1>(m_shown).maps);
+}
+
+void MapsModel::reload(bool sameCode) {
+    const auto show = [&]<int Dim>(const document::Shape<Dim>& shape) {
+        if (!sameCode) {
+            m_shown = Shown<Dim>{shape.system.maps, {}};
+            m_probabilities = ifs::probabilities(shape.system);
+        }
+        std::get<Shown<Dim>>(m_shown).display = displayOf(shape);
+    };
+    const document::Fractal& fractal = m_document->fractal();
+    if (const auto* plane = document::plane(fractal)) {
+        show(*plane);
+    } else if (const auto* space = document::space(fractal)) {
+        show(*space);
+    } else {
+        m_shown = Shown<2>{};
+        m_probabilities.clear();
+    }
+    m_decimals.resize(static_cast<std::size_t>(columnCount()));
+    std::fill(m_decimals.begin() + (sameCode ? columnOf(EffectiveA) : 0), m_decimals.end(), std::nullopt);
+}
+
+int MapsModel::columnOf(Column column) const {
+    return column <= A ? int(column) : int(column) + coefficientCount() - (Weight - A);
+}
+
+MapsModel::Meaning MapsModel::meaningOf(int column) const {
+    if (column < A) return {static_cast<Column>(column)};
+    if (column < columnOf(Weight)) return {A, column - A};
+    if (column >= columnOf(EffectiveA)) return {EffectiveA, column - columnOf(EffectiveA)};
+    return {static_cast<Column>(column - columnOf(Weight) + Weight)};
+}
+
+bool MapsModel::isNumber(int column) const {
+    return column >= A && column < columnCount() && meaningOf(column).kind != Kind;
+}
+
+QString MapsModel::columnName(int column) const {
+    const auto [kind, which] = meaningOf(column);
+    switch (kind) {
+    case A:
+        return QChar(u'a' + which);
+    case EffectiveA:
+        return QChar(u'a' + which) + QStringLiteral("′");
+    case Enabled:
+        return tr("On");
+    case Weight:
+        return tr("p");
+    case Determinant:
+        return tr("det");
+    case Contraction:
+        return tr("‖A‖");
+    case Kind:
+        return tr("Kind");
+    default:
+        return {};
+    }
+}
+
+QString MapsModel::columnTip(int column) const {
+    switch (meaningOf(column).kind) {
+    case A:
+        return coefficientTip(dimension());
+    case EffectiveA:
+        return dimension() == 2
+                   ? tr("Effective code: the map as it acts on the picture under the current cage. Bake "
+                        "turns it into the code.")
+                   : tr("Effective code: the map as it acts on the picture under the current cage.");
+    case Enabled:
+        return tr("Whether the map is switched on.");
+    case Colour:
+        return tr("Colour of the map, used when the picture is coloured by map.");
+    case Weight:
+        return tr(
+            "Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.");
+    case Determinant:
+        return dimension() == 2
+                   ? tr("Determinant ad − bc: the factor by which areas change; negative if the map "
+                        "reflects.")
+                   : tr("Determinant: the factor by which volumes change; negative if the map reflects.");
+    case Contraction:
+        return tr("Contraction factor ‖A‖, the largest singular value: the largest factor by "
+                  "which distances are stretched.");
+    case Kind:
+        return tr("The geometric kind of the map.");
+    default:
+        return {};
+    }
+}
+
+// Asked for by what is in sight, and of as many rows as a header looks at for its widths: a hundred thousand
+// numbers are not written out.
+int MapsModel::decimals(int column) const {
+    std::optional<int>& most = m_decimals[static_cast<std::size_t>(column)];
+    if (most) return std::min(*most, mostDecimals(column));
+    most = 0;
+    std::optional<double> previous;
+    for (int row = 0; isNumber(column) && row < std::min(rowCount(), rowsLookedAt) && *most < maxDecimals;
+         ++row) {
+        const std::optional<double> value = number(row, column);
+        if (value && value != previous) most = std::max(*most, decimalsOf(shortNumber(*value)));
+        previous = value;
+    }
+    return std::min(*most, mostDecimals(column));
+}
+
+void MapsModel::limitDecimals(int decimals) {
+    if (decimals == m_maxDecimals) return;
+    m_maxDecimals = decimals;
+    if (rowCount() > 0)
+        emit dataChanged(index(0, A), index(rowCount() - 1, columnOf(Weight)), {Qt::DisplayRole});
+}
+
+int MapsModel::rowCount(const QModelIndex& parent) const {
+    if (parent.isValid()) return 0;
+    return std::visit([](const auto& shown) { return static_cast<int>(shown.maps.size()); }, m_shown);
+}
+
+int MapsModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columnOf(EffectiveA) + coefficientCount();
+}
+
+ifs::MapId MapsModel::idAt(int row) const {
+    if (row < 0 || row >= rowCount()) return ifs::MapId::None;
+    return withMap(row, [](const auto& map) { return map.id; });
+}
+
+std::vector<int> MapsModel::rowsOf(const std::vector<ifs::MapId>& ids) const {
+    QHash<ifs::MapId, int> order; // of those asked for, which are seldom as many as there are
+    order.reserve(qsizetype(ids.size()));
+    std::vector<int> rows(ids.size(), -1);
+    for (int i = 0; i < int(ids.size()); ++i)
+        order.insert(ids[std::size_t(i)], i);
+    for (int row = 0; row < rowCount(); ++row)
+        if (const auto index = order.constFind(idAt(row)); index != order.constEnd())
+            rows[std::size_t(*index)] = row;
+    std::erase(rows, -1);
+    return rows;
+}
+
+std::optional<double> MapsModel::number(int row, int column) const {
+    const auto at = static_cast<std::size_t>(row);
+    const auto [kind, which] = meaningOf(column);
+    const auto numberIn = [&, kind = kind,
+                           which = which]<int Dim>(const Shown<Dim>& shown) -> std::optional<double> {
+        const ifs::WeightedMap<Dim>& map = shown.maps[at];
+        switch (kind) {
+        case A:
+            return coefficient(map.map, which);
+        case EffectiveA:
+            if (const auto effective = shown.display ? effectiveMap(*shown.display, map.map) : std::nullopt)
+                return coefficient(*effective, which);
+            return std::nullopt;
+        case Weight:
+            return map.weight ? *map.weight : m_probabilities[at];
+        case Determinant:
+            return ifs::determinant<Dim>(map.map.linear);
+        case Contraction:
+            return ifs::spectralNorm<Dim>(map.map.linear);
+        default:
+            return std::nullopt;
+        }
+    };
+    return std::visit(numberIn, m_shown);
+}
+
+bool MapsModel::isEnabled(int row) const {
+    return withMap(row, [](const auto& map) { return map.enabled; });
+}
+
+std::optional<double> MapsModel::weightOf(int row) const {
+    return withMap(row, [](const auto& map) { return map.weight; });
+}
+
+ifs::MapKind MapsModel::kindOf(int row) const {
+    return withMap(row,
+                   []<int Dim>(const ifs::WeightedMap<Dim>& map) { return ifs::kind<Dim>(map.map.linear); });
+}
+
+QString MapsModel::warning(int row) const {
+    if (withMap(row, [](const auto& map) { return contracts(map.map); })) return {};
+    return tr("Map %1 does not contract: it stretches by up to %2. The system may still have an "
+              "attractor if "
+              "longer words contract.")
+        .arg(row + 1)
+        .arg(shortNumber(*number(row, columnOf(Contraction))));
+}
+
+QString MapsModel::tip(int row, int column) const {
+    const Column kind = meaningOf(column).kind;
+    if (kind == Enabled)
+        return isEnabled(row) ? tr("Map %1 is switched on.").arg(row + 1)
+                              : tr("Map %1 is switched off.").arg(row + 1);
+    if (kind == Colour) return tr("Colour of map %1. Press Space or double-click to change it.").arg(row + 1);
+    if (kind == Kind) return kindTip(kindOf(row), dimension());
+    const auto value = number(row, column);
+    if (!value) return tr("The cage is flat or bent: there is no effective code.");
+    if (kind != Weight) return fullNumber(*value);
+    const QString probability = shortNumber(m_probabilities[static_cast<std::size_t>(row)]);
+    const std::optional<double> weight = weightOf(row);
+    if (!weight)
+        return tr("No weight is given; the determinant rule gives the probability %1.").arg(probability);
+    if (*weight <= 0)
+        return tr("Weight %1: a weight that is not positive switches the map off.").arg(fullNumber(*weight));
+    return tr("Weight %1, probability %2.").arg(fullNumber(*weight), probability);
+}
+
+QVariant MapsModel::alignment(int column) const {
+    if (isNumber(column)) return int(Qt::AlignRight | Qt::AlignVCenter);
+    return int((meaningOf(column).kind == Kind ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter);
+}
+
+QVariant MapsModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
+    const int row = index.row();
+    const int column = index.column();
+    const Column kind = meaningOf(column).kind;
+    switch (role) {
+    case Qt::DisplayRole:
+        if (kind == Kind)
+            return warning(row).isEmpty() ? kindText(kindOf(row))
+                                          : tr("%1, not contracting").arg(kindText(kindOf(row)));
+        if (isNumber(column)) {
+            const auto value = number(row, column);
+            return value ? roundedNumber(*value, mostDecimals(column)) : QStringLiteral("–");
+        }
+        return {};
+    case Qt::EditRole:
+        if (const auto value = isNumber(column) ? number(row, column) : std::nullopt) return *value;
+        return {};
+    case Qt::CheckStateRole:
+        if (kind == Enabled) return static_cast<int>(isEnabled(row) ? Qt::Checked : Qt::Unchecked);
+        return {};
+    case Qt::DecorationRole:
+        if (kind == Colour) {
+            const auto c = attractor::mapColour(m_document->fractal().appearance, idAt(row), index.row());
+            return QColor(c.red, c.green, c.blue, c.alpha);
+        }
+        return {};
+    case Qt::ForegroundRole:
+        if (m_probabilities[static_cast<std::size_t>(row)] <= 0 || (kind == Weight && !weightOf(row)) ||
+            kind > Weight)
+            return QGuiApplication::palette().color(QPalette::PlaceholderText);
+        return {};
+    case Qt::ToolTipRole: {
+        const QString wrong = kind == Contraction || kind == Kind ? warning(row) : QString();
+        if (!wrong.isEmpty()) return wrong;
+        const QString typed = typedText(index);
+        return typed.isEmpty() ? tip(row, column) : QStringLiteral("%1 = %2").arg(typed, tip(row, column));
+    }
+    case Qt::AccessibleTextRole:
+        if (kind == Colour)
+            return tr("colour %1").arg(data(index, Qt::DecorationRole).value<QColor>().name());
+        if (kind == Enabled) return isEnabled(row) ? tr("on") : tr("off");
+        return {};
+    case Qt::TextAlignmentRole:
+        return alignment(column);
+    case DecimalsRole:
+        return decimals(column);
+    case WarningRole:
+        return warning(row);
+    default:
+        return {};
+    }
+}
+
+QVariant MapsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) {
+        if (role == Qt::DisplayRole) return section + 1;
+        if (section < 0 || section >= rowCount()) return {};
+        const QString wrong = warning(section);
+        if (role == Qt::ToolTipRole)
+            return wrong.isEmpty() ? tr("Map %1. Drag to reorder.").arg(section + 1) : wrong;
+        if (role == WarningRole) return wrong;
+        return {};
+    }
+    if (role == Qt::DisplayRole) return columnName(section);
+    if (role == Qt::ToolTipRole) return columnTip(section);
+    if (role == Qt::TextAlignmentRole) return alignment(section);
+    return {};
+}
+
+Qt::ItemFlags MapsModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) return Qt::NoItemFlags;
+    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+    if (isEditable(index.column())) flags |= Qt::ItemIsEditable;
+    if (index.column() == Enabled) flags |= Qt::ItemIsUserCheckable;
+    return flags;
+}
+
+void MapsModel::change(document::Fractal& fractal, const QModelIndex& index, double value) const {
+    const auto [kind, which] = meaningOf(index.column());
+    const auto row = static_cast<std::size_t>(index.row());
+    if (kind == Weight)
+        fractal = withWeight(std::move(fractal), index.row(), value);
+    else if (document::System2* system = document::system2(fractal))
+        setCoefficient(system->maps[row].map, which, value);
+    else
+        setCoefficient(document::system3(fractal)->maps[row].map, which, value);
+}
+
+QString MapsModel::editText(int row, int column, double value) const {
+    return tr("Set %1 of map %2 to %3").arg(columnName(column)).arg(row + 1).arg(shortNumber(value));
+}
+
+QString MapsModel::placeOf(int row, int column) const {
+    return QStringLiteral("map %1 %2").arg(int(idAt(row))).arg(column);
+}
+
+void MapsModel::keepTyped(const QModelIndex& index, double value, const QString& text) {
+    if (!index.isValid() || !m_edit.isOpen()) return; // an editor may be closed after its document
+    m_document->typedNumbers().keep(m_document->currentId(), placeOf(index.row(), index.column()), value,
+                                    text);
+    emit dataChanged(index, index, {Qt::DisplayRole});
+}
+
+QString MapsModel::typedText(const QModelIndex& index) const {
+    const auto value = isEditable(index.column()) ? number(index.row(), index.column()) : std::nullopt;
+    return value ? m_document->typedNumbers().text(m_document->currentId(),
+                                                   placeOf(index.row(), index.column()), *value)
+                 : QString();
+}
+
+void MapsModel::preview(const QModelIndex& index, double value) {
+    if (!index.isValid() || !isEditable(index.column())) return;
+    m_edit.preview(editText(index.row(), index.column(), value),
+                   [&](document::Fractal& fractal) { change(fractal, index, value); });
+}
+
+bool MapsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return false;
+    document::Fractal fractal = m_document->fractal();
+    if (role == Qt::CheckStateRole && index.column() == Enabled) {
+        const bool on = value.toInt() == Qt::Checked;
+        const auto row = static_cast<std::size_t>(index.row());
+        if (document::System2* system = document::system2(fractal))
+            system->maps[row].enabled = on;
+        else
+            document::system3(fractal)->maps[row].enabled = on;
+        m_document->edit((on ? tr("Switch map %1 on") : tr("Switch map %1 off")).arg(index.row() + 1),
+                         std::move(fractal));
+        return true;
+    }
+    if (role == Qt::DecorationRole && index.column() == Colour) {
+        const auto colour = value.value<QColor>();
+        if (!colour.isValid()) return false;
+        const auto channel = [](int c) { return static_cast<std::uint8_t>(c); };
+        const attractor::Rgba chosen{channel(colour.red()), channel(colour.green()), channel(colour.blue()),
+                                     channel(colour.alpha())};
+        const ifs::MapId id = idAt(index.row());
+        if (chosen == attractor::mapColour(fractal.appearance, id, std::size_t(index.row()))) return true;
+        fractal.appearance.mapColours[id] = chosen;
+        m_document->edit(tr("Colour of map %1: %2").arg(index.row() + 1).arg(colour.name()),
+                         std::move(fractal));
+        return true;
+    }
+    if (role != Qt::EditRole || !isEditable(index.column())) return false;
+    const auto number = value.typeId() == QMetaType::QString ? typedNumber(value.toString())
+                                                             : std::optional(value.toDouble());
+    if (!number || !std::isfinite(*number)) return false;
+    change(fractal, index, *number);
+    m_document->edit(editText(index.row(), index.column(), *number), std::move(fractal));
+    return true;
+}
+
+} // namespace view

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edits/live_edit.h"
+#include "ifs/system/decomposition.h"
+#include "widgets/number_text.h"
+
+#include <QAbstractTableModel>
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace view {
+
+// The maps of the entry being edited, one a row: code, facts, and the effective code under the current cage.
+// Empty for an entry that could not be read.
+class MapsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    // The columns of a system in the plane. In space, the coefficients a … l stand in the place of a … f, in
+    // the code and in the effective code, and the columns after them are at columnOf().
+    enum Column {
+        Enabled,
+        Colour,
+        A,
+        B,
+        C,
+        D,
+        E,
+        F,
+        Weight,
+        Determinant,
+        Contraction,
+        Kind,
+        EffectiveA,
+        EffectiveB,
+        EffectiveC,
+        EffectiveD,
+        EffectiveE,
+        EffectiveF,
+        ColumnCount,
+    };
+    enum Role {
+        DecimalsRole =
+            Qt::UserRole, // int: the most decimals a number of this column shows, to align the points
+        WarningRole,      // QString: what is wrong with the map of this row; empty when nothing is
+    };
+
+    explicit MapsModel(document::Document* document, QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    bool setData(const QModelIndex& index, const QVariant& value,
+                 int role = Qt::EditRole) override; // one undo step
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+    // The typing in one cell: shown live, one undo step on commit.
+    void preview(const QModelIndex& index, double value);
+    void revert() override { cancelEdit(); } // what item views call on Esc
+    void commitEdit() { m_edit.commit(); }
+    // How the number in the cell was written, if not as a plain number.
+    void keepTyped(const QModelIndex& index, double value, const QString& text);
+    QString typedText(const QModelIndex& index) const;
+    void cancelEdit() { m_edit.cancel(); }
+
+    void limitDecimals(int decimals); // shown, of code and weights
+
+    ifs::MapId idAt(int row) const;
+    // In the order of the ids; maps that are gone have none.
+    std::vector<int> rowsOf(const std::vector<ifs::MapId>& ids) const;
+    int dimension() const { return m_shown.index() == 0 ? 2 : 3; }
+    int coefficientCount() const { return dimension() * (dimension() + 1); }
+    int columnOf(Column column) const; // for A, EffectiveA and those that are no coefficients
+    bool isNumber(int column) const;
+    bool isEditable(int column) const { return column >= A && column <= columnOf(Weight); }
+
+private:
+    template <int Dim> struct Shown {
+        std::vector<ifs::WeightedMap<Dim>> maps;
+        std::optional<ifs::AffineMap<Dim>> display; // nullopt while the placement is flat or bends
+    };
+    // What a column holds: A or EffectiveA for the coefficient `which`, else the enumerator.
+    struct Meaning {
+        Column kind;
+        int which = 0;
+    };
+    Meaning meaningOf(int column) const;
+    template <class Use> auto withMap(int row, Use use) const {
+        return std::visit([&](const auto& shown) { return use(shown.maps[static_cast<std::size_t>(row)]); },
+                          m_shown);
+    }
+    bool isCodeShown(const document::Fractal& fractal) const;
+    bool areRowsShown(const document::Fractal& fractal) const;
+    void follow(const document::Change& change);
+    void reload(bool sameCode);
+    std::optional<double> number(int row, int column) const;
+    QString columnName(int column) const;
+    QString columnTip(int column) const;
+    QString tip(int row, int column) const;
+    QString warning(int row) const; // what is wrong with the map; empty when nothing is
+    bool isEnabled(int row) const;
+    std::optional<double> weightOf(int row) const;
+    ifs::MapKind kindOf(int row) const;
+    QString placeOf(int row, int column) const;
+    QString editText(int row, int column, double value) const;
+    QVariant alignment(int column) const;
+    int mostDecimals(int column) const { return column <= columnOf(Weight) ? m_maxDecimals : maxDecimals; }
+    int decimals(int column) const;
+    void change(document::Fractal& fractal, const QModelIndex& index, double value) const;
+
+    document::Document* m_document;
+    document::LiveEdit m_edit;
+    std::variant<Shown<2>, Shown<3>> m_shown;
+    std::vector<double> m_probabilities;
+    int m_maxDecimals = maxDecimals;
+    mutable std::vector<std::optional<int>> m_decimals; // per column, once they are asked for
+};
+
+} // namespace view

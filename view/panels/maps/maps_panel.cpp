@@ -1,0 +1,600 @@
+// SPDX-License-Identifier: MIT
+#include "panels/maps/maps_panel.h"
+
+#include "desktop/clipboard.h"
+#include "dialogs/paste_table_dialog.h"
+#include "document/edits/cage_edits.h"
+#include "io/file/background.h"
+#include "panels/maps/map_shape_editor.h"
+#include "panels/maps/maps_columns.h"
+#include "panels/maps/maps_delegate.h"
+#include "panels/maps/maps_row_header.h"
+#include "panels/maps/maps_table.h"
+#include "widgets/focus_shortcuts.h"
+#include "widgets/icon.h"
+#include "widgets/menu_button.h"
+#include "widgets/wait_for.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QColorDialog>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QScrollBar>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+QString ruleName(document::WeightRule rule) {
+    switch (rule) {
+    case document::WeightRule::Determinant:
+        return MapsPanel::tr("By |Determinant|");
+    case document::WeightRule::Equal:
+        return MapsPanel::tr("Equal");
+    case document::WeightRule::Dimension:
+        return MapsPanel::tr("By Dimension");
+    case document::WeightRule::Normalise:
+        break;
+    }
+    return MapsPanel::tr("Normalise");
+}
+
+} // namespace
+
+MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_model(new MapsModel(document, this)),
+      m_table(new MapsTable(this)),
+      m_rowHeader(new MapsRowHeader(m_table)),
+      m_shape(new MapShapeEditor(document, this)),
+      m_pages(new QStackedWidget(this)) {
+    setAccessibleName(tr("Maps"));
+    makeActions();
+    auto* content = new QWidget(this);
+    auto* contentLayout = new QVBoxLayout(content);
+    contentLayout->setContentsMargins(0, 0, 0, 0);
+    contentLayout->setSpacing(6);
+    contentLayout->addWidget(makeTable(), 1);
+    m_facts = new QLabel(content);
+    m_facts->setAccessibleName(tr("Properties of the map"));
+    m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_facts->setForegroundRole(QPalette::PlaceholderText);
+    m_facts->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    contentLayout->addWidget(m_shape);
+    contentLayout->addWidget(m_facts);
+    m_pages->addWidget(content);
+    m_pages->addWidget(makeNotice());
+
+    m_bars = new QWidget(this);
+    auto* bars = new QVBoxLayout(m_bars);
+    bars->setContentsMargins(0, 0, 0, 0);
+    bars->setSpacing(4);
+    bars->addWidget(makeEditBar());
+    bars->addWidget(makeColumnBar());
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->setSpacing(6);
+    layout->addWidget(m_bars);
+    layout->addWidget(m_pages, 1);
+
+    m_following = connect(document, &document::Document::changed, this, &MapsPanel::follow);
+    follow({document::Change::Everything, false});
+    restoreSelection();
+}
+
+// What is being typed ends while the panel is destroyed; it no longer shows that.
+MapsPanel::~MapsPanel() {
+    disconnect(m_following);
+}
+
+QAction* MapsPanel::action(const QString& text, const QString& iconName, const QString& shortcut,
+                           const QString& tip, void (MapsPanel::*slot)()) {
+    auto* made = new QAction(icon(iconName), text, this);
+    made->setStatusTip(tip);
+    made->setToolTip(shortcut.isEmpty() ? tip : tr("%1 (%2)").arg(tip, shortcut));
+    if (!shortcut.isEmpty()) made->setShortcut(QKeySequence(shortcut));
+    made->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(made, &QAction::triggered, this, slot);
+    m_table->addAction(made);
+    return made;
+}
+
+void MapsPanel::makeActions() {
+    m_add = action(tr("Add"), QStringLiteral("add"), QStringLiteral("Ctrl+Ins"),
+                   tr("Add a map of half the size"), &MapsPanel::addMap);
+    m_duplicate = action(tr("Duplicate"), QStringLiteral("duplicate"), QStringLiteral("Ins"),
+                         tr("Duplicate the selected maps"), &MapsPanel::duplicateMaps);
+    m_delete = action(tr("Delete"), QStringLiteral("remove"), QStringLiteral("Del"),
+                      tr("Delete the selected maps"), &MapsPanel::deleteMaps);
+    m_up = action(tr("Move Up"), QStringLiteral("up"), QStringLiteral("Alt+Up"),
+                  tr("Move the selected maps up"), &MapsPanel::moveMapsUp);
+    m_down = action(tr("Move Down"), QStringLiteral("down"), QStringLiteral("Alt+Down"),
+                    tr("Move the selected maps down"), &MapsPanel::moveMapsDown);
+    m_copy = new QAction(icon(QStringLiteral("copy")), tr("Copy Rows"), this);
+    m_copy->setShortcut(QKeySequence::Copy);
+    m_copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    m_copy->setStatusTip(tr("Copy the selected maps as rows a b c d e f p, separated by tabs"));
+    connect(m_copy, &QAction::triggered, this, &MapsPanel::copyMaps);
+    m_table->addAction(m_copy);
+    m_paste = action(tr("Paste in Place"), QStringLiteral("paste"), QStringLiteral("Ctrl+V"),
+                     tr("Replace the selected maps by rows of 6 or 7 numbers from the clipboard"),
+                     &MapsPanel::pasteMaps);
+    m_append =
+        action(tr("Paste as New Maps"), QStringLiteral("paste"), QStringLiteral("Ctrl+Shift+V"),
+               tr("Add rows of 6 or 7 numbers from the clipboard as new maps"), &MapsPanel::appendPasted);
+    m_bake = action(tr("Bake"), QStringLiteral("bake"), {},
+                    tr("Turn the effective code into the code; the cage is then at rest"), &MapsPanel::bake);
+}
+
+QTableView* MapsPanel::table() const {
+    return m_table;
+}
+
+QToolButton* MapsPanel::button(QAction* action) {
+    auto* made = new QToolButton(this);
+    made->setDefaultAction(action);
+    made->setAutoRaise(true);
+    made->setAccessibleName(action->text());
+    return made;
+}
+
+QToolButton* MapsPanel::weightsButton() {
+    auto* menu = new QMenu(tr("Weights"), this);
+    const auto add = [&](const char* iconName, const QString& text, const QString& tip,
+                         document::WeightRule rule) {
+        QAction* rules = menu->addAction(icon(QString::fromLatin1(iconName)), text, this,
+                                         [this, rule] { applyWeights(rule); });
+        rules->setStatusTip(tip);
+        rules->setToolTip(tip);
+        m_weightActions.append(rules);
+    };
+    menu->setToolTipsVisible(true);
+    add("weight-det", ruleName(document::WeightRule::Determinant), {}, document::WeightRule::Determinant);
+    add("weight-equal", ruleName(document::WeightRule::Equal), tr("The same weight for every map"),
+        document::WeightRule::Equal);
+    add("weight-dimension", ruleName(document::WeightRule::Dimension),
+        tr("Weights that cover the attractor evenly at its own dimension"), document::WeightRule::Dimension);
+    menu->addSeparator();
+    add("normalise", ruleName(document::WeightRule::Normalise), tr("Scale all weights so that they sum to 1"),
+        document::WeightRule::Normalise);
+    auto* made = new MenuButton(this);
+    made->setText(tr("Weights"));
+    made->setIcon(icon(QStringLiteral("weight-equal")));
+    made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    made->setMenu(menu);
+    made->setAutoRaise(true);
+    made->setToolTip(tr("Set the weights of all maps that are switched on by a rule"));
+    made->setAccessibleName(tr("Weights"));
+    return made;
+}
+
+QWidget* MapsPanel::makeEditBar() {
+    auto* bar = new QWidget(this);
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    for (QAction* each : {m_add, m_duplicate, m_delete})
+        layout->addWidget(button(each));
+    layout->addSpacing(8);
+    for (QAction* each : {m_up, m_down})
+        layout->addWidget(button(each));
+    layout->addStretch();
+    layout->addWidget(weightsButton());
+    return bar;
+}
+
+QToolButton* MapsPanel::columnToggle(const QString& text, const QString& tip, Columns group, bool shown) {
+    auto* toggle = new QToolButton(this);
+    toggle->setText(text);
+    toggle->setToolTip(tip);
+    toggle->setAccessibleName(tr("Show columns: %1").arg(text));
+    toggle->setCheckable(true);
+    toggle->setChecked(shown);
+    toggle->setAutoRaise(true);
+    connect(toggle, &QToolButton::toggled, this, [this, group](bool on) { showColumns(group, on); });
+    m_columnToggles[group] = toggle;
+    showColumns(group, shown);
+    return toggle;
+}
+
+QWidget* MapsPanel::makeColumnBar() {
+    auto* bar = new QWidget(this);
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(columnToggle(tr("Code"), {}, Columns::Code, true));
+    layout->addWidget(columnToggle(tr("Properties"),
+                                   tr("Show determinant, contraction factor and kind of each map"),
+                                   Columns::Facts, false));
+    layout->addWidget(columnToggle(tr("Effective code"),
+                                   tr("Show the maps as they act on the picture under the current cage"),
+                                   Columns::Effective, false));
+    layout->addStretch();
+    layout->addWidget(button(m_bake));
+    return bar;
+}
+
+QWidget* MapsPanel::makeTable() {
+    m_table->setAccessibleName(tr("Table of maps"));
+    m_rowHeader->setFont(m_table->font());
+    m_table->setModel(m_model);
+    auto* delegate = new MapsDelegate(m_model, this);
+    m_table->setItemDelegate(delegate);
+    m_table->setVerticalHeader(m_rowHeader);
+    m_columns = new MapsColumns(m_table, m_model);
+
+    connect(delegate, &MapsDelegate::refused, this, &MapsPanel::message);
+    connect(delegate, &MapsDelegate::colourRequested, this, &MapsPanel::chooseColour);
+    connect(m_rowHeader, &MapsRowHeader::rowDragged, this, &MapsPanel::moveRowTo);
+    const auto point = [this](int row) { emit mapPointed(m_model->idAt(row)); };
+    connect(m_table, &MapsTable::rowPointed, this, point);
+    connect(m_rowHeader, &MapsRowHeader::rowPointed, this, point);
+    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, &MapsPanel::keepSelection);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &MapsPanel::restoreSelection);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        updateActions();
+        emit selectionChanged();
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& current) {
+                m_shape->setMap(m_model->idAt(current.row()));
+                showFacts();
+            });
+    connect(m_table, &QWidget::customContextMenuRequested, this, [this](const QPoint& position) {
+        QMenu menu(this);
+        menu.addActions({m_add, m_duplicate, m_delete});
+        menu.addSeparator();
+        menu.addActions({m_up, m_down});
+        menu.addSeparator();
+        menu.addActions({m_copy, m_paste, m_append});
+        QMenu* weights = menu.addMenu(tr("Weights"));
+        weights->addActions(m_weightActions);
+        menu.addSeparator();
+        menu.addAction(m_bake);
+        menu.exec(m_table->viewport()->mapToGlobal(position));
+    });
+    new FocusShortcuts(m_table);
+    return m_table;
+}
+
+QWidget* MapsPanel::makeNotice() {
+    auto* page = new QWidget(this);
+    m_notice = new QLabel(page);
+    m_notice->setAlignment(Qt::AlignCenter);
+    m_notice->setWordWrap(true);
+    m_notice->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_noticeAdd = new QToolButton(page);
+    m_noticeAdd->setDefaultAction(m_add);
+    m_noticeAdd->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto* layout = new QVBoxLayout(page);
+    layout->addStretch();
+    layout->addWidget(m_notice);
+    layout->addWidget(m_noticeAdd, 0, Qt::AlignHCenter);
+    layout->addStretch();
+    return page;
+}
+
+std::pair<int, int> MapsPanel::columnsOf(Columns group) const {
+    switch (group) {
+    case Columns::Code:
+        return {MapsModel::A, m_model->columnOf(MapsModel::Weight) - 1};
+    case Columns::Facts:
+        return {m_model->columnOf(MapsModel::Determinant), m_model->columnOf(MapsModel::Kind)};
+    case Columns::Effective:
+        break;
+    }
+    return {m_model->columnOf(MapsModel::EffectiveA), m_model->columnCount() - 1};
+}
+
+void MapsPanel::hideColumns(Columns group, bool hidden) {
+    const auto [first, last] = columnsOf(group);
+    for (int column = first; column <= last; ++column)
+        m_table->setColumnHidden(column, hidden);
+}
+
+void MapsPanel::showColumns(Columns group, bool shown) {
+    hideColumns(group, !shown);
+    const auto [first, last] = columnsOf(group);
+    // What was asked for is seen, and its first column first of all.
+    if (shown && m_table->isVisible()) {
+        m_table->doItemsLayout(); // the new width is there to scroll in
+        const int row = std::max(0, m_table->currentIndex().row());
+        m_table->scrollTo(m_model->index(row, last));
+        m_table->scrollTo(m_model->index(row, first));
+    }
+    m_columns->fit();
+}
+
+void MapsPanel::reveal(int column) {
+    for (const auto& [group, toggle] : m_columnToggles)
+        if (const auto [first, last] = columnsOf(group); column >= first && column <= last)
+            toggle->setChecked(true);
+    m_table->doItemsLayout();
+    m_table->scrollTo(m_model->index(std::max(0, m_table->currentIndex().row()), column));
+}
+
+void MapsPanel::follow(const document::Change& change) {
+    using document::Change;
+    if (change.parts & (Change::Current | Change::File | Change::Entries | Change::System)) updateNotice();
+    if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) updateActions();
+    if (!change.live) m_columns->fit();
+    showFacts();
+}
+
+void MapsPanel::showFacts() {
+    const int row = m_table->currentIndex().row();
+    const auto text = [&](MapsModel::Column column, int role = Qt::DisplayRole) {
+        return m_model->index(row, m_model->columnOf(column)).data(role).toString();
+    };
+    m_facts->setText(row < 0 ? QString()
+                             : tr("det %1    ‖A‖ %2    %3")
+                                   .arg(text(MapsModel::Determinant), text(MapsModel::Contraction),
+                                        text(MapsModel::Kind)));
+    m_facts->setToolTip(row < 0 ? QString() : text(MapsModel::Kind, Qt::ToolTipRole));
+}
+
+void MapsPanel::updateNotice() {
+    const document::Entry& entry = m_document->currentEntry();
+    const int dimension = document::dimension(*entry.fractal);
+    const bool noMaps = dimension != 0 && m_model->rowCount() == 0;
+    m_noticeAdd->setVisible(noMaps);
+    m_bars->setVisible(dimension != 0);
+    m_pages->setCurrentIndex(dimension != 0 && !noMaps ? 0 : 1);
+    if (noMaps) {
+        m_notice->setText(dimension == 2 ? tr("No maps: add one, or paste rows of 6 or 7 numbers.")
+                                         : tr("No maps: add one."));
+    } else if (dimension == 0) {
+        QStringList lines{tr("This entry could not be read. It is kept unchanged.")};
+        for (const auto& problem : entry.problems)
+            lines << (problem.line > 0 ? tr("Line %1, column %2: %3")
+                                             .arg(problem.line)
+                                             .arg(problem.column)
+                                             .arg(problem.message)
+                                       : problem.message);
+        m_notice->setText(lines.join(QStringLiteral("\n\n")));
+    }
+}
+
+void MapsPanel::updateActions() {
+    const int dimension = document::dimension(m_document->fractal());
+    const document::Rows rows = selectedRows();
+    const int count = m_model->rowCount();
+    m_add->setEnabled(dimension != 0);
+    m_append->setEnabled(dimension == 2);
+    m_paste->setEnabled(dimension == 2);
+    m_copy->setEnabled(dimension == 2 && !rows.empty());
+    for (QAction* each : {m_duplicate, m_delete})
+        each->setEnabled(!rows.empty());
+    const auto size = static_cast<int>(rows.size());
+    m_up->setEnabled(size > 0 && rows.back() >= size); // not yet a block at the top
+    m_down->setEnabled(size > 0 && rows.front() < count - size);
+    for (QAction* each : std::as_const(m_weightActions))
+        each->setEnabled(count > 0);
+    const QString obstacle = bakeObstacle(m_document->fractal());
+    m_bake->setEnabled(obstacle.isEmpty());
+    m_bake->setToolTip(obstacle.isEmpty() ? m_bake->statusTip() : obstacle);
+}
+
+document::Rows MapsPanel::selectedRows() const {
+    document::Rows rows;
+    for (const QItemSelectionRange& range : m_table->selectionModel()->selection()) // of whole rows
+        for (int row = range.top(); row <= range.bottom(); ++row)
+            rows.push_back(row);
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+}
+
+std::vector<ifs::MapId> MapsPanel::selectedMaps() const {
+    std::vector<ifs::MapId> ids;
+    for (const int row : selectedRows())
+        ids.push_back(m_model->idAt(row));
+    return ids;
+}
+
+void MapsPanel::selectMaps(const std::vector<ifs::MapId>& ids) {
+    selectRows(m_model->rowsOf(ids));
+}
+
+void MapsPanel::selectRows(document::Rows rows) {
+    const QModelIndex first = rows.empty() ? QModelIndex() : m_model->index(rows.front(), m_keptColumn);
+    std::sort(rows.begin(), rows.end());
+    QItemSelection selection; // of as few ranges as there are
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const int top = rows[i];
+        while (i + 1 < rows.size() && rows[i + 1] <= rows[i] + 1)
+            ++i;
+        selection.select(m_model->index(top, 0), m_model->index(rows[i], m_model->columnCount() - 1));
+    }
+    auto* model = m_table->selectionModel();
+    if (first.isValid()) model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+    model->select(selection, QItemSelectionModel::ClearAndSelect);
+    if (!first.isValid()) return;
+    const int sideways = m_table->horizontalScrollBar()->value();
+    m_table->scrollTo(first);
+    m_table->horizontalScrollBar()->setValue(sideways);
+}
+
+void MapsPanel::keepSelection() {
+    m_kept = selectedMaps();
+    const QModelIndex current = m_table->currentIndex();
+    m_keptColumn = current.isValid() ? current.column() : int(MapsModel::A);
+}
+
+void MapsPanel::restoreSelection() {
+    m_shape->setMap(ifs::MapId::None);
+    followDimension();
+    document::Rows rows = m_model->rowsOf(m_kept);
+    if (rows.empty() && m_model->rowCount() > 0) rows = {0};
+    selectRows(std::move(rows));
+    updateActions();
+}
+
+// The table has other columns in space than in the plane.
+void MapsPanel::followDimension() {
+    if (m_dimension == m_model->dimension()) return;
+    m_dimension = m_model->dimension();
+    m_keptColumn = MapsModel::A;
+    for (int column = 0; column < m_model->columnCount(); ++column)
+        m_table->setColumnHidden(column, false);
+    for (const auto& [group, toggle] : m_columnToggles)
+        hideColumns(group, !toggle->isChecked());
+    m_columns->fit();
+    m_table->horizontalScrollBar()->setValue(0);
+    const bool plane = m_dimension == 2;
+    for (QAction* each : {m_copy, m_paste, m_append}) // the clipboard holds rows of the plane
+        each->setVisible(plane);
+    m_weightActions.front()->setToolTip(
+        plane ? tr("Weights in proportion to the areas of the images, for an even picture")
+              : tr("Weights in proportion to the volumes of the images, for an even picture"));
+    m_weightActions.front()->setStatusTip(m_weightActions.front()->toolTip());
+    m_columnToggles[Columns::Code]->setToolTip(plane ? tr("Show the coefficients a … f")
+                                                     : tr("Show the coefficients a … l"));
+    m_table->setWhatsThis(
+        plane ? tr("Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in "
+                   "proportion to its weight p. Double-click a number or start typing to change it; the "
+                   "picture follows every keystroke. Drag the number of a row to move it.")
+              : tr("Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, "
+                   "g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or "
+                   "start typing to change it; the picture follows every keystroke. Drag the number of a row "
+                   "to move it."));
+}
+
+void MapsPanel::applyEdit(const QString& text, document::MapsEdit edit) {
+    m_document->edit(text, std::move(edit.fractal));
+    selectMaps(edit.touched);
+}
+
+void MapsPanel::addMap() {
+    if (document::dimension(m_document->fractal()) != 0)
+        applyEdit(tr("Add a map"), withNewMap(m_document->fractal()));
+}
+
+void MapsPanel::duplicateMaps() {
+    const document::Rows rows = selectedRows();
+    if (!rows.empty()) selectMaps(document::duplicateMaps(*m_document, rows));
+}
+
+void MapsPanel::deleteMaps() {
+    const document::Rows rows = selectedRows();
+    if (!rows.empty()) selectMaps(document::deleteMaps(*m_document, rows));
+}
+
+void MapsPanel::moveSelection(int before) {
+    applyEdit(tr("Reorder maps"), withMapsMoved(m_document->fractal(), selectedRows(), before));
+}
+
+void MapsPanel::moveMapsUp() {
+    if (m_up->isEnabled()) moveSelection(std::max(0, selectedRows().front() - 1));
+}
+
+void MapsPanel::moveMapsDown() {
+    if (m_down->isEnabled()) moveSelection(std::min(m_model->rowCount(), selectedRows().back() + 2));
+}
+
+void MapsPanel::moveRowTo(int from, int to) {
+    document::Rows rows = selectedRows();
+    if (std::find(rows.begin(), rows.end(), from) == rows.end()) rows = {from};
+    applyEdit(tr("Reorder maps"), withMapsMoved(m_document->fractal(), rows, to > from ? to + 1 : to));
+}
+
+void MapsPanel::copyMaps() const {
+    const document::System2* system = document::system2(m_document->fractal());
+    if (!system) return;
+    document::MapRows rows;
+    for (const int row : selectedRows())
+        rows.push_back(system->maps[static_cast<std::size_t>(row)]);
+    if (rows.empty()) return;
+    QGuiApplication::clipboard()->setMimeData(mapsMimeData(std::move(rows)).release());
+}
+
+void MapsPanel::pasteMaps() {
+    paste(selectedRows());
+}
+
+void MapsPanel::appendPasted() {
+    paste({});
+}
+
+void MapsPanel::paste(const document::Rows& rows) {
+    if (!document::system2(m_document->fractal())) return;
+    const QMimeData* copied = QGuiApplication::clipboard()->mimeData();
+    QString text;
+    FoundMaps found;
+    if (const auto* ours = copied ? ourMaps(*copied) : nullptr) {
+        found.table.rows = *ours;
+    } else {
+        text = copied ? copied->text() : QString();
+        const bool areOurs = copied && holdsOurMaps(*copied);
+        auto reading = io::inBackground<FoundMaps>(
+            [text, areOurs](QPromise<FoundMaps>& promise) { promise.addResult(mapsIn(text, areOurs)); });
+        if (!waitFor(QFuture<void>(reading), tr("Reading the pasted text…"), this)) return;
+        found = reading.takeResult();
+    }
+    const io::Table& table = found.table;
+    if (found.isOrderOpen) {
+        auto* dialog = new PasteTableDialog(m_document, rows, text, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &PasteTableDialog::pasted, this,
+                [this, rows, dialog](const std::vector<ifs::MapId>& touched) {
+                    selectMaps(touched);
+                    sayPasted(rows, dialog->count());
+                });
+        dialog->open();
+        return;
+    }
+    for (const auto& problem : table.problems) {
+        if (problem.severity != document::Problem::Severity::Error) continue;
+        emit message(problem.line > 0 ? tr("Nothing was pasted. Line %1 of the clipboard: %2")
+                                            .arg(problem.line)
+                                            .arg(problem.message)
+                                      : tr("Nothing was pasted. %1").arg(problem.message));
+        return;
+    }
+    if (table.rows.empty()) {
+        emit message(tr("Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers."));
+        return;
+    }
+    const auto count = static_cast<int>(table.rows.size());
+    applyEdit(count == 1 ? tr("Paste a map") : tr("Paste %1 maps").arg(count),
+              withMapsPasted(m_document->fractal(), rows, table.rows));
+    sayPasted(rows, count, table.problems.isEmpty() ? QString() : table.problems.front().message);
+}
+
+void MapsPanel::sayPasted(const document::Rows& rows, int count, const QString& remark) {
+    const QString text = rows.empty() ? tr("Maps added: %1.").arg(count)
+                                      : tr("The selected maps were replaced; maps pasted: %1.").arg(count);
+    emit message(remark.isEmpty() ? text : text + u' ' + remark);
+}
+
+void MapsPanel::applyWeights(document::WeightRule rule) {
+    if (m_model->rowCount() > 0)
+        m_document->edit(tr("Weights: %1").arg(ruleName(rule)), withWeights(m_document->fractal(), rule));
+}
+
+void MapsPanel::bake() {
+    if (auto after = baked(m_document->fractal()))
+        m_document->edit(tr("Bake the cage into the code"), std::move(*after));
+    else
+        emit message(bakeObstacle(m_document->fractal()));
+}
+
+void MapsPanel::chooseColour(const QModelIndex& index) {
+    const QPersistentModelIndex cell = index;
+    const auto chosen = QColorDialog::getColor(index.data(Qt::DecorationRole).value<QColor>(), this,
+                                               tr("Colour of map %1").arg(index.row() + 1));
+    if (chosen.isValid() && cell.isValid()) m_model->setData(cell, chosen, Qt::DecorationRole);
+}
+
+} // namespace view

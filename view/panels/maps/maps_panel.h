@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edits/maps_edits.h"
+#include "panels/maps/maps_model.h"
+
+#include <QWidget>
+
+#include <map>
+#include <utility>
+
+class QAction;
+class QLabel;
+class QStackedWidget;
+class QTableView;
+class QToolButton;
+
+namespace view {
+
+class MapShapeEditor;
+class MapsColumns;
+class MapsRowHeader;
+class MapsTable;
+
+// The table of maps, of the plane or of space, with everything that is done to it, and below it the selected
+// map as rotation, scale and shear.
+class MapsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MapsPanel(document::Document* document, QWidget* parent = nullptr);
+    ~MapsPanel() override;
+
+    QTableView* table() const;
+    MapsModel* model() const { return m_model; }
+    std::vector<ifs::MapId> selectedMaps() const;
+    void selectMaps(const std::vector<ifs::MapId>& ids);
+
+    void addMap();
+    void duplicateMaps();
+    void deleteMaps();
+    void moveMapsUp();
+    void moveMapsDown();
+    void copyMaps() const;
+    void pasteMaps(); // in place of the selected rows
+    void appendPasted();
+    void applyWeights(document::WeightRule rule);
+    void bake();
+
+    enum class Columns { Code, Facts, Effective };
+    void showColumns(Columns group, bool shown);
+    void reveal(int column); // in sight, with the others of its group where it was hidden
+
+signals:
+    void message(const QString& text); // a sentence for the status bar
+    void selectionChanged();
+    void mapPointed(ifs::MapId id); // at its row; None: at none
+
+private:
+    QAction* action(const QString& text, const QString& icon, const QString& shortcut, const QString& tip,
+                    void (MapsPanel::*slot)());
+    QToolButton* button(QAction* action);
+    void makeActions();
+    QWidget* makeEditBar();
+    QWidget* makeColumnBar();
+    QWidget* makeTable();
+    QWidget* makeNotice();
+    QToolButton* columnToggle(const QString& text, const QString& tip, Columns group, bool shown);
+    std::pair<int, int> columnsOf(Columns group) const; // the first and the last one
+    QToolButton* weightsButton();
+
+    void follow(const document::Change& change);
+    void hideColumns(Columns group, bool hidden);
+    void updateActions();
+    void updateNotice();
+    void showFacts();
+    void applyEdit(const QString& text, document::MapsEdit edit);
+    void paste(const document::Rows& rows);
+    void sayPasted(const document::Rows& rows, int count, const QString& remark = {});
+    void moveRowTo(int from, int to);
+    void moveSelection(int before);
+    void chooseColour(const QModelIndex& index);
+    document::Rows selectedRows() const;
+    void keepSelection();
+    void restoreSelection();
+    void followDimension();
+    void selectRows(document::Rows rows); // the first becomes the current one
+
+    document::Document* m_document;
+    QMetaObject::Connection m_following; // of the document
+    MapsModel* m_model;
+    MapsTable* m_table;
+    MapsColumns* m_columns = nullptr;
+    MapsRowHeader* m_rowHeader;
+    QLabel* m_facts = nullptr; // of the current map
+    MapShapeEditor* m_shape;
+    QStackedWidget* m_pages;
+    QWidget* m_bars;
+    QLabel* m_notice;
+    QToolButton* m_noticeAdd;
+    QAction* m_add;
+    QAction* m_duplicate;
+    QAction* m_delete;
+    QAction* m_up;
+    QAction* m_down;
+    QAction* m_copy;
+    QAction* m_paste;
+    QAction* m_append;
+    QAction* m_bake;
+    QList<QAction*> m_weightActions;
+    std::map<Columns, QToolButton*> m_columnToggles;
+    std::vector<ifs::MapId> m_kept; // selected before the model was reset
+    int m_keptColumn = MapsModel::A;
+    int m_dimension = 0; // of the maps that the columns are made for
+};
+
+} // namespace view

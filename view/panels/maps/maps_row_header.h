@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QHeaderView>
+
+namespace view {
+
+// The numbers of the maps, each a handle to drag its row by. A dragged row is reported and put back: the
+// model moves it.
+class MapsRowHeader : public QHeaderView {
+    Q_OBJECT
+
+public:
+    explicit MapsRowHeader(QWidget* parent = nullptr);
+
+signals:
+    void rowPointed(int row);          // by the pointer; −1: none
+    void rowDragged(int from, int to); // `to`: the row it was dropped at
+
+protected:
+    void paintSection(QPainter* painter, const QRect& area, int row) const override;
+    QSize sectionSizeFromContents(int row) const override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    void putBack(int row, int from, int to);
+};
+
+} // namespace view

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "panels/maps/maps_table.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMouseEvent>
+
+namespace view {
+
+MapsTable::MapsTable(QWidget* parent) : QTableView(parent) {
+    QFont small = font(); // seven columns of numbers in a narrow panel
+    small.setPointSizeF(small.pointSizeF() * 0.92);
+    setFont(small);
+    setTabKeyNavigation(false); // Tab goes on to the fields below; in an editor, to the next cell
+    setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(ExtendedSelection);
+    setHorizontalScrollMode(ScrollPerPixel);
+    setShowGrid(false);
+    setAlternatingRowColors(true);
+    setWordWrap(false);
+    setCornerButtonEnabled(false);
+    setContextMenuPolicy(Qt::CustomContextMenu);
+    setMinimumHeight(120);
+    viewport()->setMouseTracking(true);
+    QHeaderView* header = horizontalHeader();
+    header->setFont(small);
+    header->setMinimumSectionSize(24);
+    header->setHighlightSections(false);
+    header->setResizeContentsPrecision(200); // rows, besides those in sight
+    header->setSectionResizeMode(QHeaderView::Interactive);
+}
+
+// A digit typed on a cell starts its edit, whatever the window does with that key.
+bool MapsTable::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+        if (plain && key->text().size() == 1 && QStringLiteral("0123456789+-.,").contains(key->text()))
+            event->accept();
+    }
+    return QTableView::event(event);
+}
+
+bool MapsTable::viewportEvent(QEvent* event) {
+    if (event->type() == QEvent::MouseMove)
+        emit rowPointed(indexAt(static_cast<QMouseEvent*>(event)->position().toPoint()).row());
+    if (event->type() == QEvent::Leave) emit rowPointed(-1);
+    return QTableView::viewportEvent(event);
+}
+
+} // namespace view

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "space/axis_ball.h"
+
+#include <QLineF>
+#include <QPainter>
+
+#include <algorithm>
+#include <functional>
+
+namespace view {
+
+namespace {
+
+constexpr double margin = 20;
+constexpr double radius = 44; // of the ball
+constexpr double reach = 32;  // from its middle to that of a spot
+constexpr double spot = 10;
+
+// Apart in lightness as well, so that they are told apart without colour; letters say the rest.
+QColor colourOf(int axis) {
+    constexpr std::array<QRgb, 3> colours{0xffe5574f, 0xff6fbf3f, 0xff4f8fe8};
+    return QColor::fromRgb(colours[std::size_t(axis)]);
+}
+
+QString letterOf(int axis) {
+    return QString(QChar(u'X' + axis));
+}
+
+} // namespace
+
+void AxisBall::layOut(const attractor::OrbitCamera& camera) {
+    m_centre = {camera.size.width - margin - radius, margin + radius};
+    const ifs::Matrix<3> toCamera = worldToCamera(camera).linear;
+    prepareGeometryChange();
+    std::size_t k = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool isPositive : {true, false}) {
+            const ifs::Vector<3> seen = (isPositive ? 1 : -1) * toCamera.col(axis);
+            m_spots[k++] = {{axis, isPositive}, m_centre + reach * QPointF(seen.x(), -seen.y()), seen.z()};
+        }
+    std::ranges::stable_sort(m_spots, std::greater<>(), &Spot::depth);
+}
+
+bool AxisBall::covers(const QPointF& position) const {
+    return QLineF(m_centre, position).length() <= radius;
+}
+
+std::optional<AxisBall::End> AxisBall::endAt(const QPointF& position) const {
+    for (auto it = m_spots.rbegin(); it != m_spots.rend(); ++it)
+        if (QLineF(it->centre, position).length() <= spot + 2) return it->end;
+    return std::nullopt;
+}
+
+void AxisBall::setHovered(std::optional<End> end) {
+    if (m_hovered == end) return;
+    m_hovered = end;
+    update();
+}
+
+QRectF AxisBall::boundingRect() const {
+    constexpr double extent = radius + 4;
+    return {m_centre.x() - extent, m_centre.y() - extent, 2 * extent, 2 * extent};
+}
+
+void AxisBall::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    painter->setRenderHint(QPainter::Antialiasing);
+    QColor ground = m_style.noteBackground;
+    ground.setAlphaF(0.55F);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(ground);
+    painter->drawEllipse(m_centre, radius, radius);
+    QFont font = painter->font();
+    font.setPixelSize(12);
+    font.setBold(true);
+    painter->setFont(font);
+    for (const Spot& at : m_spots) {
+        const QColor colour = m_hovered == at.end ? m_style.accent : colourOf(at.end.axis);
+        const bool isFilled = at.end.isPositive || m_hovered == at.end;
+        if (at.end.isPositive) {
+            painter->setPen(QPen(colour, 2.5, Qt::SolidLine, Qt::RoundCap));
+            painter->drawLine(m_centre, at.centre);
+        }
+        painter->setPen(QPen(colour, 2));
+        painter->setBrush(isFilled ? colour : ground);
+        painter->drawEllipse(at.centre, spot - 1, spot - 1);
+        if (isFilled) {
+            painter->setPen(QColor(16, 18, 22));
+            painter->drawText(QRectF(at.centre.x() - spot, at.centre.y() - spot, 2 * spot, 2 * spot),
+                              Qt::AlignCenter, letterOf(at.end.axis));
+        }
+    }
+}
+
+const AxisBall::Direction AxisBall::isometric{45, 35.26438968275466}; // the diagonal of a cube is a point
+
+AxisBall::Direction AxisBall::towards(const End& end) {
+    if (end.axis == 1) return {0, end.isPositive ? 90.0 : -90.0};
+    if (end.axis == 0) return {end.isPositive ? 90.0 : -90.0, 0};
+    return {end.isPositive ? 0.0 : 180.0, 0};
+}
+
+bool AxisBall::looksFrom(const attractor::OrbitCamera& camera, const End& end) {
+    const ifs::Vector<3> towardsEye = camera.orientation.toRotationMatrix().col(2);
+    return towardsEye[end.axis] * (end.isPositive ? 1 : -1) > 1 - 1e-9;
+}
+
+} // namespace view

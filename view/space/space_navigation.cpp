@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "space/space_navigation.h"
+
+#include "attractor/request/orbit_navigation.h"
+#include "canvas/geometry/canvas_geometry.h"
+#include "document/space_geometry.h"
+
+#include <cmath>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+constexpr double fitMargin = 0.09;
+constexpr double unitPixels = 100; // of one unit at 100 %
+constexpr int glideTime = 200;     // milliseconds
+constexpr AxisBall::Direction fromTheSide{30, 20};
+
+} // namespace
+
+SpaceNavigation::SpaceNavigation(document::Document* document, SolidBridge* bridge, const QWidget* viewport)
+    : m_document(document),
+      m_bridge(bridge),
+      m_viewport(viewport),
+      m_camera(attractor::turnedTo({}, fromTheSide.azimuth, fromTheSide.elevation)) {
+    m_glide.setDuration(glideTime);
+    m_glide.setEasingCurve(QEasingCurve::InOutCubic);
+    m_glide.setStartValue(0.0);
+    m_glide.setEndValue(1.0);
+}
+
+void SpaceNavigation::set(const attractor::OrbitCamera& camera, bool isMoving) {
+    m_camera = camera;
+    attractor::OrbitCamera device = camera;
+    device.size.width = int(std::lround(camera.size.width * pixelRatio()));
+    device.size.height = int(std::lround(camera.size.height * pixelRatio()));
+    if (attractor::isUsable(device)) m_bridge->setCamera(device, isMoving);
+    emit changed();
+}
+
+void SpaceNavigation::moveTo(const attractor::OrbitCamera& camera, bool isMoving) {
+    m_glide.stop();
+    m_isFitted = false;
+    set(camera, isMoving);
+}
+
+// A view that jumps is not recognised.
+void SpaceNavigation::glideTo(const attractor::OrbitCamera& camera) {
+    m_glide.stop();
+    m_glide.disconnect(this);
+    m_isFitted = false;
+    connect(&m_glide, &QVariantAnimation::valueChanged, this,
+            [this, from = m_camera, to = camera](const QVariant& value) {
+                const double t = value.toDouble();
+                attractor::OrbitCamera between = to;
+                between.size = m_camera.size;
+                if (t < 1) {
+                    between.target = from.target + t * (to.target - from.target);
+                    between.orientation = from.orientation.slerp(t, to.orientation).normalized();
+                    between.height = from.height * std::pow(to.height / from.height, t);
+                }
+                set(between, t < 1);
+            });
+    m_glide.start();
+}
+
+void SpaceNavigation::adoptViewport() {
+    attractor::OrbitCamera adopted = m_camera;
+    adopted.size.width = m_viewport->width();
+    adopted.size.height = m_viewport->height();
+    set(adopted, false);
+    if (m_isFitted) fit();
+}
+
+void SpaceNavigation::fit() {
+    if (m_camera.size.width <= 0 || m_camera.size.height <= 0) return;
+    m_glide.stop();
+    set(document::fittedTo(m_document->fractal(), m_camera, fitMargin), false);
+    m_isFitted = true;
+}
+
+void SpaceNavigation::zoomAt(const QPointF& position, double factor) {
+    moveTo(attractor::zoomedAt(m_camera, toVector(position), factor));
+}
+
+void SpaceNavigation::resetZoom() {
+    attractor::OrbitCamera reset = m_camera;
+    reset.height = m_camera.size.height / unitPixels;
+    glideTo(reset);
+}
+
+void SpaceNavigation::lookFrom(const AxisBall::Direction& direction) {
+    attractor::OrbitCamera turned = attractor::turnedTo(m_camera, direction.azimuth, direction.elevation);
+    if (isPerspective()) {
+        turned.projection = attractor::OrbitCamera::Projection::Orthographic;
+        m_wasPerspective = true;
+        emit perspectiveChanged(false);
+    }
+    glideTo(turned);
+}
+
+void SpaceNavigation::leaveAxisView() {
+    if (std::exchange(m_wasPerspective, false)) setPerspective(true);
+}
+
+bool SpaceNavigation::isPerspective() const {
+    return m_camera.projection == attractor::OrbitCamera::Projection::Perspective;
+}
+
+void SpaceNavigation::setPerspective(bool on) {
+    if (on == isPerspective()) return;
+    using Projection = attractor::OrbitCamera::Projection;
+    attractor::OrbitCamera changed = m_camera;
+    changed.projection = on ? Projection::Perspective : Projection::Orthographic;
+    m_wasPerspective = false;
+    m_glide.stop();
+    set(changed, false);
+    emit perspectiveChanged(on);
+}
+
+std::optional<ifs::Vector<3>> SpaceNavigation::pointUnder(const QPointF& position) const {
+    const auto frame = m_bridge->frame();
+    if (!frame) return std::nullopt;
+    const ifs::Vector<2> pixel = toVector(position);
+    const double depth = depthAt(*frame, pixel * pixelRatio());
+    if (!std::isfinite(depth)) return std::nullopt;
+    return toWorld(m_camera, {pixel, depth});
+}
+
+} // namespace view

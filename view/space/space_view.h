@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "space/solid_item.h"
+#include "space/space_input.h"
+
+#include <QGraphicsView>
+
+#include <optional>
+
+namespace view {
+
+class NoteItem;
+
+// The window into space: the solid, its tetrahedron held by four handles, and the ball of axes. Orbits where
+// the canvas of the plane would do nothing.
+class SpaceView : public QGraphicsView {
+    Q_OBJECT
+
+public:
+    SpaceView(document::Document* document, SolidBridge* bridge, QWidget* parent = nullptr);
+    ~SpaceView() override;
+
+    SpaceNavigation& navigation() { return m_navigation; }
+    void setOverlaysVisible(bool visible);
+    bool cancelGesture() { return m_input.cancelGesture(); } // false when none was under way
+    QImage picture() const { return m_solid->picture(); }    // in device pixels; null before one
+    const SpaceCageItem& cageItem() const { return *m_cageItem; }
+    const AxisBall& ball() const { return *m_ball; }
+    QString note() const; // about the picture, if there is one
+
+signals:
+    void pointerMoved(const view::SpacePosition& position);
+    void pointerLeft();
+
+protected:
+    bool event(QEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    void setUpWidget();
+    void followDocument(const document::Change& change);
+    void layOut();
+    void applyStyle();
+    void refreshMarks();
+    void describeFocus();
+    void showMenu(const QPoint& global);
+
+    document::Document* m_document;
+    SolidBridge* m_bridge;
+    SolidItem* m_solid;
+    SpaceCageItem* m_cageItem;
+    AxisBall* m_ball;
+    NoteItem* m_note;
+    SpaceNavigation m_navigation;
+    SpaceInput m_input;
+    std::optional<ifs::ControlCage<3>> m_cage; // in force; nullopt while the entry is not in space
+    bool m_overlays = true;
+    bool m_wasShown = false;
+};
+
+} // namespace view

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "space/spatial_drag.h"
+
+#include "attractor/request/orbit_navigation.h"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace view {
+
+namespace {
+
+using attractor::OrbitCamera;
+using ifs::Vector;
+
+// Below this angle between an axis and the line of sight, or a plane and the line of sight, a pixel would be
+// a leap.
+const double minSine = std::sin(8 * std::numbers::pi / 180);
+
+Vector<3> awayFromEye(const OrbitCamera& camera) {
+    return -camera.orientation.toRotationMatrix().col(2);
+}
+
+// In the plane through `start` that is parallel to the screen.
+Vector<3> acrossView(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion) {
+    if (motion.isZero(0)) return start; // to the bit
+    attractor::ScreenPoint seen = toScreen(camera, start);
+    const Vector<3> from = toWorld(camera, seen);
+    seen.pixel += motion;
+    return start + (toWorld(camera, seen) - from);
+}
+
+// How a point moves on the screen, in pixels, when it moves by 1 along a direction.
+Vector<2> onScreen(const OrbitCamera& camera, const Vector<3>& at, const Vector<3>& direction) {
+    const double little = 1e-6 * camera.height;
+    return (toScreen(camera, at + little * direction).pixel -
+            toScreen(camera, at - little * direction).pixel) /
+           (2 * little);
+}
+
+// The line of sight through the point once it has followed the pointer.
+attractor::Ray sight(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion) {
+    return rayThrough(camera, toScreen(camera, start).pixel + motion);
+}
+
+// Which of two ways an axis follows the pointer is decided where the drag began, so that it never jumps.
+Vector<3> alongAxis(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion, int axis) {
+    const Vector<3> direction = Vector<3>::Unit(axis);
+    const Vector<3> pressed = sight(camera, start, Vector<2>::Zero()).direction;
+    if (direction.cross(pressed).norm() < minSine) {
+        const Vector<2> shown = onScreen(camera, start, direction);
+        const double scale = pixelsPerUnit(camera);
+        if (!(shown.norm() > 1e-9 * scale)) return start; // it is seen as a point
+        return start + motion.dot(shown) / (shown.norm() * scale) * direction;
+    }
+    const attractor::Ray ray = sight(camera, start, motion);
+    const Vector<3> normal = direction.cross(ray.direction);
+    const double square = normal.squaredNorm();
+    if (!(square > 0)) return start;
+    return start + (ray.origin - start).cross(ray.direction).dot(normal) / square * direction;
+}
+
+Vector<3> inPlane(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion, int axis) {
+    const Vector<3> normal = Vector<3>::Unit(axis);
+    const attractor::Ray ray = sight(camera, start, motion);
+    const double sine = ray.direction.dot(normal);
+    if (std::abs(sight(camera, start, Vector<2>::Zero()).direction.dot(normal)) < minSine ||
+        std::abs(sine) < minSine / 2) { // seen from its edge
+        Vector<3> moved = acrossView(camera, start, motion);
+        moved[axis] = start[axis];
+        return moved;
+    }
+    Vector<3> moved = ray.origin + (start - ray.origin).dot(normal) / sine * ray.direction;
+    moved[axis] = start[axis];
+    return moved;
+}
+
+Vector<3> moved(const SpatialDrag& drag, const Pull& pull, const AxisLock& lock) {
+    const Vector<3>& start = drag.vertices[drag.held];
+    const Vector<2> motion = pull.pointer - drag.press;
+    Vector<3> push = pull.away * awayFromEye(drag.camera);
+    switch (lock.kind) {
+    case AxisLock::Kind::View:
+        return acrossView(drag.camera, start, motion) + push;
+    case AxisLock::Kind::Axis:
+        return start + push[lock.axis] * Vector<3>::Unit(lock.axis) +
+               (motion.isZero(0) ? Vector<3>::Zero()
+                                 : Vector<3>(alongAxis(drag.camera, start, motion, lock.axis) - start));
+    case AxisLock::Kind::Plane:
+        push[lock.axis] = 0;
+        return push + (motion.isZero(0) ? start : inPlane(drag.camera, start, motion, lock.axis));
+    }
+    return start;
+}
+
+Vector<3> middleOf(const std::vector<Vector<3>>& points) {
+    Vector<3> sum = Vector<3>::Zero();
+    for (const Vector<3>& point : points)
+        sum += point;
+    return sum / double(points.size());
+}
+
+} // namespace
+
+std::vector<Vector<3>> dragged(const SpatialDrag& drag, const Pull& pull, const AxisLock& lock) {
+    std::vector<Vector<3>> result = drag.vertices;
+    if (drag.mode == SpatialDrag::Mode::Move) {
+        result[drag.held] = moved(drag, pull, lock);
+        return result;
+    }
+    if (pull.pointer == drag.press) return result;
+    const Vector<3> middle = middleOf(drag.vertices);
+    const Vector<2> centre = toScreen(drag.camera, middle).pixel;
+    const auto spoke = [&](const Vector<2>& pixel) {
+        return std::complex<double>(pixel.x() - centre.x(), centre.y() - pixel.y()); // y up
+    };
+    const std::complex<double> from = spoke(drag.press);
+    if (!(std::abs(from) > 1)) return result; // no direction to turn from
+    const std::complex<double> change = spoke(pull.pointer) / from;
+    const ifs::Matrix<3> linear =
+        drag.mode == SpatialDrag::Mode::Scale
+            ? ifs::Matrix<3>(ifs::Matrix<3>::Identity() * std::abs(change))
+            : Eigen::AngleAxisd(std::arg(change), -awayFromEye(drag.camera)).toRotationMatrix();
+    for (Vector<3>& vertex : result)
+        vertex = middle + linear * (vertex - middle);
+    return result;
+}
+
+std::optional<int> nearestAxis(const OrbitCamera& camera, const Vector<3>& at, const Vector<2>& motion) {
+    std::optional<int> nearest;
+    double best = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vector<2> shown = onScreen(camera, at, Vector<3>::Unit(axis));
+        const double length = shown.norm();
+        if (!(length > 1e-9 * pixelsPerUnit(camera))) continue;
+        const double along = std::abs(motion.dot(shown)) / length;
+        if (along > best) {
+            best = along;
+            nearest = axis;
+        }
+    }
+    return nearest;
+}
+
+} // namespace view

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/orbit_camera.h"
+
+#include <optional>
+#include <vector>
+
+namespace view {
+
+// What binds the motion of a vertex in space. Axes count from 0.
+struct AxisLock {
+    enum class Kind {
+        View,  // free, in the plane through it that is parallel to the screen
+        Axis,  // along this axis
+        Plane, // in the plane to which this axis is normal
+    };
+    Kind kind = Kind::View;
+    int axis = 0;
+
+    friend bool operator==(const AxisLock&, const AxisLock&) = default;
+};
+
+// One drag of a vertex of a cage in space, as it was when it began. Every position of the pointer is answered
+// from here, so nothing accumulates and the way back is exact.
+struct SpatialDrag {
+    enum class Mode {
+        Move,   // the vertex
+        Rotate, // all vertices, about the view axis through their middle
+        Scale,  // all vertices, from their middle
+    };
+
+    attractor::OrbitCamera camera;
+    std::vector<ifs::Vector<3>> vertices;
+    std::size_t held = 0;
+    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // pixel
+    Mode mode = Mode::Move;
+};
+
+struct Pull {
+    ifs::Vector<2> pointer = ifs::Vector<2>::Zero(); // pixel
+    double away = 0;                                 // pushed from the eye, in units of space
+};
+
+// The vertices with the pointer there. Equal to drag.vertices where it was pressed.
+std::vector<ifs::Vector<3>> dragged(const SpatialDrag& drag, const Pull& pull, const AxisLock& lock);
+
+// The axis that on the screen comes nearest to the direction of a motion; nullopt without one.
+std::optional<int> nearestAxis(const attractor::OrbitCamera& camera, const ifs::Vector<3>& at,
+                               const ifs::Vector<2>& motion);
+
+} // namespace view

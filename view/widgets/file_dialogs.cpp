@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/file_dialogs.h"
+
+#include "desktop/settings.h"
+#include "io/file/slow_disk.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace view {
+
+namespace {
+
+const QString lastFolder = QStringLiteral("dialogs/folder");
+
+QString documents() {
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+// The first of these folders that is there and says so.
+QString beginning(const QString& wanted) {
+    for (const QString& folder : {wanted, stored(lastFolder).toString(), documents()})
+        if (!folder.isEmpty() &&
+            io::answerSoon([folder] { return QFileInfo(folder).isDir(); }).value_or(false))
+            return folder;
+    return QDir::homePath();
+}
+
+QString remembered(const QString& chosen) {
+    if (!chosen.isEmpty()) store(lastFolder, QFileInfo(chosen).absolutePath());
+    return chosen;
+}
+
+} // namespace
+
+QString chooseFileToSave(QWidget* parent, const QString& title, const QString& suggestion,
+                         const QString& filter, const QString& suffix) {
+    const QFileInfo suggested(suggestion);
+    const QString folder = beginning(suggested.isAbsolute() ? suggested.path() : QString());
+    QFileDialog dialog(parent, title, folder, filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(suggested.fileName());
+    if (dialog.exec() != QDialog::Accepted) return {};
+    return remembered(dialog.selectedFiles().value(0));
+}
+
+QString chooseFileToOpen(QWidget* parent, const QString& title, const QString& filter,
+                         const QString& folder) {
+    return remembered(QFileDialog::getOpenFileName(parent, title, beginning(folder), filter));
+}
+
+QString chooseFolder(QWidget* parent, const QString& title) {
+    return QFileDialog::getExistingDirectory(parent, title, beginning({}));
+}
+
+} // namespace view

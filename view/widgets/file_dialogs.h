@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+// The dialogs that ask for a file. They begin in the folder of the last time, unless told otherwise, and
+// never in one that does not answer at once: the toolkit would read it in the thread of the window. An empty
+// result: the user has cancelled.
+namespace view {
+
+// `suggestion` is a name, or the path of a file.
+QString chooseFileToSave(QWidget* parent, const QString& title, const QString& suggestion,
+                         const QString& filter, const QString& suffix);
+QString chooseFileToOpen(QWidget* parent, const QString& title, const QString& filter,
+                         const QString& folder = {});
+QString chooseFolder(QWidget* parent, const QString& title);
+
+} // namespace view

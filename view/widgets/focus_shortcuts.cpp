@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/focus_shortcuts.h"
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QWidget>
+
+namespace view {
+
+FocusShortcuts::FocusShortcuts(QWidget* widget) : QObject(widget), m_widget(widget) {
+    widget->installEventFilter(this);
+}
+
+bool FocusShortcuts::eventFilter(QObject*, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
+    QAction* action = actionFor(event);
+    if (!action) return false;
+    event->accept();
+    if (event->type() == QEvent::KeyPress) action->trigger();
+    return true;
+}
+
+QAction* FocusShortcuts::actionFor(const QEvent* event) const {
+    const QKeySequence keys(static_cast<const QKeyEvent*>(event)->keyCombination());
+    for (QAction* action : m_widget->actions())
+        if (action->isEnabled() && action->shortcuts().contains(keys)) return action;
+    return nullptr;
+}
+
+} // namespace view

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/number_text.h"
+
+#include "io/text/coefficient.h"
+#include "io/text/expression.h"
+#include "io/text/number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+QString sentence(const char* text) {
+    return QCoreApplication::translate("NumberField", text);
+}
+
+QString withoutTrailingZeros(QString text) {
+    if (!text.contains(u'.')) return text;
+    while (text.endsWith(u'0'))
+        text.chop(1);
+    if (text.endsWith(u'.')) text.chop(1);
+    return text == QLatin1String("-0") ? QStringLiteral("0") : text;
+}
+
+QString withPoint(const QString& text) {
+    const bool comma =
+        text.count(u',') == 1 && !text.contains(u'.') && !text.contains(u'('); // as in min(1, 2)
+    return (comma ? QString(text).replace(u',', u'.') : text).trimmed();
+}
+
+// Of a text that is not taken as a number.
+bool isTooLarge(const QString& text) {
+    const QByteArray digits = withPoint(text).toLatin1();
+    double value = 0;
+    const bool isSigned = digits.startsWith('+') && !digits.startsWith("+-");
+    const char* end = digits.constData() + digits.size();
+    const auto result = io::fromChars(digits.constData() + (isSigned ? 1 : 0), end, value);
+    return result.ptr == end && (result.ec == std::errc::result_out_of_range ||
+                                 (result.ec == std::errc() && !io::isCoefficient(value)));
+}
+
+QString rangeProblem(double value, const NumberRange& range) {
+    const bool open = range.ends == NumberRange::Ends::Open;
+    if (range.min && (open ? value <= *range.min : value < *range.min))
+        return (open ? sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be greater than %1."))
+                     : sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be at least %1.")))
+            .arg(fullNumber(*range.min));
+    if (range.max && (open ? value >= *range.max : value > *range.max))
+        return (open ? sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be less than %1."))
+                     : sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be at most %1.")))
+            .arg(fullNumber(*range.max));
+    return {};
+}
+
+} // namespace
+
+QString roundedNumber(double value, int decimals) {
+    if (!std::isfinite(value)) return std::isnan(value) ? QStringLiteral("–") : QStringLiteral("∞");
+    const double size = std::abs(value);
+    if (size >= 1e6 || (size > 0 && size < 5e-5)) return QString::number(value, 'g', 3);
+    const int digitsBefore = size < 10 ? 1 : static_cast<int>(std::floor(std::log10(size))) + 1;
+    return withoutTrailingZeros(QString::number(value, 'f', std::clamp(6 - digitsBefore, 0, decimals)));
+}
+
+QString shortNumber(double value) {
+    return roundedNumber(value, maxDecimals);
+}
+
+QString fullNumber(double value) {
+    return QString::fromLatin1(io::formatNumber(value));
+}
+
+QString groupedNumber(double value) {
+    constexpr QChar narrowSpace(0x202f); // no line ends there
+    QString text = QString::number(value, 'f', 0);
+    if (std::abs(value) < 9999.5) return text;
+    for (qsizetype at = text.size() - 3; at > (value < 0 ? 1 : 0); at -= 3)
+        text.insert(at, narrowSpace);
+    return text;
+}
+
+std::optional<double> typedNumber(const QString& text) {
+    const auto number = io::evaluate(withPoint(text));
+    return number && io::isCoefficient(*number) ? number : std::nullopt; // what no file may hold
+}
+
+bool isExpression(const QString& text) {
+    return !text.isEmpty() && !io::parseNumber(withPoint(text));
+}
+
+QString numberProblem(const QString& text, const NumberRange& range) {
+    if (const auto value = typedNumber(text)) return rangeProblem(*value, range);
+    const QString shown = text.trimmed();
+    if (shown.isEmpty()) return sentence(QT_TRANSLATE_NOOP("NumberField", "A number is missing here."));
+    if (isTooLarge(shown))
+        return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is too large a number.")).arg(shown);
+    return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is not a number.")).arg(shown);
+}
+
+double stepped(double value, double step, int count) {
+    const double sum = value + count * step;
+    // Twelve digits are more than anybody steps through, and hide the tail of 0.1 + 0.2.
+    return io::parseNumber(QString::number(sum, 'g', 12)).value_or(sum);
+}
+
+} // namespace view

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <optional>
+
+// Numbers as panels show and take them: in every language with a decimal point.
+namespace view {
+
+constexpr int maxDecimals = 4;
+// A few digits to read, not to edit: at most so many decimals and about six significant digits.
+QString roundedNumber(double value, int decimals);
+QString shortNumber(double value); // with the most decimals
+
+// All digits: reads back as the same double.
+QString fullNumber(double value);
+
+// A whole number to read, with narrow spaces between groups of three digits from ten thousand on: a comma or
+// a point there means something else in the next language.
+QString groupedNumber(double value);
+
+// Where a number may lie, ends included unless `open`.
+struct NumberRange {
+    std::optional<double> min;
+    std::optional<double> max;
+    enum class Ends { Closed, Open } ends = Ends::Closed;
+};
+
+// What `text` says when it is typed alone: a number as in files or an expression, see io::evaluate(); one
+// comma may stand for the decimal point, which is where many keyboards have it. Files never read it so.
+std::optional<double> typedNumber(const QString& text);
+// Whether it says more than a plain number does.
+bool isExpression(const QString& text);
+
+// Why `text` is not a number that can be taken, as a sentence for the user; empty when it is one.
+QString numberProblem(const QString& text, const NumberRange& range = {});
+
+// value + count·step, without the digits that binary addition leaves behind.
+double stepped(double value, double step, int count);
+
+} // namespace view

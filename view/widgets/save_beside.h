@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/file/save_file.h"
+
+#include <QByteArray>
+#include <QString>
+
+class QWidget;
+
+namespace view {
+
+struct Saving {
+    bool isCancelled = false; // by the user, or because the window has gone; the file is as it was
+    io::Failure failure;
+};
+
+// io::saveFile() beside the window, whose events are handled meanwhile; when it takes longer than a moment,
+// under a dialog over `window` from which it can be cancelled. `window` may be gone afterwards.
+Saving saveBeside(const QString& path, const QByteArray& bytes, QWidget* window);
+
+} // namespace view

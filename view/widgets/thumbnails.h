@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/renderer.h"
+#include "document/fractal.h"
+
+#include <QCache>
+#include <QHash>
+#include <QImage>
+#include <QList>
+#include <QObject>
+#include <QPixmap>
+#include <QTimer>
+
+#include <cstdint>
+#include <memory>
+
+namespace attractor {
+class RenderQueue;
+}
+namespace io {
+class ThumbnailCache;
+}
+
+namespace view {
+
+// What there is to show for a fractal in a list.
+struct Thumbnail {
+    enum class State {
+        Pending,     // asked for; the pixmap may still be that of an earlier value
+        Ready,       // the pixmap shows the fractal
+        NoAttractor, // nothing to draw
+        Unreadable,  // the entry could not be read
+    };
+    State state = State::Pending;
+    QPixmap pixmap; // square with rounded corners, null when there is none
+};
+
+// Small square pictures of fractals, drawn one after the other by a render queue and kept until newer ones
+// need the room. What was asked for last is drawn first, so that the rows in sight come before those scrolled
+// past.
+class Thumbnails : public QObject {
+    Q_OBJECT
+
+public:
+    using Key = quint64; // chosen by the caller; one picture is kept per key
+    using FractalPointer = std::shared_ptr<const document::Fractal>;
+
+    static constexpr qreal cornerRadius = 4; // device-independent pixels
+
+    explicit Thumbnails(QObject* parent = nullptr);
+    ~Thumbnails() override;
+
+    // Side of the pictures in device-independent pixels. A change forgets all pictures.
+    void setSize(int side, qreal devicePixelRatio);
+    int side() const { return m_side; }
+
+    // Pictures are looked for there before they are drawn, and kept there.
+    void setCache(std::unique_ptr<io::ThumbnailCache> cache);
+
+    // Never waits. When the picture of `fractal` is not there it is asked for, and ready(key) follows.
+    Thumbnail thumbnail(Key key, const FractalPointer& fractal);
+    void clear(); // forgets pictures and requests, for instance when the keys take another meaning
+
+    std::uint64_t drawn() const { return m_drawn; } // pictures so far that were not found in the cache
+    int pending() const { return static_cast<int>(m_wanted.size() + m_running.size()); }
+
+signals:
+    void ready(quint64 key);
+
+private:
+    struct Wanted {
+        Key key = 0;
+        FractalPointer fractal;
+    };
+    struct Picture {
+        FractalPointer fractal;
+        Thumbnail thumbnail;
+    };
+
+    bool isUnderway(Key key, const FractalPointer& fractal) const;
+    void want(Key key, const FractalPointer& fractal);
+    void submitNext();
+    void take(std::uint64_t job, const QImage& picture);
+    Thumbnail toThumbnail(const QImage& picture) const;
+    int pixels() const; // along the side
+
+    int m_side = 48;
+    qreal m_ratio = 1;
+    QCache<Key, Picture> m_pictures; // the cost is in bytes
+    QList<Wanted> m_wanted;          // the newest last
+    QHash<std::uint64_t, Wanted> m_running;
+    std::uint64_t m_lastJob = 0;
+    std::uint64_t m_drawn = 0;
+    QTimer m_submitTimer;
+    std::shared_ptr<io::ThumbnailCache> m_cache;     // may be null; the queue's thread uses it
+    std::unique_ptr<attractor::RenderQueue> m_queue; // last: stops before the rest goes
+};
+
+} // namespace view

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/tooltips.h"
+
+#include "widgets/tooltip_text.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QCoreApplication>
+#include <QHelpEvent>
+#include <QToolButton>
+#include <QToolTip>
+#include <QWidget>
+
+namespace view {
+
+namespace {
+
+const QAction* actionOf(const QWidget& widget) {
+    const auto* button = qobject_cast<const QToolButton*>(&widget);
+    return button ? button->defaultAction() : nullptr;
+}
+
+QString plainName(QString text) {
+    if (text.endsWith(u'…')) text.chop(1);
+    return text.remove(u'&');
+}
+
+QString nameOf(const QWidget& widget) {
+    if (const QAction* action = actionOf(widget)) return plainName(action->text());
+    if (!widget.accessibleName().isEmpty()) return widget.accessibleName();
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    return button ? plainName(button->text()) : QString();
+}
+
+QString shortcutOf(const QWidget& widget) {
+    if (const QAction* action = actionOf(widget))
+        return action->shortcut().toString(QKeySequence::NativeText);
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    // Alt and a letter is underlined in its text.
+    return button && !button->text().contains(u'&') ? button->shortcut().toString(QKeySequence::NativeText)
+                                                    : QString();
+}
+
+QString sentence(const QString& tip) {
+    const bool ends = tip.isEmpty() || QStringLiteral(".!?…:)").contains(tip.back());
+    return ends ? tip : tip + u'.';
+}
+
+} // namespace
+
+QString composedTip(const QWidget& widget) {
+    QString tip = widget.toolTip();
+    if (tip.isEmpty()) return {};
+    const QString name = nameOf(widget), keys = shortcutOf(widget);
+    if (const QAction* action = actionOf(widget); action && tip == name) tip = action->statusTip();
+    if (tip.isEmpty()) tip = name;
+    const bool isRich = Qt::mightBeRichText(tip); // its maker has escaped it
+    QString head;
+    if (!name.isEmpty()) head = QStringLiteral("<b>%1</b>").arg(name.toHtmlEscaped());
+    if (!keys.isEmpty()) head += QStringLiteral("&nbsp;&nbsp;") + keys.toHtmlEscaped();
+    if (tip == name) return head;
+    const QString body = isRich ? tip : sentence(tip).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
+    return head.isEmpty() ? (isRich ? tip : tooltipText(sentence(tip)))
+                          : QStringLiteral("<p>%1<br>%2</p>").arg(head, body);
+}
+
+Tooltips::Tooltips(QCoreApplication* application) : QObject(application) {
+    application->installEventFilter(this);
+}
+
+bool Tooltips::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return false;
+    auto* widget = qobject_cast<QWidget*>(watched);
+    const QString tip = widget ? composedTip(*widget) : QString();
+    if (tip.isEmpty()) return false; // the view of a list knows better, or a parent
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), tip, widget, {},
+                       widget->toolTipDuration());
+    event->accept();
+    return true;
+}
+
+} // namespace view
