@@ -108,9 +108,14 @@ void CanvasInput::turnWheel(const QWheelEvent& event) {
 }
 
 void CanvasInput::reportAt(const QPointF& position) {
+    m_reported = position;
     PointerPosition pointer = pointerPosition(m_scene, position);
     if (!isHolding()) findAddress(pointer, m_scene, m_tools.branchTool().depth());
     emit pointerMoved(pointer);
+}
+
+void CanvasInput::reportAgain() {
+    if (m_reported && !isHolding()) reportAt(*m_reported);
 }
 
 QCursor CanvasInput::cursor() const {
@@ -166,6 +171,7 @@ void CanvasInput::release(const QMouseEvent& event) {
 
 void CanvasInput::leave() {
     m_tools.active().leave();
+    m_reported.reset();
     emit pointerLeft();
 }
 

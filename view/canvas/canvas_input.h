@@ -42,6 +42,7 @@ public:
     QCursor cursor() const;
     void reportPointer() { reportAt(m_pointer.position); } // as pointerMoved()
     void reportAt(const QPointF& position);
+    void reportAgain(); // where it was last reported, when more is known of it
 
 signals:
     void pointerMoved(const view::PointerPosition& position);
@@ -62,6 +63,7 @@ private:
     PanGesture m_pan;
     PinchGesture m_pinch;
     Pointer m_pointer;
+    std::optional<QPointF> m_reported; // nullopt when the pointer has left
     bool m_spaceHeld = false;
     int m_wheelTurned = 0; // of a notch that is not complete
 };

@@ -16,8 +16,7 @@ namespace {
 
 constexpr double unitPixels = 100; // of one unit of the plane at 100 %
 constexpr double fitMargin = 0.09;
-constexpr double minShare = 0.5;         // of the size that the attractor has alone
-constexpr std::size_t manyMaps = 10'000; // their extent may take longer than a window may be busy
+constexpr double minShare = 0.5; // of the size that the attractor has alone
 constexpr std::chrono::milliseconds fitPatience{12};
 
 } // namespace

@@ -112,6 +112,7 @@ void CanvasView::connectParts() {
     connect(this, &CanvasView::message, this, [this] { m_said.clear(); });
     connect(&m_navigation, &CanvasNavigation::zoomed, this, &CanvasView::dismissHint);
     connect(&m_navigation, &CanvasNavigation::zoomed, &m_input, &CanvasInput::reportAt);
+    connect(&m_scene->handles(), &HandleModel::addressesFound, &m_input, &CanvasInput::reportAgain);
     connect(&m_input, &CanvasInput::cursorChanged, this, &CanvasView::refreshCursor);
     connect(&m_input, &CanvasInput::pointerMoved, this, &CanvasView::pointerMoved);
     connect(&m_input, &CanvasInput::pointerLeft, this, &CanvasView::pointerLeft);

@@ -247,7 +247,7 @@ void WindowLayoutTest::aBarThatGoesLeavesTheFocusToTheCanvas() {
     arising->toggleViewAction()->trigger();
     for (auto* button : arising->findChildren<QAbstractButton*>())
         if (button->isCheckable() && button->isVisible()) button->setFocus();
-    QVERIFY(arising->isAncestorOf(QApplication::focusWidget()));
+    QTRY_VERIFY(arising->isAncestorOf(QApplication::focusWidget()));
     arising->toggleViewAction()->trigger();
     QVERIFY(canvas->hasFocus());
 

@@ -134,7 +134,7 @@ double effort(const std::function<void()>& task) {
 // How much longer eight times as much takes: about 8 times, and 64 where the time is quadratic.
 constexpr double linear = 24;
 double growth(const std::function<double(int)>& effortFor) {
-    constexpr int attempts = 4;
+    constexpr int attempts = 12; // for the least of either, whatever else the machine does
     constexpr int few = 2'000;
     double least = std::numeric_limits<double>::infinity(), most = least;
     for (int i = 0; i < attempts && !(most / least < linear); ++i) {

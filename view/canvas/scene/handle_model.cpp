@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/scene/handle_model.h"
 #include "document/fractal_geometry.h"
+#include "io/file/background.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace view {
+
+namespace {
+
+constexpr std::chrono::milliseconds patience{12};
+
+} // namespace
 
 using Kind = CanvasPart::Kind;
 
@@ -13,6 +21,10 @@ HandleModel::HandleModel(const document::Document& document, const CanvasSelecti
     : m_document(document), m_selection(selection) {
     connect(&selection, &CanvasSelection::mapsChanged, this, [this] {
         if (m_target == HandleTarget::Maps) m_pivot.reset();
+    });
+    connect(&m_finding, &QFutureWatcherBase::finished, this, [this] {
+        const bool isFound = !m_addresses && m_finding.future().resultCount() > 0;
+        if (isFound && knownAddresses()) emit addressesFound();
     });
 }
 
@@ -28,6 +40,7 @@ void HandleModel::follow(const document::Change& change) {
     m_maps.reset();
     m_isBranchMapKnown = false;
     m_addresses.reset();
+    m_finding.setFuture({});
 }
 
 const document::MapHandles* HandleModel::maps() const {
@@ -62,8 +75,28 @@ void HandleModel::setBranch(const ifs::Word& branch) {
     emit changed();
 }
 
+void HandleModel::findAddresses() const {
+    const auto fractal = m_document.currentEntry().fractal;
+    const document::System2* system = document::system2(*fractal);
+    if (!system || system->maps.size() < manyMaps)
+        m_addresses = std::make_shared<const document::Addresses>(*fractal);
+    else if (!m_finding.future().isValid() || m_finding.isCanceled())
+        m_finding.setFuture(
+            io::inBackground<AddressesPointer>([fractal](QPromise<AddressesPointer>& promise) {
+                promise.addResult(std::make_shared<const document::Addresses>(*fractal));
+            }));
+}
+
+const document::Addresses* HandleModel::knownAddresses() const {
+    if (!m_addresses) findAddresses();
+    if (!m_addresses && io::finishesWithin(patience, m_finding.future()) &&
+        m_finding.future().resultCount() > 0)
+        m_addresses = m_finding.result();
+    return m_addresses.get();
+}
+
 const document::Addresses& HandleModel::addresses() const {
-    if (!m_addresses) m_addresses.emplace(m_document.fractal());
+    if (!knownAddresses()) m_addresses = m_finding.result(); // waits
     return *m_addresses;
 }
 

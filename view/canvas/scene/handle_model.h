@@ -6,10 +6,17 @@
 #include "document/map_handles.h"
 #include "ifs/cage/control_cage.h"
 
+#include <QFutureWatcher>
+
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace view {
+
+// The extent of so many maps may take longer to find than the window may be busy.
+constexpr std::size_t manyMaps = 10'000;
 
 enum class HandleTarget { Cage, Maps, Branch };
 
@@ -35,7 +42,10 @@ public:
     // The branch that is held, by indices in the system; empty: none.
     const ifs::Word& branch() const { return m_branch; }
     void setBranch(const ifs::Word& branch);
-    const document::Addresses& addresses() const; // of what is displayed
+    // Of what is displayed; those of very many maps are found in the background. The first waits for them,
+    // the second returns nullptr until addressesFound().
+    const document::Addresses& addresses() const;
+    const document::Addresses* knownAddresses() const;
 
     // The polygons that are held when the cage is not: of the maps, or of the branch.
     int childCount() const;
@@ -56,8 +66,12 @@ public:
 signals:
     void targetChanged();
     void changed(); // the branch or the pivot
+    void addressesFound();
 
 private:
+    using AddressesPointer = std::shared_ptr<const document::Addresses>;
+    void findAddresses() const;
+
     const document::Document& m_document;
     const CanvasSelection& m_selection;
     std::optional<ifs::ControlCage<2>> m_cage;
@@ -67,7 +81,8 @@ private:
     mutable std::optional<document::MapHandles> m_maps;
     mutable std::optional<document::MapHandles> m_branchMap;
     mutable bool m_isBranchMapKnown = false;
-    mutable std::optional<document::Addresses> m_addresses;
+    mutable AddressesPointer m_addresses;
+    mutable QFutureWatcher<AddressesPointer> m_finding;
 };
 
 } // namespace view
