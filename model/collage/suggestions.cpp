@@ -9,6 +9,7 @@
 #include "attractor/threads/job_shares.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -25,10 +26,13 @@ constexpr int coarseSide = 64, mediumSide = 128, fineSide = 256;
 constexpr double levelMargin = 0.25, pictureMargin = 0.5; // shares of that side around it
 // One in so many starts goes on from the coarse level.
 constexpr std::size_t goingOn = 4;
-constexpr std::size_t poolSize = 24;   // of each number of maps
-constexpr double searchShare = 0.6;    // of the time; the rest makes the best fit better
-constexpr double pricePerMap = 0.0008; // of the size of the target
-constexpr double alike = 0.05;         // of the size: what systems that count as one differ by
+constexpr std::size_t trialBatches = 3; // in which every number of maps is tried,
+constexpr std::size_t finalCounts = 3;  // before so many of them go on
+constexpr std::size_t poolSize = 24;    // of each number of maps
+constexpr double searchShare = 0.5;     // of the time; the rest makes the best fit better
+constexpr double pricePerMap = 0.0004;  // of the size of the target
+constexpr double largestNorm = 0.9;     // of a map in a result
+constexpr double alike = 0.05;          // of the size: what systems that count as one differ by
 
 struct Candidate {
     Maps maps; // of the plane
@@ -72,6 +76,8 @@ public:
           m_medium(level(picture, mediumSide)),
           m_fine(level(picture, fineSide)),
           m_workers(std::size_t(std::max(1, options.threads))) {
+        for (int maps = options.minMaps; maps <= options.maxMaps; ++maps)
+            m_counts.push_back(maps);
         for (std::size_t thread = 0; thread < m_workers.size(); ++thread) {
             m_coarseFits.push_back(std::make_unique<CollageFit>(m_coarse));
             m_mediumFits.push_back(std::make_unique<CollageFit>(m_medium));
@@ -85,21 +91,17 @@ public:
                 m_options.starts == 0 ? batchSize() : std::min(batchSize(), m_options.starts - starts);
             batch(starts, count);
             starts += count;
+            if (starts >= trialBatches * batchSize()) keepPromisingCounts();
             report(searchShare * doneShare(starts));
         }
         Suggestions result;
         result.starts = starts;
-        result.list = refined(shortlist());
-        if (m_stop.stop_requested()) result.list.clear();
+        result.list = distinct(refined(shortlist()));
         return result;
     }
 
 private:
-    std::size_t counts() const { return std::size_t(m_options.maxMaps - m_options.minMaps + 1); }
-    std::size_t batchSize() const { return counts() * (counts() == 1 ? 32 : 8); }
-    std::size_t mapsOf(std::uint64_t start) const {
-        return std::size_t(m_options.minMaps) + std::size_t(start) % counts();
-    }
+    std::size_t batchSize() const { return m_counts.size() * (m_counts.size() == 1 ? 32 : 8); }
     double doneShare(std::size_t starts) const {
         return m_options.starts > 0 ? double(starts) / double(m_options.starts)
                                     : (Clock::now() - m_begin) / (searchShare * m_options.time);
@@ -114,12 +116,15 @@ private:
         shares.run(m_workers, m_stop, work);
     }
 
-    Candidate begun(std::uint64_t start, CollageFit& fit) const;
+    Candidate begun(std::uint64_t start, int maps, CollageFit& fit) const;
+    void keepPromisingCounts();
     void goOn(Candidate& candidate, CollageFit& fit) const;
     void batch(std::size_t first, std::size_t count);
     std::vector<Candidate> shortlist() const;
-    std::vector<Suggestion> refined(const std::vector<Candidate>& candidates);
-    Suggestion refined(const Candidate& candidate) const;
+    std::vector<Candidate> refined(std::vector<Candidate> candidates);
+    std::vector<Suggestion> distinct(const std::vector<Candidate>& candidates);
+    double price(const Target& target, const Maps& maps) const;
+    Suggestion suggestion(const Candidate& candidate) const;
 
     const SearchOptions& m_options;
     const std::function<void(double)>& m_progress;
@@ -128,6 +133,7 @@ private:
     Target m_picture, m_coarse, m_medium, m_fine;
     attractor::Workers m_workers;
     std::vector<std::unique_ptr<CollageFit>> m_coarseFits, m_mediumFits; // one per thread
+    std::vector<int> m_counts;                                           // the numbers of maps still tried
     std::map<std::size_t, std::vector<Candidate>> m_pools;               // by the number of maps, best first
 };
 
@@ -136,8 +142,23 @@ double score(double error, const Target& target, const Maps& maps) {
     return error * target.grid.cell / (1 - contraction(maps));
 }
 
-Candidate Search::begun(std::uint64_t start, CollageFit& fit) const {
-    Maps maps = randomStart(m_coarse, int(mapsOf(start)), m_options.seed, start);
+// Once each number of maps has had its chance, the best of them share the rest of the starts.
+void Search::keepPromisingCounts() {
+    if (m_counts.size() <= finalCounts) return;
+    const auto bestScore = [this](int maps) {
+        const std::vector<Candidate>& pool = m_pools[std::size_t(maps)];
+        return pool.empty() ? HUGE_VAL : pool.front().score + pricePerMap * m_picture.size * maps;
+    };
+    std::ranges::stable_sort(m_counts, std::less<>(), bestScore);
+    m_counts.resize(finalCounts);
+    std::ranges::sort(m_counts);
+    std::erase_if(m_pools, [this](const auto& pool) {
+        return std::ranges::find(m_counts, int(pool.first)) == m_counts.end();
+    });
+}
+
+Candidate Search::begun(std::uint64_t start, int count, CollageFit& fit) const {
+    Maps maps = randomStart(m_coarse, count, m_options.seed, start);
     fit.improve(maps, {m_options.mapClass, 25, 15, 0.75, 0.9});
     return {fromGrid(m_coarse.grid, maps), score(fit.error(maps), m_coarse, maps), start, {}};
 }
@@ -153,7 +174,7 @@ void Search::goOn(Candidate& candidate, CollageFit& fit) const {
 void Search::batch(std::size_t first, std::size_t count) {
     std::vector<Candidate> begun(count);
     inParallel(count, [&](std::size_t job, std::size_t thread) {
-        begun[job] = this->begun(first + job, *m_coarseFits[thread]);
+        begun[job] = this->begun(first + job, m_counts[job % m_counts.size()], *m_coarseFits[thread]);
     });
     std::map<std::size_t, std::vector<Candidate>> byMaps;
     for (Candidate& candidate : begun)
@@ -182,7 +203,7 @@ bool areNear(const auto& a, const auto& b, double size) {
 }
 
 std::vector<Candidate> Search::shortlist() const {
-    const std::size_t each = counts() == 1 ? 10 : 3;
+    const std::size_t each = m_counts.size() == 1 ? 8 : 4;
     std::vector<Candidate> list;
     for (const auto& [maps, pool] : m_pools) {
         std::vector<Candidate> distinct;
@@ -196,35 +217,47 @@ std::vector<Candidate> Search::shortlist() const {
     return list;
 }
 
-Suggestion Search::refined(const Candidate& candidate) const {
-    Suggestion result;
-    result.maps = fittedAttractor(m_medium, candidate.maps, m_options.mapClass, 8);
-    result.maps = fittedAttractor(m_fine, result.maps, m_options.mapClass, 4);
-    CollageFit fit(m_fine);
-    fit.error(inGrid(m_fine.grid, result.maps));
-    result.weights = ifs::shares(fit.shares(), 0.01);
-    result.collage = collageMeasure(m_picture, result.maps);
-    result.attractor = attractorAgreement(m_picture, result.maps);
-    return result;
+double Search::price(const Target& target, const Maps& maps) const {
+    return visibleError(target, attractorAgreement(target, maps)) +
+           pricePerMap * m_picture.size * double(maps.size());
 }
 
-std::vector<Suggestion> Search::refined(const std::vector<Candidate>& candidates) {
-    std::vector<Suggestion> all(candidates.size());
-    inParallel(all.size(), [&](std::size_t job, std::size_t thread) {
-        all[job] = refined(candidates[job]);
-        if (thread == 0) report(searchShare + (1 - searchShare) * double(job + 1) / double(all.size()));
+// First all of them on the medium level, then the best on the fine one.
+std::vector<Candidate> Search::refined(std::vector<Candidate> candidates) {
+    inParallel(candidates.size(), [&](std::size_t job, std::size_t thread) {
+        Candidate& one = candidates[job];
+        one.maps = fittedAttractor(m_medium, one.maps, {m_options.mapClass, 8, largestNorm});
+        one.score = price(m_medium, one.maps);
+        if (thread == 0) report(searchShare + 0.2 * double(job + 1) / double(candidates.size()));
     });
+    std::ranges::sort(candidates, std::less<>());
+    candidates.resize(std::min(candidates.size(), m_options.maxResults));
+    inParallel(candidates.size(), [&](std::size_t job, std::size_t) {
+        Candidate& one = candidates[job];
+        one.maps = fittedAttractor(m_fine, one.maps, {m_options.mapClass, 3, largestNorm});
+        one.score = price(m_fine, one.maps);
+    });
+    std::ranges::sort(candidates, std::less<>());
+    report(searchShare + 0.35);
+    return candidates;
+}
+
+Suggestion Search::suggestion(const Candidate& candidate) const {
+    CollageFit fit(m_medium);
+    fit.error(inGrid(m_medium.grid, candidate.maps));
+    return {candidate.maps, ifs::shares(fit.shares(), 0.01), collageMeasure(m_picture, candidate.maps),
+            attractorAgreement(m_picture, candidate.maps)};
+}
+
+std::vector<Suggestion> Search::distinct(const std::vector<Candidate>& candidates) {
+    std::vector<Suggestion> all(candidates.size());
+    inParallel(all.size(), [&](std::size_t job, std::size_t) { all[job] = suggestion(candidates[job]); });
     if (m_stop.stop_requested()) return {};
-    const auto price = [this](const Suggestion& one) {
-        return one.attractor.mean * m_picture.grid.cell +
-               pricePerMap * m_picture.size * double(one.maps.size());
-    };
-    std::ranges::stable_sort(all, std::less<>(), price);
     std::vector<Suggestion> list;
     for (Suggestion& one : all) {
         const bool isKnown = std::ranges::any_of(
             list, [&](const Suggestion& other) { return areNear(one, other, m_picture.size); });
-        if (!isKnown && list.size() < m_options.maxResults) list.push_back(std::move(one));
+        if (!isKnown) list.push_back(std::move(one));
     }
     return list;
 }

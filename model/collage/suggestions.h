@@ -39,10 +39,10 @@ struct Suggestions {
 };
 
 // Fits collages from many random starts, makes the attractors of the best distinct ones fit better, and lists
-// them by the mean distance of their attractors from the target; with a range of numbers of maps, each map
-// must pay for itself. The same seed and the same number of starts give the same result for any number of
-// threads; the time decides only how many starts are made. `progress` receives shares of the work, on the
-// thread that calls. The mask must not be empty.
+// them by the visibleError() of their attractors; each map counts a little, so that with a range of numbers
+// of maps each must pay for itself. The same seed and the same number of starts give the same result for any
+// number of threads; the time decides only how many starts are made. `progress` receives shares of the work,
+// on the thread that calls. The mask must not be empty.
 Suggestions suggestions(const Mask& picture, const SearchOptions& options,
                         const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 

@@ -18,7 +18,6 @@ using Maps = std::vector<ifs::AffineMap<2>>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::size_t maxPoints = 5000;
-constexpr double largestNorm = 0.95;
 constexpr double outlier = 2; // cells; farther residuals count by their distance, not its square
 
 // The directions in which a map may change, of its numbers a b c d e f, one in each column.
@@ -135,7 +134,7 @@ Linearised linearised(const Target& target, const Maps& maps, const Eigen::Matri
             active.transpose() * goals};
 }
 
-Maps moved(const Maps& maps, const Eigen::VectorXd& step, const ifs::Vector<2>& centre) {
+Maps moved(const Maps& maps, const Eigen::VectorXd& step, double largestNorm, const ifs::Vector<2>& centre) {
     Maps result = maps;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const auto d = step.segment<6>(6 * Eigen::Index(i));
@@ -154,7 +153,8 @@ bool areFinite(const Maps& maps) {
 // Levenberg and Marquardt: steps that do not help are shortened.
 class Descent {
 public:
-    Descent(const Target& target, Maps maps) : m_target(target), m_maps(std::move(maps)) {
+    Descent(const Target& target, Maps maps, double largestNorm)
+        : m_target(target), m_maps(std::move(maps)), m_largestNorm(largestNorm) {
         m_error = errorOf(m_maps);
     }
 
@@ -167,7 +167,7 @@ public:
             Eigen::MatrixXd normal = at.pull + m_damping * at.hold;
             normal.diagonal() *= 1 + 1e-9;
             const Eigen::VectorXd free = normal.ldlt().solve(at.right);
-            Maps trial = moved(inside, basis * free, m_target.mean);
+            Maps trial = moved(inside, basis * free, m_largestNorm, m_target.mean);
             if (!areFinite(trial)) continue;
             // What did not move keeps its bits.
             for (std::size_t i = 0; i < trial.size(); ++i)
@@ -186,10 +186,13 @@ public:
     const Maps& maps() const { return m_maps; }
 
 private:
-    double errorOf(const Maps& maps) const { return attractorAgreement(m_target, maps).mean; }
+    double errorOf(const Maps& maps) const {
+        return visibleError(m_target, attractorAgreement(m_target, maps));
+    }
 
     const Target& m_target;
     Maps m_maps;
+    double m_largestNorm;
     double m_error = 0;
     double m_damping = 0.03;
 };
@@ -197,13 +200,13 @@ private:
 } // namespace
 
 std::vector<ifs::AffineMap<2>> fittedAttractor(const Target& target, std::vector<ifs::AffineMap<2>> maps,
-                                               MapClass mapClass, int iterations,
+                                               const AttractorSchedule& schedule,
                                                std::span<const std::uint8_t> locked) {
     if (contraction(maps) >= 1) return maps;
-    const Eigen::MatrixXd basis = freedom(maps, mapClass, locked);
+    const Eigen::MatrixXd basis = freedom(maps, schedule.mapClass, locked);
     if (basis.cols() == 0) return maps;
-    Descent descent(target, std::move(maps));
-    for (int iteration = 0; iteration < iterations && descent.step(basis); ++iteration) {}
+    Descent descent(target, std::move(maps), schedule.largestNorm);
+    for (int iteration = 0; iteration < schedule.iterations && descent.step(basis); ++iteration) {}
     return descent.maps();
 }
 

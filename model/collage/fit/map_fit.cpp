@@ -40,11 +40,14 @@ void PairSums::addFixed(const Eigen::Matrix3d& moments, const ifs::AffineMap<2>&
 }
 
 ifs::AffineMap<2> leastSquaresMap(const PairSums& sums, MapClass mapClass, const ifs::AffineMap<2>& current) {
-    const Eigen::Matrix3d points = sums.points.selfadjointView<Eigen::Upper>();
+    // What the pairs do not determine stays.
+    PairSums held = sums;
+    held.addFixed(Eigen::Matrix3d::Identity(), current, 1e-9 * sums.points.trace());
+    const Eigen::Matrix3d points = held.points.selfadjointView<Eigen::Upper>();
     const ifs::AffineMap<2> map =
         mapClass == MapClass::Affine
-            ? affineFit(points, sums.images)
-            : similarityFit(points, sums.images, ifs::determinant<2>(current.linear) < 0 ? -1.0 : 1.0);
+            ? affineFit(points, held.images)
+            : similarityFit(points, held.images, ifs::determinant<2>(current.linear) < 0 ? -1.0 : 1.0);
     return ifs::isFinite(map) ? map : current;
 }
 

@@ -32,8 +32,8 @@ struct PairSums {
     void addFixed(const Eigen::Matrix3d& moments, const ifs::AffineMap<2>& map, double weight);
 };
 
-// The map of its class that minimises Σ w |map(p) − t|². A similarity mirrors exactly if `current` does.
-// `current` is returned where the pairs do not determine a map.
+// The map of its class that minimises Σ w |map(p) − t|², as near to `current` as the pairs leave a choice. A
+// similarity mirrors exactly if `current` does.
 ifs::AffineMap<2> leastSquaresMap(const PairSums& sums, MapClass mapClass, const ifs::AffineMap<2>& current);
 
 // The map with its singular values at most `limit`; the image of `centre` stays.

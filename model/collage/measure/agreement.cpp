@@ -137,6 +137,10 @@ double contraction(std::span<const ifs::AffineMap<2>> maps) {
     return largest;
 }
 
+double visibleError(const Target& target, const Agreement& attractor) {
+    return attractor.mean * target.grid.cell + 0.003 * target.size * (1 - attractor.iou);
+}
+
 CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineMap<2>> maps) {
     const auto inside = inGrid(target.grid, maps);
     Splats splats{Labels(target.mask.cells.size()), {}};

@@ -34,6 +34,10 @@ CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineM
 // B = the attractor of the maps, contractions all of them.
 Agreement attractorAgreement(const Target& target, std::span<const ifs::AffineMap<2>> maps);
 
+// What a fit of an attractor makes small, in units of the plane: the mean distance, and a little for what is
+// not covered, so that solid shapes come out solid: 0.003 of the size of the target times 1 − iou.
+double visibleError(const Target& target, const Agreement& attractor);
+
 double contraction(std::span<const ifs::AffineMap<2>> maps); // the largest spectral norm
 
 // The cells that the attractor meets, on the grid of the target.
