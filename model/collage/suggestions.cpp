@@ -23,7 +23,7 @@ using Maps = std::vector<ifs::AffineMap<2>>;
 
 // The longer side of the target, in cells, at the three stages.
 constexpr int coarseSide = 64, mediumSide = 128, fineSide = 256;
-constexpr double levelMargin = 0.25, pictureMargin = 0.5; // shares of that side around it
+constexpr double levelMargin = 0.25, pictureMargin = 0.25; // shares of that side around it
 // One in so many starts goes on from the coarse level.
 constexpr std::size_t goingOn = 4;
 constexpr std::size_t trialBatches = 3; // in which every number of maps is tried,

@@ -18,7 +18,7 @@ struct LoadedGrey {
 };
 
 constexpr int minTracedSide = 8;    // pixels
-constexpr int maxTracedSide = 2048; // pixels; larger pictures are scaled down
+constexpr int maxTracedSide = 1024; // pixels; larger pictures are scaled down
 
 // Reads PNG, JPEG, GIF, BMP and PNM. Nearly opaque pixels are seen on white. Refused are animations, JPEG
 // pictures in CMYK, whose grey levels depend on the program that wrote them, incomplete pictures, and those
