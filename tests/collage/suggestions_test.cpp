@@ -155,7 +155,8 @@ private slots:
         for (const Mask& mask : {pixel, line}) {
             const Suggestions found = suggestions(mask, options(2, 32));
             QVERIFY(!found.list.empty());
-            QVERIFY(found.list.front().attractor.mean < 0.5);
+            QVERIFY2(found.list.front().attractor.mean < 0.5,
+                     qPrintable(QString::number(found.list.front().attractor.mean)));
         }
     }
 

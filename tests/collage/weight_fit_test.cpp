@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <cmath>
 #include <random>
 
 using namespace collage;
@@ -42,6 +43,28 @@ private slots:
         const std::vector<double> found = fittedWeights(sierpinskiMeasure(weights), triangle);
         for (std::size_t i = 0; i < 3; ++i)
             QVERIFY2(support::near(found[i], weights[i], 1e-3), qPrintable(QString::number(found[i])));
+    }
+
+    // Turned, off the pixels, and known from samples only.
+    void weightsComeBackFromAPicture() {
+        const std::vector<double> weights{0.2, 0.3, 0.5};
+        const auto turn = ifs::affineMap(0.8 * std::cos(0.3), -0.8 * std::sin(0.3), 0.8 * std::sin(0.3),
+                                         0.8 * std::cos(0.3), 0.013, 0.007);
+        Maps maps;
+        for (const auto& map : triangle)
+            maps.push_back(*ifs::conjugate<2>(turn, map));
+        Density density{256, 256, std::vector<double>(256 * 256)};
+        std::mt19937 random(5);
+        ifs::Vector<2> x(0, 0);
+        for (int k = 0; k < 2'000'000; ++k) {
+            const double u = random() * 0x1p-32;
+            x = maps[u < 0.2 ? 0 : u < 0.5 ? 1 : 2](x);
+            if (k > 50)
+                density.mass[std::size_t((0.5 - x.y()) * 256) * 256 + std::size_t((x.x() + 0.5) * 256)] += 1;
+        }
+        const std::vector<double> found = fittedWeights(density, maps);
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY2(support::near(found[i], weights[i], 3e-3), qPrintable(QString::number(found[i])));
     }
 
     void mapsThatCoverNothingGetNoWeight() {

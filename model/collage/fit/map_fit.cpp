@@ -42,7 +42,7 @@ void PairSums::addFixed(const Eigen::Matrix3d& moments, const ifs::AffineMap<2>&
 ifs::AffineMap<2> leastSquaresMap(const PairSums& sums, MapClass mapClass, const ifs::AffineMap<2>& current) {
     // What the pairs do not determine stays.
     PairSums held = sums;
-    held.addFixed(Eigen::Matrix3d::Identity(), current, 1e-9 * sums.points.trace());
+    held.addFixed(Eigen::Matrix3d::Identity(), current, 1e-12 * sums.points.trace());
     const Eigen::Matrix3d points = held.points.selfadjointView<Eigen::Upper>();
     const ifs::AffineMap<2> map =
         mapClass == MapClass::Affine

@@ -14,17 +14,10 @@ namespace {
 
 using Field = Eigen::MatrixXd; // row y, column x, rows from the top
 
-// Mass at a point in pixels, shared among the four pixel centres around it; what falls outside is lost.
+// Mass at a point in pixels; what falls outside is lost.
 void deposit(Field& field, double x, double y, double mass) {
-    const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
-    if (!(left >= -1 && top >= -1 && left < double(field.cols()) && top < double(field.rows()))) return;
-    const double u = x - 0.5 - left, v = y - 0.5 - top;
-    for (const int dy : {0, 1})
-        for (const int dx : {0, 1}) {
-            const auto column = Eigen::Index(left) + dx, row = Eigen::Index(top) + dy;
-            if (column < 0 || row < 0 || column >= field.cols() || row >= field.rows()) continue;
-            field(row, column) += mass * (dx == 1 ? u : 1 - u) * (dy == 1 ? v : 1 - v);
-        }
+    if (x >= 0 && y >= 0 && x < double(field.cols()) && y < double(field.rows()))
+        field(Eigen::Index(y), Eigen::Index(x)) += mass;
 }
 
 // (w)_#ν. Four points stand for each pixel.

@@ -22,7 +22,7 @@ struct Density {
 // ‖ν − Σ p_i (w_i)_#ν‖² after both have been blurred by a Gaussian with standard deviation `blur` pixels.
 // docs/mathematics.md, "Collages". Equal weights when there is no mass.
 std::vector<double> fittedWeights(const Density& density, std::span<const ifs::AffineMap<2>> maps,
-                                  double blur = 1);
+                                  double blur = 2);
 
 // The p ≥ 0 with sum 1 that minimises pᵀ Q p − 2 cᵀ p, for a symmetric positive semidefinite Q: a primal
 // active-set method, exact up to rounding.

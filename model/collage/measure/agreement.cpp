@@ -45,10 +45,9 @@ void splat(const Target& target, double x, double y, Splats& splats) {
 
 class Distances {
 public:
-    void add(std::int32_t square, std::size_t cell, bool isOfTarget) {
+    void add(double distance, std::size_t cell, bool isOfTarget) {
         ++m_count[isOfTarget];
-        if (square == 0) return;
-        const double distance = std::sqrt(double(square));
+        if (distance == 0) return;
         m_sum[isOfTarget] += distance;
         m_positive.push_back(distance);
         if (distance > m_worst.distance) {
@@ -93,18 +92,26 @@ private:
 };
 
 void measureDistances(const Target& target, const Splats& splats, Agreement& agreement) {
+    const int width = target.grid.width;
     Distances distances;
     for (std::size_t cell = 0; cell < splats.labels.size(); ++cell)
-        if (splats.labels[cell] != 0) distances.add(target.features.square[cell], cell, false);
+        if (splats.labels[cell] != 0)
+            distances.add(std::sqrt(double(target.features.square[cell])), cell, false);
     for (const Place& place : splats.outside)
         distances.add(place);
     NearestCells nearest;
-    nearest.prepare(splats.labels, target.grid.width, target.grid.height);
+    nearest.prepare(splats.labels, width, target.grid.height);
+    const auto nearestOutside = std::ranges::min_element(splats.outside, {}, &Place::distance);
     for (const std::int32_t cell : target.cells) {
-        const bool isCovered = splats.labels[std::size_t(cell)] != 0;
-        const auto found = isCovered ? NearestCells::Found{cell, 0}
-                                     : nearest(cell % target.grid.width, cell / target.grid.width);
-        distances.add(found.square, std::size_t(cell), true);
+        const int x = cell % width, y = cell / width;
+        const NearestCells::Found found =
+            splats.labels[std::size_t(cell)] != 0 ? NearestCells::Found{cell, 0} : nearest(x, y);
+        // With nothing on the grid, some point off it will do: the distance is not too small.
+        const double distance =
+            found.cell >= 0 || nearestOutside == splats.outside.end()
+                ? std::sqrt(double(found.square))
+                : std::hypot(nearestOutside->point.x() - x - 0.5, nearestOutside->point.y() - y - 0.5);
+        distances.add(distance, std::size_t(cell), true);
     }
     distances.finish(agreement, target.grid);
 }

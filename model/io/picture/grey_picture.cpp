@@ -15,9 +15,9 @@ namespace io {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("io", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
 
 constexpr qint64 maxPixels = 32'000'000;
 
@@ -51,23 +51,25 @@ bool isAnimated(QImageReader& reader, const QByteArray& bytes, const QByteArray&
 // Why the picture cannot be used, as far as can be told before it is decoded.
 std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes) {
     const QByteArray format = reader.format();
-    if (!isKnown(format)) return tr("This is not a PNG, JPEG, GIF, BMP or PNM picture.");
+    if (!isKnown(format)) return Text::tr("This is not a PNG, JPEG, GIF, BMP or PNM picture.");
     const QSize size = reader.size();
     if (qint64(size.width()) * size.height() > maxPixels)
-        return tr("The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.")
+        return Text::tr(
+                   "The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.")
             .arg(size.width())
             .arg(size.height());
     if (size.isValid() && std::min(size.width(), size.height()) < minTracedSide)
-        return tr("The picture has %1 × %2 pixels. Each side needs at least %3 pixels.")
+        return Text::tr("The picture has %1 × %2 pixels. Each side needs at least %3 pixels.")
             .arg(size.width())
             .arg(size.height())
             .arg(minTracedSide);
-    if (isIncomplete(bytes, format)) return tr("The picture is incomplete: its end is missing.");
+    if (isIncomplete(bytes, format)) return Text::tr("The picture is incomplete: its end is missing.");
     if (format.startsWith("jp") && jpegFacts(bytes).components > 3)
-        return tr("The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB "
-                  "or grey levels.");
+        return Text::tr(
+            "The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB "
+            "or grey levels.");
     if (isAnimated(reader, bytes, format))
-        return tr("The picture is animated. Save one of its frames as a picture of its own.");
+        return Text::tr("The picture is animated. Save one of its frames as a picture of its own.");
     return std::nullopt;
 }
 
@@ -105,12 +107,12 @@ LoadedGrey readGreyPicture(const QByteArray& bytes) {
     loaded.isReduced = std::max(size.width(), size.height()) > maxTracedSide;
     QImage image = reader.read();
     if (image.isNull()) {
-        loaded.flaw = tr("The picture cannot be read: it is damaged or incomplete.");
+        loaded.flaw = Text::tr("The picture cannot be read: it is damaged or incomplete.");
         return loaded;
     }
     if (loaded.isReduced) image = image.scaled(traced, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     if (std::min(image.width(), image.height()) < minTracedSide) {
-        loaded.flaw = tr("The picture is too long and thin to be traced.");
+        loaded.flaw = Text::tr("The picture is too long and thin to be traced.");
         return loaded;
     }
     loaded.picture = greyOf(image.convertToFormat(QImage::Format_ARGB32));
