@@ -89,9 +89,13 @@ QString fileNameOf(const std::string& argument) {
     return io::pathOf(QByteArray::fromStdString(argument));
 }
 
+io::Loaded loadBytes(const std::string& file) {
+    return file == "-" ? readStandardInput() : io::loadFile(fileNameOf(file));
+}
+
 std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options) {
     const QString name = fileNameOf(file);
-    const io::Loaded loaded = file == "-" ? readStandardInput() : io::loadFile(name);
+    const io::Loaded loaded = loadBytes(file);
     if (loaded.failure) {
         reportError(name, *loaded.failure);
         return std::nullopt;

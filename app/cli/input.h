@@ -4,6 +4,7 @@
 #include "exit_status.h"
 
 #include "io/collection_reader.h"
+#include "io/file/save_file.h"
 
 #include <QByteArray>
 #include <QString>
@@ -23,6 +24,8 @@ struct Input {
 };
 
 QString fileNameOf(const std::string& argument); // whose bytes need not be UTF-8
+
+io::Loaded loadBytes(const std::string& file); // of FILE, or of standard input for -
 
 // Reads FILE; nullopt when it cannot be read, which has then been reported.
 std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options = {});

@@ -28,7 +28,7 @@ function __barycage_cli_names
     end
 end
 
-set -l subcommands info render animate morph convert gallery merge
+set -l subcommands info render animate morph collage convert gallery merge
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a info -d "Show what a file contains"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a render -d "Draw an entry"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a animate -d "Draw the frames of an animation"
@@ -78,6 +78,20 @@ complete -c barycage-cli -n $morph -l to -x -a "(__barycage_cli_names)" -d "Entr
 complete -c barycage-cli -n $morph -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n $morph -l length -x -d "The last frame"
 complete -c barycage-cli -n $morph -l pin -x -d "Maps that belong together"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a collage -d "Find a system for a picture"
+set -l collage "__fish_seen_subcommand_from collage"
+complete -c barycage-cli -n $collage -s o -l output -r -d "File to write"
+complete -c barycage-cli -n $collage -l report -r -d "Write how well it fits"
+complete -c barycage-cli -n $collage -l threshold -x -d "Grey level of the shape"
+complete -c barycage-cli -n $collage -l invert -d "Trace the background"
+complete -c barycage-cli -n $collage -l maps -x -d "Number of maps"
+complete -c barycage-cli -n $collage -l seconds -x -d "How long to search"
+complete -c barycage-cli -n $collage -l starts -x -d "How many random starts"
+complete -c barycage-cli -n $collage -l seed -x -d "Seed of the random starts"
+complete -c barycage-cli -n $collage -l similarities -d "Only maps that keep angles"
+complete -c barycage-cli -n $collage -s j -l threads -x -d "Threads"
+complete -c barycage-cli -n $collage -l progress -x -a "always never auto" -d "Progress bar"
+complete -c barycage-cli -n $collage -s q -l quiet -d "No progress bar and no warnings"
 set -l render "__fish_seen_subcommand_from render"
 complete -c barycage-cli -n $render -s o -l output -r -a - -d "Picture to write"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l colour -x -a "density map address height depth none" -d "What the colours show"

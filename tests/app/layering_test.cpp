@@ -154,7 +154,8 @@ void LayeringTest::includesPointDownwards_data() {
     const QStringList ifs{QStringLiteral("ifs")};
     const QStringList attractor = ifs + QStringList{QStringLiteral("attractor")};
     const QStringList animation = attractor + QStringList{QStringLiteral("animation")};
-    const QStringList document = animation + QStringList{QStringLiteral("document")};
+    const QStringList collage = animation + QStringList{QStringLiteral("collage")};
+    const QStringList document = collage + QStringList{QStringLiteral("document")};
     const QStringList io = document + QStringList{QStringLiteral("io")};
     const QStringList view =
         io + QStringList{QStringLiteral("bars"),    QStringLiteral("bridges"), QStringLiteral("canvas"),
@@ -163,6 +164,7 @@ void LayeringTest::includesPointDownwards_data() {
     QTest::newRow("model/ifs") << "model/ifs" << ifs << qt;
     QTest::newRow("model/attractor") << "model/attractor" << attractor << qt;
     QTest::newRow("model/animation") << "model/animation" << animation << qt;
+    QTest::newRow("model/collage") << "model/collage" << collage << qt;
     QTest::newRow("model/document") << "model/document" << document << widgets;
     QTest::newRow("model/io") << "model/io" << io << widgets;
     QTest::newRow("view") << "view" << view << QStringLiteral("^$");
@@ -265,7 +267,8 @@ void LayeringTest::coreCompilesWithoutQt() {
         const QString path = entry[QLatin1String("file")].toString();
         if (!path.contains(QLatin1String("/model/ifs/")) &&
             !path.contains(QLatin1String("/model/attractor/")) &&
-            !path.contains(QLatin1String("/model/animation/")))
+            !path.contains(QLatin1String("/model/animation/")) &&
+            !path.contains(QLatin1String("/model/collage/")))
             continue;
         if (!path.startsWith(support::sourcePath(QStringLiteral("model/")))) continue;
         ++seen;

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.h"
+#include "commands.h"
+#include "input.h"
+#include "interrupt.h"
+#include "messages.h"
+#include "output.h"
+#include "progress_bar.h"
+#include "usage_error.h"
+
+#include "collage/suggestions.h"
+#include "io/fractint/entry_writer.h"
+#include "io/picture/grey_picture.h"
+#include "io/picture/png_export.h"
+#include "io/report/json_writer.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <memory>
+#include <optional>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+struct CollageArguments {
+    std::string picture;
+    std::string output;
+    std::optional<std::string> report;
+    std::string maps = "2-8";
+    std::optional<std::string> seconds;
+    std::optional<std::string> starts;
+    std::string seed = "1";
+    bool similarities = false;
+    std::optional<std::string> threshold;
+    bool invert = false;
+    std::optional<std::string> threads;
+    Verbosity verbosity;
+};
+
+constexpr int fewestMaps = 2, mostMaps = 16;
+
+// "4", or "2-8".
+void readMaps(const std::string& text, collage::SearchOptions& options) {
+    const QStringList parts = QString::fromStdString(text).split(u'-');
+    bool areNumbers = parts.size() <= 2;
+    for (const QString& part : parts) {
+        bool isNumber = false;
+        const int maps = part.toInt(&isNumber);
+        areNumbers = areNumbers && isNumber && maps >= fewestMaps && maps <= mostMaps;
+    }
+    options.minMaps = parts.front().toInt();
+    options.maxMaps = parts.back().toInt();
+    if (!areNumbers || options.minMaps > options.maxMaps)
+        throw UsageError{tr("--maps “%1” is not valid: it must be a number from 2 to 16, or a range such as "
+                            "2-8.")
+                             .arg(QString::fromStdString(text))};
+}
+
+collage::SearchOptions optionsOf(const CollageArguments& arguments) {
+    collage::SearchOptions options;
+    readMaps(arguments.maps, options);
+    if (arguments.seconds && arguments.starts)
+        throw UsageError{tr("--seconds and --starts exclude each other.")};
+    if (arguments.seconds)
+        options.time = std::chrono::duration<double>(secondsArgument("--seconds", *arguments.seconds));
+    if (arguments.starts)
+        options.starts = std::size_t(countArgument("--starts", *arguments.starts, 1, 1'000'000'000));
+    options.seed = wholeArgument("--seed", arguments.seed);
+    if (arguments.similarities) options.mapClass = collage::MapClass::Similarity;
+    options.threads = arguments.threads ? integerArgument("--threads", *arguments.threads, 1, 1024)
+                                        : io::threadsOfThisMachine();
+    options.maxResults = 4;
+    return options;
+}
+
+void checkOutputs(const CollageArguments& arguments) {
+    const QString output = fileNameOf(arguments.output), picture = fileNameOf(arguments.picture);
+    if (!isStandardOutput(output) && QFileInfo(output).suffix().toLower() != QStringLiteral("ifs"))
+        throw UsageError{tr("The system is written as .ifs, and “%1” is named otherwise.").arg(output)};
+    if (!isStandardOutput(output) && isSameFile(output, picture))
+        throw UsageError{tr("“%1” is the picture that is read. Write to another file.").arg(output)};
+    if (!arguments.report) return;
+    const QString report = fileNameOf(*arguments.report);
+    if (report == output || (!isStandardOutput(report) && isSameFile(report, picture)))
+        throw UsageError{
+            tr("--report “%1” names the picture or the output. Write to another file.").arg(report)};
+}
+
+// What the readers of pictures say is no sentence of ours.
+class QuietReaders {
+public:
+    QuietReaders()
+        : m_handler(qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {})) {}
+    ~QuietReaders() { qInstallMessageHandler(m_handler); }
+    QuietReaders(const QuietReaders&) = delete;
+    QuietReaders& operator=(const QuietReaders&) = delete;
+
+private:
+    QtMessageHandler m_handler;
+};
+
+// Throws InputError where there is nothing to trace.
+collage::Mask targetOf(const CollageArguments& arguments) {
+    const QString name = fileNameOf(arguments.picture);
+    std::optional<int> threshold;
+    if (arguments.threshold) threshold = integerArgument("--threshold", *arguments.threshold, 0, 255);
+    const io::Loaded loaded = loadBytes(arguments.picture);
+    if (loaded.failure) throw InputError{name, *loaded.failure, ExitStatus::CannotReadOrWrite};
+    const QuietReaders quiet;
+    const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes);
+    if (grey.flaw) throw InputError{name, *grey.flaw};
+    if (grey.isReduced)
+        reportWarning(name, tr("The picture is large; it is traced at %1 × %2 pixels.")
+                                .arg(grey.picture.width)
+                                .arg(grey.picture.height));
+    const auto polarity = arguments.invert ? collage::Polarity::Background : collage::Polarity::Shape;
+    collage::Mask mask = collage::targetMask(grey.picture, threshold, polarity);
+    const std::size_t area = collage::area(mask);
+    if (area == 0 || area == mask.cells.size())
+        throw InputError{name, threshold ? tr("With this threshold, the shape is empty or fills the picture.")
+                                         : tr("The picture has one shade only, so there is no shape in it.")};
+    return mask;
+}
+
+document::Fractal fractalOf(const collage::Suggestion& found, const QString& picture) {
+    document::Fractal fractal;
+    const QString name = QFileInfo(picture).completeBaseName();
+    fractal.name = picture == u"-" || name.isEmpty() ? QStringLiteral("collage") : name;
+    document::Shape<2> shape;
+    for (std::size_t i = 0; i < found.maps.size(); ++i)
+        ifs::append<2>(shape.system, found.maps[i], found.weights[i]);
+    fractal.shape = std::move(shape);
+    return fractal;
+}
+
+QByteArray reportOf(const collage::Mask& mask, const collage::Suggestion& found, std::size_t starts) {
+    io::JsonWriter json;
+    json.beginObject(io::JsonWriter::Layout::Inline);
+    json.key("size");
+    json.beginArray(io::JsonWriter::Layout::Inline);
+    json.value(mask.width);
+    json.value(mask.height);
+    json.endArray();
+    json.member("mean", found.attractor.mean);
+    json.member("p95", found.attractor.p95);
+    json.member("hausdorff", found.collage.images.hausdorff);
+    json.member("iou", found.attractor.iou);
+    json.member("bound", found.collage.bound);
+    json.member("starts", double(starts));
+    json.endObject();
+    return json.text() + '\n';
+}
+
+ExitStatus collageOf(const CollageArguments& arguments) {
+    const ProgressMode mode = applied(arguments.verbosity);
+    const collage::SearchOptions options = optionsOf(arguments);
+    checkOutputs(arguments);
+    const Interrupt interrupt;
+    const collage::Mask mask = targetOf(arguments);
+    ProgressBar bar(mode);
+    const collage::Suggestions found = collage::suggestions(
+        mask, options, [&](double share) { bar.show(share); }, interrupt.token());
+    bar.clear();
+    if (interrupt.token().stop_requested()) {
+        reportError(QStringLiteral("barycage-cli"), tr("Interrupted; nothing was written."));
+        return interrupt.status();
+    }
+    if (found.list.empty()) throw InputError{fileNameOf(arguments.picture), tr("No system was found.")};
+    const collage::Suggestion& best = found.list.front();
+    const ExitStatus status = writeOutput(fileNameOf(arguments.output),
+                                          io::writeEntry(fractalOf(best, fileNameOf(arguments.picture))));
+    if (status != ExitStatus::Done || !arguments.report) return status;
+    return writeOutput(fileNameOf(*arguments.report), reportOf(mask, best, found.starts));
+}
+
+void addSearchOptions(CLI::App& command, CollageArguments& arguments) {
+    const auto add = [&](const char* names, const char* shown, auto& value, const char* description,
+                         const char* standard = "") {
+        command.add_option(names, value, description)
+            ->type_name(shown)
+            ->default_str(standard)
+            ->group("Search");
+    };
+    add("--maps", "N|MIN-MAX", arguments.maps,
+        "Number of maps, 2 to 16, or a range in which each map must pay for itself", "2-8");
+    add("--seconds", "S", arguments.seconds, "How long to search", "2");
+    add("--starts", "K", arguments.starts,
+        "How many random starts to make instead; the same result on every run");
+    add("--seed", "K", arguments.seed, "Seed of the random starts", "1");
+    command.add_flag("--similarities", arguments.similarities, "Only maps that keep all angles")
+        ->group("Search");
+    add("-j,--threads", "N", arguments.threads, "Threads, 1 to 1024; never changes the result of --starts",
+        "all cores");
+}
+
+} // namespace
+
+Command collageCommand(CLI::App& program) {
+    auto arguments = std::make_shared<CollageArguments>();
+    CLI::App* command =
+        program.add_subcommand("collage", "Find a system whose attractor looks like a picture");
+    command->footer("collage PICTURE -o OUT.ifs [OPTION]...");
+    const auto add = [&](const char* names, const char* shown, auto& value, const char* description,
+                         const char* group, const char* standard = "") {
+        return command->add_option(names, value, description)
+            ->type_name(shown)
+            ->default_str(standard)
+            ->group(group);
+    };
+    add("PICTURE", "PICTURE", arguments->picture, "PNG, JPEG, GIF, BMP or PNM; - for standard input", "Files")
+        ->required();
+    add("-o,--output", "OUT.ifs", arguments->output, "File to write; - for standard output", "Files")
+        ->required();
+    add("--report", "R.json", arguments->report, "Write how well it fits, in pixels of the picture", "Files");
+    add("--threshold", "T", arguments->threshold,
+        "Grey level from 0 to 255 up to which a pixel is dark and belongs to the shape", "Shape", "Otsu's");
+    command->add_flag("--invert", arguments->invert, "Trace what is light, or transparent, instead")
+        ->group("Shape");
+    addSearchOptions(*command, *arguments);
+    addVerbosityOptions(*command, arguments->verbosity);
+    return {command, [arguments] { return collageOf(*arguments); }};
+}
+
+} // namespace cli

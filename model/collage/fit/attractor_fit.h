@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/fit/map_fit.h"
+#include "collage/target/target.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace collage {
+
+struct AttractorSchedule {
+    MapClass mapClass = MapClass::Affine;
+    int iterations = 12;
+    double largestNorm = 0.95;
+};
+
+// Moves the maps so that their attractor, not only the collage, comes closer to the target: Gauss–Newton
+// through the dynamics, where a point x = w_i(y) of the attractor has the derivative A_i ∂y + ∂w_i(y).
+// docs/mathematics.md, "Collages". Maps of the plane, contractions all; visibleError() does not grow. Maps
+// with `locked` stay bit for bit; an empty span locks none.
+std::vector<ifs::AffineMap<2>> fittedAttractor(const Target& target, std::vector<ifs::AffineMap<2>> maps,
+                                               const AttractorSchedule& schedule,
+                                               std::span<const std::uint8_t> locked = {});
+
+} // namespace collage

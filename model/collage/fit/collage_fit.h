@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/fit/map_fit.h"
+#include "collage/target/target.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// The iterative closest point method for collages. docs/mathematics.md, "Collages".
+namespace collage {
+
+struct FitSchedule {
+    MapClass mapClass = MapClass::Affine;
+    int iterations = 40;
+    int cautious = 15; // so many of them at first keep the norms at most cautiousNorm,
+    double cautiousNorm = 0.75;
+    double largestNorm = 0.9; // the others this one
+};
+
+// Moves maps so that the images of a target cover it and nothing else. One per thread: it holds what it works
+// with. The target must outlive it.
+class CollageFit {
+public:
+    explicit CollageFit(const Target& target);
+
+    // Maps in grid coordinates. Those with `locked` stay bit for bit; an empty span locks none.
+    void improve(std::vector<ifs::AffineMap<2>>& maps, const FitSchedule& schedule,
+                 std::span<const std::uint8_t> locked = {});
+
+    // The mean distance, in cells, from the target to its images and from these to the target, both counted
+    // half. Images beyond the grid count as if they were on its edge.
+    double error(std::span<const ifs::AffineMap<2>> maps);
+
+    // Which share of the target is nearest to the image of each map, sum 1; of the last call of one of the
+    // functions above.
+    std::vector<double> shares() const;
+
+private:
+    void place(std::span<const ifs::AffineMap<2>> maps);
+    void placeImages(const ifs::AffineMap<2>& map, std::size_t index);
+    void pullImages(const ifs::AffineMap<2>& map, std::size_t index, PairSums& sums) const;
+    void coverTarget(std::vector<PairSums>& sums) const;
+
+    const Target& m_target;
+    Eigen::Matrix3d m_moments;          // of the target's centres, with 1 appended
+    std::vector<std::int32_t> m_labels; // of every cell: 1 + map · points + point that has its image there
+    std::vector<std::int32_t> m_images; // of every map and point: the cell of its image
+    std::vector<float> m_distance;      // of every cell to the target
+    NearestCells m_nearest;
+};
+
+} // namespace collage

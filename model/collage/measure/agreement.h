@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/target/target.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+// How well a collage, or an attractor, agrees with a target. Distances are in cells of the target's grid,
+// which are pixels for a target made with the factor 1. docs/mathematics.md, "Collages".
+namespace collage {
+
+struct Agreement {
+    double coverage = 0;  // |B ∩ L| / |L| for the target L and what is compared with it, B
+    double excess = 0;    // |B ∖ L| / |L|
+    double iou = 0;       // |B ∩ L| / |B ∪ L|
+    double mean = 0;      // of the distances from B to L and from L to B, both counted half
+    double p95 = 0;       // 95 % of all cells of B and L are at most that far from the other
+    double hausdorff = 0; // the largest distance
+    ifs::Vector<2> worst = ifs::Vector<2>::Zero(); // where that is, in the plane
+};
+
+struct CollageMeasure {
+    Agreement images;       // B = W(L), the union of the images of the target
+    double contraction = 0; // s, the largest spectral norm of a map
+    // No point of the target is farther from the attractor, nor the other way round: (d_H(L, W(L)) +
+    // (2 + s)/√2)/(1 − s), in pixels. For a target made with the factor 1; nullopt unless s < 1.
+    std::optional<double> bound;
+};
+
+// The maps are those of the plane; there must be one at least, and all must be finite.
+CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineMap<2>> maps);
+// B = the attractor of the maps, contractions all of them.
+Agreement attractorAgreement(const Target& target, std::span<const ifs::AffineMap<2>> maps);
+
+// What a fit of an attractor makes small, in units of the plane: the mean distance, and a little for what is
+// not covered, so that solid shapes come out solid: 0.003 of the size of the target times 1 − iou.
+double visibleError(const Target& target, const Agreement& attractor);
+
+double contraction(std::span<const ifs::AffineMap<2>> maps); // the largest spectral norm
+
+// The cells that the attractor meets, on the grid of the target.
+Mask attractorMask(const Grid& grid, std::span<const ifs::AffineMap<2>> maps);
+
+} // namespace collage

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/target/target.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace collage {
+
+// A point of the attractor: map `map` of point `parent`. The first point is its own parent, the fixed point
+// of map 0.
+struct AttractorPoint {
+    double x = 0;
+    double y = 0;
+    std::int32_t parent = 0;
+    std::int32_t map = 0;
+};
+
+// At most one point of the attractor in each square of side `step`, in breadth-first order from the fixed
+// point of the first map: every square that a map leads to from one with a point has a point. Maps and points
+// are in the coordinates of the grid, which the attractor may leave. Empty when the first map has no fixed
+// point; not more than `maxPoints`. docs/mathematics.md, "Collages".
+std::vector<AttractorPoint> attractorPoints(std::span<const ifs::AffineMap<2>> maps, const Grid& grid,
+                                            double step, std::size_t maxPoints);
+
+} // namespace collage

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/target/target.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace collage {
+
+// Similarities that map the target into itself, roughly: each takes its mean to one of its cells, far from
+// those of the others, with any angle; one in three mirrors. The same seed and index give the same maps on
+// every machine. In grid coordinates.
+std::vector<ifs::AffineMap<2>> randomStart(const Target& target, int maps, std::uint64_t seed,
+                                           std::uint64_t index);
+
+} // namespace collage

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/target/mask.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <optional>
+
+namespace io {
+
+// A picture as the target of a collage.
+struct LoadedGrey {
+    collage::GreyPicture picture;
+    bool isReduced = false;      // it has more pixels than are traced: maxTracedSide
+    std::optional<QString> flaw; // the user's sentence when it cannot be used
+};
+
+constexpr int minTracedSide = 8;    // pixels
+constexpr int maxTracedSide = 1024; // pixels; larger pictures are scaled down
+
+// Reads PNG, JPEG, GIF, BMP and PNM. Nearly opaque pixels are seen on white. Refused are animations, JPEG
+// pictures in CMYK, whose grey levels depend on the program that wrote them, incomplete pictures, and those
+// with more than 32 million pixels. Memory is bounded by these.
+LoadedGrey readGreyPicture(const QByteArray& bytes);
+
+} // namespace io

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+
+namespace io {
+
+struct JpegFacts {
+    bool isComplete = false; // it has its end marker
+    int components = 0;      // 1 grey, 3 colours, 4 CMYK; 0 without a frame header
+};
+// From the markers alone; the bytes must begin as a JPEG file does.
+JpegFacts jpegFacts(const QByteArray& bytes);
+
+} // namespace io

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "collage/drawings.h"
+#include "collage/fit/attractor_fit.h"
+#include "collage/fit/collage_fit.h"
+#include "collage/measure/agreement.h"
+#include "collage/random_start.h"
+#include "ifs/canonical_systems.h"
+#include "support/near.h"
+
+#include <QTest>
+
+#include <numeric>
+
+using namespace collage;
+
+namespace {
+
+using Maps = std::vector<ifs::AffineMap<2>>;
+
+const std::vector<double> mapleWeights{0.05, 0.3, 0.3, 0.35};
+
+Maps maple() {
+    return drawings::fitted(canonical::maple(), mapleWeights);
+}
+
+Target mapleTarget() {
+    return target(drawings::chaosGame(maple(), mapleWeights, 256, 1'000'000), 2, 0.25);
+}
+
+Maps onGrid(const Grid& grid, const Maps& maps) {
+    Maps result;
+    for (const auto& map : maps)
+        result.push_back(inGrid(grid, map));
+    return result;
+}
+
+// The code of the maple, each of its maps a little off.
+Maps disturbed() {
+    Maps maps = maple();
+    const auto turn = ifs::affineMap(0.98, -0.05, 0.05, 0.98, 0, 0);
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        maps[i] = ifs::affineMap(1, 0, 0, 1, i % 2 == 0 ? 0.02 : -0.02, 0.015) * maps[i] * turn;
+    return maps;
+}
+
+} // namespace
+
+class CollageFitTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void closestPointsImproveTheCollage() {
+        const Target l = mapleTarget();
+        CollageFit fit(l);
+        Maps maps = onGrid(l.grid, disturbed());
+        const double before = fit.error(maps);
+        fit.improve(maps, {MapClass::Affine, 40, 0, 0.9, 0.9});
+        QVERIFY2(fit.error(maps) < before / 3, qPrintable(QString::number(fit.error(maps) / before)));
+        const std::vector<double> shares = fit.shares();
+        QVERIFY(support::near(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-9));
+    }
+
+    void gaussNewtonImprovesTheAttractor() {
+        const Target l = mapleTarget();
+        const Maps before = disturbed();
+        const Maps after = fittedAttractor(l, before, {});
+        const double was = attractorAgreement(l, before).mean, is = attractorAgreement(l, after).mean;
+        QVERIFY2(is < was / 3, qPrintable(QStringLiteral("%1 → %2").arg(was).arg(is)));
+        QVERIFY(contraction(after) <= 0.95 + 1e-12);
+    }
+
+    void lockedMapsKeepTheirBits() {
+        const Target l = mapleTarget();
+        const std::vector<std::uint8_t> locked{0, 1, 1, 0};
+        const Maps before = disturbed();
+        const Maps after = fittedAttractor(l, before, {}, locked);
+        Maps onIt = onGrid(l.grid, before);
+        const Maps wasOnIt = onIt;
+        CollageFit(l).improve(onIt, {}, locked);
+        for (const std::size_t i : {1U, 2U}) {
+            QCOMPARE(after[i], before[i]);
+            QCOMPARE(onIt[i], wasOnIt[i]);
+        }
+        QVERIFY(!(onIt[0] == wasOnIt[0]) && !(onIt[3] == wasOnIt[3]));
+        QVERIFY(!(after[0] == before[0] && after[3] == before[3]));
+        QCOMPARE(fittedAttractor(l, before, {}, std::vector<std::uint8_t>(4, 1)), before);
+    }
+
+    void similaritiesStaySimilarities() {
+        const Target l = target(drawings::all(256).front().mask, 4, 0.25);
+        for (std::uint64_t start = 0; start < 20; ++start) {
+            Maps maps = randomStart(l, 4, 1, start);
+            const Maps before = maps;
+            CollageFit(l).improve(maps, {MapClass::Similarity, 20, 10, 0.75, 0.9});
+            Maps plane;
+            for (const auto& map : maps)
+                plane.push_back(fromGrid(l.grid, map));
+            plane = fittedAttractor(l, plane, {MapClass::Similarity, 4, 0.9});
+            for (std::size_t i = 0; i < maps.size(); ++i) {
+                const ifs::Vector<2> s = ifs::singularValues<2>(plane[i].linear);
+                QVERIFY(s[0] - s[1] < 1e-9 && s[0] <= 0.9 + 1e-12);
+                QVERIFY(ifs::determinant<2>(plane[i].linear) * ifs::determinant<2>(before[i].linear) > 0);
+            }
+        }
+    }
+
+    void normsAreLimited() {
+        const auto map = ifs::affineMap(1.2, 0.3, -0.2, 0.4, 2, 3);
+        const ifs::Vector<2> centre(5, -1);
+        const auto limited = withNormAtMost(0.75, map, centre);
+        QVERIFY(support::near(ifs::spectralNorm<2>(limited.linear), 0.75, 1e-12));
+        QVERIFY(support::near<2>(limited(centre), map(centre), 1e-12));
+        QCOMPARE(withNormAtMost(1.3, map, centre), map);
+    }
+
+    void leastSquaresFindTheMap() {
+        for (const double sigma : {1.0, -1.0}) {
+            const auto map = ifs::affineMap(0.4, -sigma * 0.3, 0.3, sigma * 0.4, 7, -2);
+            PairSums sums;
+            for (const auto& [x, y] : {std::pair{0.0, 0.0}, {3.0, 1.0}, {-2.0, 5.0}, {4.0, -4.0}}) {
+                const ifs::Vector<2> image = map({x, y});
+                sums.add(x, y, image.x(), image.y(), 1 + x * x);
+            }
+            for (const MapClass mapClass : {MapClass::Affine, MapClass::Similarity}) {
+                const auto found = leastSquaresMap(sums, mapClass, ifs::affineMap(1, 0, 0, sigma, 0, 0));
+                QVERIFY((found.linear - map.linear).norm() < 1e-9);
+                QVERIFY(support::near<2>(found.translation, map.translation, 1e-9));
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(CollageFitTest)
+#include "collage_fit_test.moc"

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "collage/drawings.h"
+#include "collage/suggestions.h"
+#include "io/collection_reader.h"
+#include "io/file/save_file.h"
+#include "support/near.h"
+#include "support/paths.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <numeric>
+
+using namespace collage;
+
+namespace {
+
+SearchOptions options(int maps, std::size_t starts) {
+    SearchOptions options;
+    options.minMaps = options.maxMaps = maps;
+    options.starts = starts;
+    options.seed = 5;
+    options.threads = 2;
+    return options;
+}
+
+struct Entry {
+    QString name;
+    std::vector<ifs::AffineMap<2>> maps;
+    std::vector<double> probabilities;
+};
+
+// The entries of the collection in the plane with 2 to 6 maps that are contractions.
+std::vector<Entry> collection() {
+    std::vector<Entry> entries;
+    const QDir folder(support::sourcePath(QStringLiteral("ifs_library")));
+    for (const QString& file : folder.entryList({QStringLiteral("*.ifs")}, QDir::Files, QDir::Name))
+        for (const document::Entry& entry :
+             io::readCollection(io::loadFile(folder.filePath(file)).bytes, file).file.entries) {
+            const document::System2* system = document::system2(*entry.fractal);
+            if (system == nullptr) continue;
+            const auto active = ifs::activeMaps(*system);
+            if (active.maps.size() < 2 || active.maps.size() > 6 || contraction(active.maps) >= 1) continue;
+            entries.push_back({entry.fractal->name, active.maps, active.probabilities});
+        }
+    return entries;
+}
+
+} // namespace
+
+class SuggestionsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void drawingsAreApproximated_data() {
+        QTest::addColumn<int>("drawing");
+        QTest::addColumn<int>("maps");
+        QTest::addColumn<double>("mean"); // pixels of 256
+        const auto row = [](const char* name, int drawing, int maps, double mean) {
+            QTest::newRow(name) << drawing << maps << mean;
+        };
+        row("disc", 0, 4, 0.2);
+        row("ring", 1, 6, 1);
+        row("star", 2, 5, 0.6);
+        row("L", 3, 4, 0.4);
+        row("leaf", 4, 4, 0.4);
+        row("hollow triangle", 5, 6, 1.2);
+        row("T", 6, 4, 0.8);
+        row("separate discs", 7, 6, 1.2);
+    }
+    void drawingsAreApproximated() {
+        QFETCH(int, drawing);
+        QFETCH(int, maps);
+        QFETCH(double, mean);
+        const Mask mask = drawings::all(256)[std::size_t(drawing)].mask;
+        const Suggestions found = suggestions(mask, options(maps, 128));
+        QCOMPARE(found.starts, 128U);
+        const Suggestion& best = found.list.front();
+        QVERIFY2(best.attractor.mean <= mean, qPrintable(QString::number(best.attractor.mean)));
+        QCOMPARE(int(best.maps.size()), maps);
+        QVERIFY(contraction(best.maps) <= 0.9 + 1e-9);
+        QVERIFY(best.collage.bound.has_value());
+        QVERIFY(support::near(std::accumulate(best.weights.begin(), best.weights.end(), 0.0), 1, 1e-9));
+    }
+
+    void resultsAreDistinct() {
+        const Mask mask = drawings::all(128)[4].mask;
+        const Suggestions found = suggestions(mask, options(3, 96));
+        QVERIFY(found.list.size() >= 2);
+        const double size = target(mask, 1, 0).size;
+        for (std::size_t i = 0; i < found.list.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                QVERIFY(!isAlike(found.list[i], found.list[k], size));
+        QVERIFY(isAlike(found.list[0], found.list[0], size));
+    }
+
+    void theNumberOfThreadsChangesNothing_data() {
+        QTest::addColumn<int>("minMaps");
+        QTest::newRow("four maps") << 4;
+        QTest::newRow("two to four maps") << 2;
+    }
+    void theNumberOfThreadsChangesNothing() {
+        QFETCH(int, minMaps);
+        const Mask mask = drawings::all(128)[6].mask;
+        SearchOptions one = options(4, 75);
+        one.minMaps = minMaps;
+        one.threads = 1;
+        const Suggestions expected = suggestions(mask, one);
+        for (const int threads : {2, 5}) {
+            one.threads = threads;
+            const Suggestions found = suggestions(mask, one);
+            QCOMPARE(found.starts, 75U);
+            QCOMPARE(found.list.size(), expected.list.size());
+            for (std::size_t i = 0; i < found.list.size(); ++i) {
+                QCOMPARE(found.list[i].maps, expected.list[i].maps);
+                QCOMPARE(found.list[i].weights, expected.list[i].weights);
+            }
+        }
+        one.seed = 6;
+        QVERIFY(suggestions(mask, one).list.front().maps != expected.list.front().maps);
+    }
+
+    void timeDecidesOnlyHowManyStarts() {
+        const Mask mask = drawings::all(128)[3].mask;
+        SearchOptions timed = options(3, 0);
+        timed.time = std::chrono::duration<double>(0.2);
+        const Suggestions found = suggestions(mask, timed);
+        QVERIFY(found.starts > 0);
+        QCOMPARE(suggestions(mask, options(3, found.starts)).list.front().maps, found.list.front().maps);
+    }
+
+    void moreMapsMustPayForThemselves() {
+        SearchOptions range = options(2, 300);
+        range.maxMaps = 8;
+        const Suggestions disc = suggestions(drawings::all(128)[0].mask, range);
+        QVERIFY2(disc.list.front().maps.size() <= 5,
+                 qPrintable(QString::number(disc.list.front().maps.size())));
+        const Suggestions ring = suggestions(drawings::all(128)[1].mask, range);
+        QVERIFY(ring.list.front().maps.size() > disc.list.front().maps.size());
+    }
+
+    void aStopEndsTheSearch() {
+        std::stop_source source;
+        source.request_stop();
+        QVERIFY(suggestions(drawings::all(64)[0].mask, options(3, 1'000'000), {}, source.get_token())
+                    .list.empty());
+    }
+
+    void smallestShapesHaveSuggestions() {
+        Mask pixel = emptyMask(16, 16);
+        pixel.cells[pixel.index(3, 12)] = 1;
+        Mask line = emptyMask(400, 20);
+        for (int x = 10; x < 300; ++x)
+            line.cells[line.index(x, 4)] = 1;
+        for (const Mask& mask : {pixel, line}) {
+            const Suggestions found = suggestions(mask, options(2, 32));
+            QVERIFY(!found.list.empty());
+            QVERIFY2(found.list.front().attractor.mean < 0.5,
+                     qPrintable(QString::number(found.list.front().attractor.mean)));
+        }
+    }
+
+    // Pictures of fractals that are systems of so many maps: four in five to 1.5 pixels of 256. A sample of
+    // them; all with BARYCAGE_WHOLE_COLLECTION in the environment.
+    void attractorsOfTheCollection() {
+        const std::vector<Entry> entries = collection();
+        QVERIFY(entries.size() > 40);
+        const bool isWhole = qEnvironmentVariableIsSet("BARYCAGE_WHOLE_COLLECTION");
+        const std::size_t step = isWhole ? 1 : entries.size() / 10;
+        int good = 0, all = 0;
+        for (std::size_t i = 0; i < entries.size(); i += step) {
+            const auto maps = drawings::fitted(entries[i].maps, entries[i].probabilities);
+            const Mask mask = drawings::chaosGame(maps, entries[i].probabilities, 256, 400'000);
+            const double mean = suggestions(mask, options(int(maps.size()), 256)).list.front().attractor.mean;
+            ++all;
+            if (mean <= 1.5) ++good;
+            if (isWhole || mean > 1.5)
+                qInfo("%s (%zu maps): %.2f", qPrintable(entries[i].name), maps.size(), mean);
+        }
+        QVERIFY2(good >= 0.8 * all, qPrintable(QStringLiteral("%1 of %2").arg(good).arg(all)));
+    }
+};
+
+QTEST_APPLESS_MAIN(SuggestionsTest)
+#include "suggestions_test.moc"
