@@ -18,6 +18,7 @@ struct Command {
 };
 
 Command animateCommand(CLI::App& program);
+Command encodeCommand(CLI::App& program);
 Command galleryCommand(CLI::App& program);
 Command mergeCommand(CLI::App& program);
 Command infoCommand(CLI::App& program);
