@@ -61,9 +61,13 @@ Recipe recipeOf(const VideoSettings& settings) {
     case VideoFormat::Gif:
         return {"gif",           "gif", AV_PIX_FMT_PAL8,
                 AV_PIX_FMT_PAL8, {},    {{"loop", settings.repeats ? "0" : "-1"}}};
-    case VideoFormat::WebP:
-        return {"webp",          "libwebp_anim",      AV_PIX_FMT_BGRA,
-                AV_PIX_FMT_BGRA, {{"quality", "95"}}, {{"loop", settings.repeats ? "0" : "1"}}};
+    case VideoFormat::WebP: // without loss, because with loss it has a quarter of the colours
+        return {"webp",
+                "libwebp_anim",
+                AV_PIX_FMT_BGRA,
+                AV_PIX_FMT_BGRA,
+                {{"lossless", "1"}, {"quality", "50"}},
+                {{"loop", settings.repeats ? "0" : "1"}}};
     case VideoFormat::Apng:
         return {"apng",          "apng",           AV_PIX_FMT_RGB24,
                 AV_PIX_FMT_RGBA, {{"pred", "up"}}, {{"plays", settings.repeats ? "0" : "1"}}};

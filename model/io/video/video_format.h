@@ -12,7 +12,7 @@ enum class VideoFormat {
     WebM, // VP9
     Mkv,  // FFV1, without loss
     Gif,
-    WebP,
+    WebP, // without loss
     Apng, // without loss
 };
 
