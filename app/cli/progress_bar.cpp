@@ -65,7 +65,6 @@ void ProgressBar::show(double fraction) {
     constexpr int width = 40;
     const int percent = int(std::lround(100 * fraction));
     if (!m_visible || percent == m_percent) return;
-    if (m_percent < 0) m_begin = Clock::now();
     m_percent = percent;
     std::string bar(std::size_t(width * percent / 100), '#');
     bar.resize(width, '.');

@@ -39,7 +39,7 @@ private:
 
     bool m_visible;
     int m_percent = -1;
-    Clock::time_point m_begin = Clock::now(); // at the first call of show()
+    Clock::time_point m_begin = Clock::now();
 };
 
 } // namespace cli

@@ -175,7 +175,7 @@ Failure videoObstacle(const VideoSettings& settings) {
             .arg(side)
             .arg(*facts.maxSide);
     if (facts.maxRate && settings.rate.frames > std::int64_t(*facts.maxRate) * settings.rate.seconds)
-        return VideoTexts::tr("This format shows at most %1 frames per second; give a lower rate with --fps.")
+        return VideoTexts::tr("This format shows at most %1 frames per second. Choose a lower rate.")
             .arg(*facts.maxRate);
     return std::nullopt;
 }
@@ -207,7 +207,7 @@ struct VideoWriter::State {
 Failure videoObstacle(const VideoSettings&) {
     return VideoTexts::tr(
         "This Barycage was built without FFmpeg's libraries and writes no videos. Write the frames as "
-        "NAME.####.png instead.");
+        "PNG pictures instead.");
 }
 
 VideoWriter::VideoWriter(const QString&, const VideoSettings& settings)
