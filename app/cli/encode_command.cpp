@@ -119,6 +119,11 @@ public:
                             .arg(listed(missing)));
             return ExitStatus::InputProblems;
         }
+        if (const auto damage = io::pngDamage(pathOf(0))) {
+            reportError(pathOf(0), *damage);
+            return ExitStatus::InputProblems;
+        }
+        m_size = QImageReader(pathOf(0), "png").size();
         const QString output = fileNameOf(m_arguments.output);
         VideoSource source;
         source.count = int(m_numbers.size());
@@ -138,6 +143,8 @@ private:
     io::VideoSettings settings() const {
         io::VideoSettings settings;
         settings.format = m_arguments.format;
+        settings.width = m_size.width();
+        settings.height = m_size.height();
         const io::Loaded first = io::loadFile(pathOf(0));
         const io::EmbeddedSystem system = io::readPngSystem(first.bytes);
         const document::FractalFile file =
@@ -170,19 +177,19 @@ private:
         const QString path = pathOf(index);
         if (const auto damage = io::pngDamage(path)) return refused(path, *damage);
         QImageReader reader(path, "png");
-        reader.setAllocationLimit(0); // of a size that the video has as well
+        const QSize size = reader.size();
+        if (size != m_size)
+            return refused(path,
+                           tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures of "
+                              "a video have one size.")
+                               .arg(size.width())
+                               .arg(size.height())
+                               .arg(m_size.width())
+                               .arg(m_size.height()));
+        reader.setAllocationLimit(0); // the video takes pictures of this size
         const QImage image = reader.read();
-        if (image.isNull())
-            return refused(path, tr("The picture cannot be read: %1.").arg(reader.errorString()));
-        if (index == 0) m_size = image.size();
-        if (image.size() == m_size) return image;
-        return refused(
-            path, tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures of a video "
-                     "have one size.")
-                      .arg(image.width())
-                      .arg(image.height())
-                      .arg(m_size.width())
-                      .arg(m_size.height()));
+        return image.isNull() ? refused(path, tr("The picture cannot be read: %1.").arg(reader.errorString()))
+                              : image;
     }
 
     QImage refused(const QString& path, const QString& sentence) {
