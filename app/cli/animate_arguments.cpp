@@ -54,17 +54,22 @@ Chunk chunkOf(const std::string& text) {
     return chunk;
 }
 
-void checkOutput(const QString& output) {
-    if (QFileInfo(output).suffix().toLower() != u"png" || isStandardOutput(output))
-        throw UsageError{
-            tr("The frames of an animation are written to .png files, such as NAME.####.png, and “%1” is not "
-               "one.")
-                .arg(output)};
-    const QString name = QFileInfo(output).fileName();
-    static const QRegularExpression groups(QStringLiteral("(?<!#)#")); // count() lets matches overlap
-    if (name.count(groups) != 1 || output.count(u'#') != name.count(u'#'))
-        throw UsageError{tr("The name of the output must have one group of #, which stands for the number of "
-                            "the frame, such as NAME.####.png.")};
+// What pictures have and a video has not.
+void refuseForVideo(const AnimateArguments& arguments) {
+    refuseIf(arguments.chunk.has_value(), "--chunk",
+             tr("one program writes a video. Share out the frames as NAME.####.png, and make the video from "
+                "them with encode."));
+    refuseIf(arguments.existing == "skip", "--existing skip",
+             tr("a video is written in one piece. Frames written as NAME.####.png can be skipped."));
+    refuseIf(is16Bit(arguments.picture), "--bits 16", tr("videos have 8 bits a channel."));
+    refuseIf(arguments.picture.dpi.has_value(), "--dpi", tr("videos have no resolution."));
+}
+
+Existing existingOf(const AnimateArguments& arguments) {
+    const std::string existing =
+        choiceArgument("--existing", arguments.existing.value_or(arguments.video ? "replace" : "skip"),
+                       {"skip", "replace", "fail"});
+    return existing == "skip" ? Existing::Skip : existing == "replace" ? Existing::Replace : Existing::Fail;
 }
 
 } // namespace
@@ -79,8 +84,8 @@ void addAnimateOptions(CLI::App& command, AnimateArguments& arguments) {
     command
         .add_option("-o,--output", arguments.picture.output,
                     "Pictures to write, such as NAME.####.png: #### is the number of the frame plus 1, with "
-                    "zeros in front")
-        ->type_name("NAME.####.png")
+                    "zeros in front; or a video: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
+        ->type_name("OUT")
         ->group("Files")
         ->required();
     addEntriesOption(command, arguments.picture.entries, "the first with an animation")
@@ -99,24 +104,45 @@ void addAnimateOptions(CLI::App& command, AnimateArguments& arguments) {
     add("--existing", "WHAT", arguments.existing,
         "What happens to files that exist: skip those that are complete and of the same request, replace "
         "them, or fail",
-        "skip");
+        "skip; of a video replace");
+    add("--fps", "R", arguments.rate, "Frames per second of a video, such as 24, 29.97 or 30000/1001",
+        "those of the animation");
+    add("--shutter", "DEG", arguments.picture.shutter,
+        "Motion blur: the angle for which the shutter is open around each frame, 0 to 360; 180 is half the "
+        "time of a frame",
+        "0");
+    add("--exposure", "HOW", arguments.picture.exposure,
+        "Brightness: smooth follows the whole animation without flicker, fixed is that of frame 0, each is "
+        "measured for every frame by itself",
+        "smooth");
     addFrameOptions(command, arguments.picture);
     command.get_option("--points")->description("Samples of each frame, such as 250000, 1e9 or 2G");
     addVerbosityOptions(command, arguments.picture.verbosity);
 }
 
 void check(AnimateArguments& arguments) {
-    checkOutput(fileNameOf(arguments.picture.output));
+    const QString output = fileNameOf(arguments.picture.output);
+    arguments.video = io::videoFormat(QFileInfo(output).suffix());
+    if (!arguments.video)
+        checkPattern(output);
+    else if (output.contains(u'#'))
+        throw UsageError{
+            tr("A video is one file, and the # in “%1” stands for the numbers of frames.").arg(output)};
+    if (arguments.video) arguments.picture.format = "png"; // of the frames, which nobody sees
     checked(arguments.picture);
+    if (arguments.video)
+        refuseForVideo(arguments);
+    else
+        refuseIf(arguments.rate.has_value(), "--fps", tr("it applies only to videos."));
+    if (arguments.rate) arguments.framesPerSecond = rateArgument("--fps", *arguments.rate);
+    if (arguments.picture.shutter) shutterArgument("--shutter", *arguments.picture.shutter);
+    arguments.picture.exposure =
+        choiceArgument("--exposure", arguments.picture.exposure, {"fixed", "smooth", "each"});
     if (arguments.picture.entries.size() > 1 || arguments.picture.entries == std::vector<std::string>{"all"})
         throw UsageError{tr("The frames are of one entry: give --entry once, with its name or number.")};
     if (arguments.frames) arguments.ranges = rangesOf(*arguments.frames);
     if (arguments.chunk) arguments.part = chunkOf(*arguments.chunk);
-    const std::string existing =
-        choiceArgument("--existing", arguments.existing, {"skip", "replace", "fail"});
-    arguments.whatExists = existing == "skip"      ? Existing::Skip
-                           : existing == "replace" ? Existing::Replace
-                                                   : Existing::Fail;
+    arguments.whatExists = existingOf(arguments);
 }
 
 std::vector<int> filesIn(const std::vector<FileRange>& ranges, int count) {
@@ -134,6 +160,20 @@ bool isAnyBeyond(const std::vector<FileRange>& ranges, int count) {
     return std::ranges::any_of(ranges, [count](const FileRange& range) {
         return range.last - (range.last - range.first) % range.step > count;
     });
+}
+
+void checkPattern(const QString& pattern) {
+    if (QFileInfo(pattern).suffix().toLower() != u"png" || isStandardOutput(pattern))
+        throw UsageError{
+            tr("The frames of an animation are written to .png files, such as NAME.####.png, or to a video "
+               "(.mp4, .webm, .mkv, .gif, .webp or .apng), and “%1” is none of them.")
+                .arg(pattern)};
+    const QString name = QFileInfo(pattern).fileName();
+    static const QRegularExpression groups(QStringLiteral("(?<!#)#")); // count() lets matches overlap
+    if (name.count(groups) != 1 || pattern.count(u'#') != name.count(u'#'))
+        throw UsageError{
+            tr("The name of the pictures must have one group of #, which stands for the number of "
+               "the frame, such as NAME.####.png.")};
 }
 
 QString numbered(const QString& pattern, int number) {

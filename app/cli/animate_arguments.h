@@ -3,6 +3,9 @@
 
 #include "render_arguments.h"
 
+#include "animation/animation.h"
+#include "io/video/video_format.h"
+
 #include <QString>
 
 #include <optional>
@@ -35,12 +38,13 @@ enum class Existing {
 struct AnimateArguments {
     std::string file;
     RenderArguments picture; // of every frame
-    std::optional<std::string> frames, chunk;
-    std::string existing = "skip";
+    std::optional<std::string> frames, chunk, existing, rate;
 
-    std::vector<FileRange> ranges; // that `frames` asks for; none: all
+    std::optional<io::VideoFormat> video; // that the output is, in place of pictures
+    std::vector<FileRange> ranges;        // that `frames` asks for; none: all
     Chunk part;
-    Existing whatExists = Existing::Skip;
+    Existing whatExists = Existing::Skip; // of videos never
+    std::optional<animation::FrameRate> framesPerSecond;
 };
 
 void addAnimateOptions(CLI::App& command, AnimateArguments& arguments);
@@ -51,6 +55,9 @@ void check(AnimateArguments& arguments);
 // The numbers that the ranges ask for, ascending, each once, up to `count`.
 std::vector<int> filesIn(const std::vector<FileRange>& ranges, int count);
 bool isAnyBeyond(const std::vector<FileRange>& ranges, int count);
+
+// Throws UsageError unless the name has one group of #, and ends in .png.
+void checkPattern(const QString& pattern);
 
 // The name of the file with this number: it stands for ####, with zeros in front.
 QString numbered(const QString& pattern, int number);

@@ -17,6 +17,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cli {
@@ -220,6 +221,27 @@ animation::Moment momentArgument(const std::string& option, const std::string& t
     const auto moment = animation::parseMoment(text);
     if (!moment) refuse(option, text, tr("it must be a frame from 0 on, such as 12, 12.5 or 25/2."));
     return *moment;
+}
+
+document::ShutterAngle shutterArgument(const std::string& option, const std::string& text) {
+    constexpr double thousand = 1000;
+    const auto degrees = io::parseNumber(QString::fromStdString(text));
+    if (!degrees || !(*degrees >= 0 && *degrees * thousand <= document::maxShutterAngle))
+        refuse(option, text,
+               tr("it must be an angle from 0 to 360 degrees; 180 is half the time of a frame."));
+    return document::ShutterAngle(std::lround(*degrees * thousand));
+}
+
+animation::FrameRate rateArgument(const std::string& option, const std::string& text) {
+    constexpr std::int64_t most = 1'000'000;
+    const auto rate = animation::parseMoment(text); // the same form
+    const bool isRate = rate && rate->numerator > 0 && rate->numerator <= most && rate->denominator <= most &&
+                        rate->numerator <= 1000 * rate->denominator;
+    if (!isRate)
+        refuse(
+            option, text,
+            tr("it must be frames per second, above 0 and at most 1000, such as 24, 29.97 or 30000/1001."));
+    return {int(rate->numerator), int(rate->denominator)};
 }
 
 attractor::View viewArgument(const std::string& option, const std::string& text) {

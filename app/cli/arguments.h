@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "animation/moment.h"
+#include "animation/animation.h"
 #include "attractor/colour/palette.h"
 #include "attractor/request/appearance.h"
 #include "attractor/request/camera.h"
+#include "document/shutter.h"
 #include "ifs/system/affine_map.h"
 
 #include <QSize>
@@ -42,6 +43,10 @@ attractor::Palette paletteArgument(const std::string& option, const std::string&
 
 animation::Moment momentArgument(const std::string& option,
                                  const std::string& text); // frames: "12.5", "25/2"
+
+document::ShutterAngle shutterArgument(const std::string& option,
+                                       const std::string& text); // degrees, to a thousandth
+animation::FrameRate rateArgument(const std::string& option, const std::string& text); // "24", "30000/1001"
 
 attractor::View viewArgument(const std::string& option, const std::string& text); // "cx,cy,height"
 

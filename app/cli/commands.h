@@ -19,6 +19,7 @@ struct Command {
 
 Command animateCommand(CLI::App& program);
 Command collageCommand(CLI::App& program);
+Command encodeCommand(CLI::App& program);
 Command galleryCommand(CLI::App& program);
 Command mergeCommand(CLI::App& program);
 Command infoCommand(CLI::App& program);

@@ -70,6 +70,11 @@ QByteArray requestHash(const document::Fractal& entry, int frame, const RenderAr
     request.addText("look", options.look);
     request.addNumbers("light", options.light);
     request.addNumbers("fog", options.fog);
+    if (options.shutter) {
+        const document::ShutterAngle angle = shutterArgument("--shutter", *options.shutter);
+        if (angle > 0) request.addCount("shutter", std::uint64_t(angle));
+    }
+    request.add("exposure", QByteArray::fromStdString(options.exposure));
     request.add("entry", io::writeEntry(entry));
     return QCryptographicHash::hash(request.text(), QCryptographicHash::Sha256).toHex();
 }

@@ -74,7 +74,8 @@ int main(int argc, char** argv) {
     program.set_version_flag("-V,--version", "barycage-cli " BARYCAGE_VERSION);
     const std::vector<cli::Command> commands = {cli::infoCommand(program),    cli::renderCommand(program),
                                                 cli::convertCommand(program), cli::galleryCommand(program),
-                                                cli::animateCommand(program), cli::morphCommand(program),
-                                                cli::mergeCommand(program),   cli::collageCommand(program)};
+                                                cli::animateCommand(program), cli::encodeCommand(program),
+                                                cli::morphCommand(program),   cli::mergeCommand(program),
+                                                cli::collageCommand(program)};
     return int(run(program, commands, words));
 }

@@ -4,6 +4,8 @@
 #include "arguments.h"
 #include "messages.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <unistd.h>
@@ -44,6 +46,21 @@ void ProgressBar::clear() {
     m_percent = -1;
 }
 
+// ", 1:05 left", once it can be told.
+std::string ProgressBar::timeLeft(double fraction) const {
+    constexpr double patience = 3; // seconds
+    const double passed = std::chrono::duration<double>(Clock::now() - m_begin).count();
+    if (passed < patience || !(fraction > 0.01)) return {};
+    const auto left = std::llround(std::min(passed * (1 - fraction) / fraction, 3.6e8));
+    std::array<char, 48> text{};
+    if (left >= 3600)
+        std::snprintf(text.data(), text.size(), ", %lld:%02lld:%02lld left", left / 3600, left / 60 % 60,
+                      left % 60);
+    else
+        std::snprintf(text.data(), text.size(), ", %lld:%02lld left", left / 60, left % 60);
+    return text.data();
+}
+
 void ProgressBar::show(double fraction) {
     constexpr int width = 40;
     const int percent = int(std::lround(100 * fraction));
@@ -51,7 +68,7 @@ void ProgressBar::show(double fraction) {
     m_percent = percent;
     std::string bar(std::size_t(width * percent / 100), '#');
     bar.resize(width, '.');
-    std::fprintf(stderr, "\r[%s] %3d %%", bar.c_str(), percent);
+    std::fprintf(stderr, "\r[%s] %3d %%%s\033[K", bar.c_str(), percent, timeLeft(fraction).c_str());
     std::fflush(stderr);
 }
 

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <string>
 
 namespace cli {
@@ -19,7 +20,8 @@ struct Verbosity {
 void addVerbosityOptions(CLI::App& command, Verbosity& verbosity);
 ProgressMode applied(const Verbosity& verbosity); // throws UsageError
 
-// One line on standard error that is drawn over, and gone at the end.
+// One line on standard error that is drawn over, and gone at the end. Of work that takes longer than a few
+// seconds it says how much time is left.
 class ProgressBar {
 public:
     explicit ProgressBar(ProgressMode mode);
@@ -32,8 +34,12 @@ public:
     void clear();
 
 private:
+    using Clock = std::chrono::steady_clock;
+    std::string timeLeft(double fraction) const;
+
     bool m_visible;
     int m_percent = -1;
+    Clock::time_point m_begin = Clock::now();
 };
 
 } // namespace cli

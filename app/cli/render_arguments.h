@@ -44,6 +44,8 @@ struct RenderArguments {
     Text part, band, resume;
     Text orbit, perspective, look, light, fog; // in space only
     Text frame;                                // of an animation
+    Text shutter;                              // of its frames, in degrees
+    std::string exposure = "smooth";           // of its frames
     std::string algorithm = "density";
     Text iterations, supersample, threads, depth, bits;
     Text timeLimit, memoryLimit;

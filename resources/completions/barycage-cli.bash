@@ -124,9 +124,10 @@ _barycage_cli_options() {
       --to --progress --quiet --help" ;;
     convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --y-as-written
       --progress --quiet --help" ;;
-    animate) options="--output --entry --frames --chunk --existing --size --points --seed --margin --view --orbit --perspective --look --light --fog --y-down
+    animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --orbit --perspective --look --light --fog --y-down
       --palette --colour --color --gamma --brightness --background --supersample --threads --bits --dpi --simd
       --progress --quiet --help" ;;
+    encode) options="--output --fps --progress --quiet --help" ;;
     collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --threads --progress --quiet --help" ;;
     morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
     merge) options="--output --threads --progress --quiet --help" ;;
@@ -201,9 +202,9 @@ _barycage_cli() {
   [[ -z $active && $typed == "$kept"* ]] || return 0
 
   if ((current == 1)); then
-    _barycage_cli_offer info render animate morph collage convert gallery merge help --version --help
+    _barycage_cli_offer info render animate encode morph collage convert gallery merge help --version --help
   elif ((current == 2)) && [[ ${line[1]} == help ]]; then
-    _barycage_cli_offer info render animate morph collage convert gallery merge
+    _barycage_cli_offer info render animate encode morph collage convert gallery merge
   elif [[ $typed == --*=* ]]; then
     _barycage_cli_value "${typed%%=*}" "${typed%%=*}="
   elif _barycage_cli_value "${line[current - 1]}"; then

@@ -28,7 +28,7 @@ function __barycage_cli_names
     end
 end
 
-set -l subcommands info render animate morph collage convert gallery merge
+set -l subcommands info render animate encode morph collage convert gallery merge
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a info -d "Show what a file contains"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a render -d "Draw an entry"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a animate -d "Draw the frames of an animation"
@@ -66,7 +66,13 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l y-as-writte
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info render" -l frame -x -d "Moment of an animation"
 set -l animate "__fish_seen_subcommand_from animate"
-complete -c barycage-cli -n $animate -s o -l output -r -d "Pictures to write, such as NAME.####.png"
+complete -c barycage-cli -n $animate -s o -l output -r -d "Pictures to write, such as NAME.####.png, or a video"
+complete -c barycage-cli -n "__fish_seen_subcommand_from animate encode" -l fps -x -d "Frames per second of a video"
+complete -c barycage-cli -n $animate -l shutter -x -d "Motion blur in degrees"
+complete -c barycage-cli -n $animate -l exposure -x -a "smooth fixed each" -d "Brightness"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $subcommands" -f -a encode -d "Make a video from pictures"
+complete -c barycage-cli -n "__fish_seen_subcommand_from encode" -s o -l output -r -d "Video to write"
+complete -c barycage-cli -n "__fish_seen_subcommand_from encode" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n $animate -l frames -x -d "Numbers of files"
 complete -c barycage-cli -n $animate -l chunk -x -d "Every n-th frame"
 complete -c barycage-cli -n $animate -l existing -x -a "skip replace fail" -d "What happens to files that exist"

@@ -14,6 +14,7 @@
 #include "io/sums/picture_request.h"
 #include "io/sums/sum_file.h"
 #include "io/table/table_reader.h"
+#include "io/video/video_system.h"
 
 #include <QBuffer>
 #include <QtEndian>
@@ -248,6 +249,13 @@ void readSvg(const QByteArray& bytes) {
     promise(system.text.size() <= bytes.size() * 3, "no entity is expanded");
 }
 
+void readVideo(const QByteArray& bytes) {
+    const io::EmbeddedSystem system = io::readVideoSystem(bytes);
+    promise(!system.failure || system.text.isEmpty(), "a failure gives no text");
+    promise(system.failure || !io::looksLikeVideo(bytes).isEmpty(), "only videos carry systems");
+    promise(system.text.size() <= bytes.size() * 3, "no text is longer than the file");
+}
+
 void readJournal(const QByteArray& bytes) {
     if (const auto snapshot = document::snapshotIn(bytes))
         promise(document::snapshotIn(document::recoveryFile(*snapshot)) == snapshot,
@@ -299,6 +307,7 @@ std::span<const Reader> readers() {
         {"sums", readSums, {"sum"}},
         {"png", readPng, {"png"}},
         {"svg", readSvg, {"svg"}},
+        {"video", readVideo, {"mp4", "webm", "mkv", "gif", "webp"}},
         {"journal", readJournal, {"journal"}},
         {"metadata_comments", readMetadataComments, {"comments"}},
     };

@@ -9,12 +9,14 @@
 #include "io/picture/svg_writer.h"
 #include "io/sums/picture_request.h"
 #include "io/sums/sum_file.h"
+#include "io/video/video_writer.h"
 #include "support/paths.h"
 
 #include <QBuffer>
 #include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
+#include <QTemporaryDir>
 
 #include <array>
 
@@ -54,6 +56,21 @@ QByteArray png(const QByteArray& system) {
     return device.data();
 }
 
+// Empty where videos cannot be written.
+QByteArray video(io::VideoFormat format, const QByteArray& system) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("video"));
+    io::VideoSettings settings;
+    settings.format = format;
+    settings.width = settings.height = 16;
+    settings.systemText = system;
+    io::VideoWriter writer(path, settings);
+    QImage frame(16, 16, QImage::Format_RGB32);
+    frame.fill(Qt::red);
+    writer.writeFrame(frame);
+    return writer.finish() ? QByteArray() : contents(path);
+}
+
 QByteArray svg(const document::Fractal& fractal) {
     attractor::Camera camera;
     camera.width = camera.height = 64;
@@ -89,6 +106,8 @@ QByteArrayList written(const QByteArray& suffix) {
         return {io::textOf({fractal}, *format)};
     if (suffix == "gpl") return {io::writeGimpPalette(attractor::builtInPalettes().front())};
     if (suffix == "png") return {png(io::writeEntry(triangle)), png({}), png(own.repeated(20))};
+    if (const auto format = io::videoFormat(QString::fromLatin1(suffix)))
+        return {video(*format, io::writeEntry(triangle)), video(*format, own)};
     if (suffix == "svg") return {svg(triangle)};
     if (suffix == "sum") return {sums(triangle)};
     if (suffix == "journal")

@@ -112,6 +112,18 @@ void HostileFilesTest::hugeFiles_data() {
     row("flames", "<flames>", "<flame name='a'/>", "", "limit for XML");
     row("flames to be read", "<flames>", "<flame name='a'/>", "</flames>", "more than 200000 flames",
         60'000'000);
+    row("a video of boxes",
+        QByteArray("\0\0\0\x0c"
+                   "ftypisom",
+                   12),
+        QByteArray("\0\0\0\x08"
+                   "free",
+                   8),
+        "", "contains no system");
+    row("a video of elements", QByteArray("\x1a\x45\xdf\xa3\x80\x18\x53\x80\x67\xff", 10),
+        "\x12\x54\xc3\x67\x80", "", "contains no system");
+    row("a video of comments", QByteArray("GIF89a\1\0\1\0\0\0\0", 13), QByteArray("!\xfe\x01x\0", 5), "",
+        "contains no system");
     row("a picture of text", "<svg><system xmlns='urn:barycage:system:1'>", "a { }\n", "", "limit for XML");
     row("a picture to be read", "<svg><system xmlns='urn:barycage:system:1'>", "a { }\n", "</system></svg>",
         "larger than 8 MB", 60'000'000);

@@ -4,16 +4,12 @@
 #include "attractor/colour/srgb_transfer.h"
 
 #include <algorithm>
-#include <array>
 
 namespace attractor {
 
 namespace {
 
-struct Sum {
-    double alpha = 0;
-    std::array<double, 3> light{}; // times alpha
-};
+using Sum = LightSum;
 
 constexpr int shifts[] = {16, 8, 0};
 
@@ -91,5 +87,20 @@ void averagePixels(std::span<const std::uint32_t> fine, int side, int width,
 void averagePixels(std::span<const Rgba16> fine, int side, int width, std::span<Rgba16> pixels) {
     average(fine, side, width, pixels);
 }
+
+template <class Pixel> void PictureAverage<Pixel>::add(std::span<const Pixel> picture) {
+    m_sums.resize(picture.size());
+    for (std::size_t k = 0; k < picture.size(); ++k)
+        attractor::add(m_sums[k], picture[k]);
+    ++m_pictures;
+}
+
+template <class Pixel> void PictureAverage<Pixel>::mean(std::span<Pixel> pixels) const {
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+        store(m_sums[k], m_pictures, pixels[k]);
+}
+
+template class PictureAverage<std::uint32_t>;
+template class PictureAverage<Rgba16>;
 
 } // namespace attractor

@@ -3,8 +3,10 @@
 
 #include "attractor/light/tone_map16.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace attractor {
 
@@ -12,5 +14,25 @@ namespace attractor {
 // weighted by opacity. `fine` holds whole rows of side · width pixels, side rows for each of `pixels`.
 void averagePixels(std::span<const std::uint32_t> fine, int side, int width, std::span<std::uint32_t> pixels);
 void averagePixels(std::span<const Rgba16> fine, int side, int width, std::span<Rgba16> pixels);
+
+// Light that adds up, linear and weighted by opacity.
+struct LightSum {
+    double alpha = 0;
+    std::array<double, 3> light{}; // times alpha
+};
+
+// What pictures of one size show one after the other, as a shutter sees them: the same mean over time. What
+// never changes keeps its bytes.
+template <class Pixel> class PictureAverage { // std::uint32_t or Rgba16
+public:
+    void add(std::span<const Pixel> picture);
+    void mean(std::span<Pixel> pixels) const; // of the size of the pictures, of which there is at least one
+
+private:
+    std::vector<LightSum> m_sums;
+    int m_pictures = 0;
+};
+extern template class PictureAverage<std::uint32_t>;
+extern template class PictureAverage<Rgba16>;
 
 } // namespace attractor

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace attractor {
 
@@ -14,7 +15,8 @@ namespace {
 
 using Progress = BandedRendering::Progress;
 
-constexpr double shareOfMeasuring = 0.1; // of the progress of the first band
+constexpr double shareOfMeasuring = 0.1;  // of the progress of the first band
+constexpr double maxRelativeMeasure = 16; // of a moment to the first one
 
 void tell(const Progress& progress, double fraction) {
     if (progress) progress(fraction);
@@ -26,10 +28,14 @@ struct BandedRendering::State {
     RenderState render;
     std::optional<Exposure> exposure; // of the whole picture
     std::optional<DividedPicture> divided;
+    std::vector<RenderRequest> moments; // of a shutter
 
     bool drawPass(std::uint64_t number, const std::stop_token& stop, const Progress& progress);
     bool draw(int firstRow, int rows, std::uint64_t number, const std::stop_token& stop);
     bool drawAll(int firstRow, int rows, const std::stop_token& stop, const Progress& progress);
+    bool drawMoment(const RenderRequest& moment, double& firstMeasure, const std::stop_token& stop,
+                    const Progress& progress);
+    bool drawMoments(const std::stop_token& stop, const Progress& progress);
     std::optional<double> measureSmall(const std::stop_token& stop);
     bool measureStrips(double inView, const std::stop_token& stop);
     bool measure(const std::stop_token& stop);
@@ -60,6 +66,7 @@ bool BandedRendering::State::draw(int firstRow, int rows, std::uint64_t number, 
 bool BandedRendering::State::drawAll(int firstRow, int rows, const std::stop_token& stop,
                                      const Progress& progress) {
     render.rewind(firstRow, firstRow + rows);
+    if (!moments.empty()) return drawMoments(stop, progress);
     if (!divided) return drawPass(render.request().samples, stop, progress);
     auto& fold = dynamic_cast<DensityFold&>(render.fold());
     const double share = 1 / static_cast<double>(divided->passes.size());
@@ -71,6 +78,34 @@ bool BandedRendering::State::drawAll(int firstRow, int rows, const std::stop_tok
         before += share;
     }
     return !divided->others || divided->others(fold.sums());
+}
+
+// Shows the attractor as densely as the first moment does: where more of it is in view, it takes more
+// samples.
+bool BandedRendering::State::drawMoment(const RenderRequest& moment, double& firstMeasure,
+                                        const std::stop_token& stop, const Progress& progress) {
+    render.start(moment);
+    render.fold().begin(0);
+    if (!render.complete(stop)) return false;
+    const double measure = render.fold().measure();
+    if (!(firstMeasure > 0)) firstMeasure = measure;
+    const double relative = firstMeasure > 0 ? std::min(measure / firstMeasure, maxRelativeMeasure) : 1;
+    return drawPass(static_cast<std::uint64_t>(static_cast<double>(moment.samples) * relative + 0.5), stop,
+                    progress);
+}
+
+// Sample sets go on counting, so that a moment of the next frame has the same ones.
+bool BandedRendering::State::drawMoments(const std::stop_token& stop, const Progress& progress) {
+    const RenderRequest whole = render.request();
+    const double share = 1 / static_cast<double>(moments.size());
+    double firstMeasure = 0;
+    bool isDrawn = true;
+    for (std::size_t k = 0; k < moments.size() && isDrawn; ++k)
+        isDrawn = drawMoment(moments[k], firstMeasure, stop, [&](double fraction) {
+            tell(progress, share * (static_cast<double>(k) + fraction));
+        });
+    render.start(whole);
+    return isDrawn;
 }
 
 // White point and gain, from a small picture of the same view. Returns the share of the samples that fall
@@ -190,6 +225,14 @@ void BandedRendering::divide(DividedPicture picture) {
     m_state->divided = std::move(picture);
 }
 
+void BandedRendering::openShutter(std::vector<RenderRequest> moments) {
+    m_state->moments = std::move(moments);
+    for (RenderRequest& moment : m_state->moments) {
+        moment.samples = std::max<std::uint64_t>(1, moment.samples / m_state->moments.size());
+        moment.threads = m_state->render.request().threads;
+    }
+}
+
 std::uint64_t BandedRendering::units(std::span<const std::uint64_t> samples) const {
     std::uint64_t sets = 0;
     for (const std::uint64_t pass : samples)
@@ -205,6 +248,15 @@ const CellSums* BandedRendering::sums(int firstRow, int rows, const std::stop_to
 
 Exposure BandedRendering::exposure() const {
     return m_state->exposure.value_or(Exposure{});
+}
+
+void BandedRendering::useExposure(const Exposure& exposure) {
+    m_state->exposure = exposure;
+}
+
+std::optional<Exposure> BandedRendering::measuredExposure(const std::stop_token& stop) {
+    if (!m_state->exposure && !m_state->measure(stop)) return std::nullopt;
+    return m_state->exposure;
 }
 
 RenderNote BandedRendering::note() const {

@@ -55,6 +55,11 @@ public:
     // drawn here; the exposure is that of the first. Call before the first band, for Algorithm::Density
     // alone.
     void divide(DividedPicture picture);
+    // The picture is what a shutter sees, in place of one moment: the samples are shared out evenly over
+    // these requests, which differ from request() in system, cage, moved branches and camera only, and add
+    // up. The exposure is that of request(). Call before the first band, for Algorithm::Density alone, and
+    // not with divide().
+    void openShutter(std::vector<RenderRequest> moments);
     // How many units the passes of so many samples have together.
     std::uint64_t units(std::span<const std::uint64_t> samples) const;
     // The sums of rows [firstRow, firstRow + rows) of pixels, valid until the next call; nullptr when stopped
@@ -62,7 +67,10 @@ public:
     const CellSums* sums(int firstRow, int rows, const std::stop_token& stop = {},
                          const Progress& progress = {});
 
-    Exposure exposure() const; // after the first band
+    Exposure exposure() const;                  // after the first band
+    void useExposure(const Exposure& exposure); // another one, mean density included, for all bands
+    // That of the whole picture, before any band; nullopt when stopped.
+    std::optional<Exposure> measuredExposure(const std::stop_token& stop = {});
     RenderNote note() const;
 
 private:

@@ -62,10 +62,14 @@ struct CloudRendering::State {
     std::uint64_t sinceCarry = 0;
     double overAttractor = 0; // samples, as if those outside the view were drawn as well
     std::optional<Exposure> exposure;
+    std::optional<double> firstProbability; // of the cut of the first pass
+    bool isFollowing = false;
 
     bool coloured() const { return coloursSamples(request.appearance.colourBy); }
     bool isDrawable() const { return !system.maps.empty() && isUsable(request.camera); }
     void start(SpaceRequest newRequest);
+    void clear();
+    std::uint64_t asDense(std::uint64_t samples);
     bool makeCut(std::uint64_t samples, const std::stop_token& stop);
     void plan(std::uint64_t samples);
     void drawWord(std::size_t k, std::size_t thread);
@@ -98,12 +102,24 @@ void CloudRendering::State::start(SpaceRequest newRequest) {
     colours = SampleColours(request.appearance, ids, system.index);
     const auto threads = static_cast<std::size_t>(std::clamp(request.threads, 1, 256));
     if (!workers || workers->size() != threads) workers = std::make_unique<Workers>(threads);
+    cut.reset();
+    exposure.reset();
+}
+
+void CloudRendering::State::clear() {
     sums.reset(coloured() ? CellKind::Colour : CellKind::Count, {view.size.width, 0, view.size.height},
                workers->size());
-    cut.reset();
     sampleSets = drawn = sinceCarry = 0;
     overAttractor = 0;
-    exposure.reset();
+    firstProbability.reset();
+    isFollowing = false;
+}
+
+// Where a pass sees more of the attractor than the first one did, it takes more samples.
+std::uint64_t CloudRendering::State::asDense(std::uint64_t samples) {
+    if (!firstProbability) return samples;
+    return static_cast<std::uint64_t>(static_cast<double>(samples) * (cut->probability / *firstProbability) +
+                                      0.5);
 }
 
 // Words that stand for others are chosen anew for every sample set, so that all get their turn.
@@ -126,6 +142,7 @@ bool CloudRendering::State::makeCut(std::uint64_t samples, const std::stop_token
 void CloudRendering::State::plan(std::uint64_t samples) {
     drawSamples(system, request.seed, sampleSets, sampleSet);
     const double perMeasure = static_cast<double>(samples) / cut->probability;
+    if (!firstProbability) firstProbability = cut->probability;
     double sum = static_cast<double>(mixed(mixed(request.seed) ^ sampleSets) >> 11) * 0x1p-53;
     std::uint64_t before = 0;
     counts.clear();
@@ -197,6 +214,10 @@ void CloudRendering::State::drawWord(std::size_t k, std::size_t thread) {
 }
 
 bool CloudRendering::State::pass(std::uint64_t samples, const std::stop_token& stop) {
+    if (isFollowing) {
+        if (!makeCut(std::min(samples, maxPerSampleSet), stop)) return false;
+        samples = asDense(samples);
+    }
     while (samples > 0) {
         const std::uint64_t number = std::min(samples, maxPerSampleSet);
         if (!makeCut(number, stop)) return false;
@@ -252,6 +273,16 @@ CloudRendering& CloudRendering::operator=(CloudRendering&&) noexcept = default;
 
 void CloudRendering::restart(SpaceRequest request) {
     m_state->start(std::move(request));
+    m_state->clear();
+}
+
+void CloudRendering::follow(SpaceRequest request) {
+    m_state->start(std::move(request));
+    m_state->isFollowing = true;
+}
+
+void CloudRendering::useExposure(const Exposure& exposure) {
+    m_state->exposure = exposure;
 }
 
 bool CloudRendering::refine(const std::stop_token& stop, std::uint64_t samples) {

@@ -23,12 +23,18 @@ public:
 
     void restart(SpaceRequest request); // as if new, with the memory and the threads there are
 
+    // Goes on with a request that differs in system, cage and camera only: what is drawn adds to what has
+    // been.
+    void follow(SpaceRequest request);
+
     // One more pass of `samples` samples (0: request.samples). False when stopped, within milliseconds; then
-    // the picture is worth nothing until restart().
+    // the picture is worth nothing until restart(). After follow(), as many samples as show the attractor as
+    // densely as the first pass did.
     bool refine(const std::stop_token& stop = {}, std::uint64_t samples = 0);
 
     // The exposure kept by the request, else that of the picture.
     Exposure exposure(const std::stop_token& stop = {}) const;
+    void useExposure(const Exposure& exposure); // another one, mean density included, up to the next pass
     // The picture so far, size.width × size.height pixels, as in Frame::pixels or with 16 bits a channel.
     // False when stopped.
     bool tone(std::span<std::uint32_t> pixels, const std::stop_token& stop = {}) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/png_check.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QtEndian>
 
@@ -46,23 +47,51 @@ std::optional<Chunk> readChunk(QIODevice& file) {
     return readNumber(file) == sum ? std::optional(chunk) : std::nullopt;
 }
 
-} // namespace
+enum class State { NotOpen, NotPng, Damaged, Complete };
 
-std::optional<QByteArray> textOfCompletePng(const QString& path, const QByteArray& keyword) {
+struct Checked {
+    State state = State::Damaged;
+    std::optional<QByteArray> text; // with the keyword
+};
+
+Checked check(const QString& path, const QByteArray& keyword) {
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly) || file.read(8) != QByteArray("\x89PNG\r\n\x1a\n", 8))
-        return std::nullopt;
-    std::optional<QByteArray> text;
+    if (!file.open(QIODevice::ReadOnly)) return {State::NotOpen, {}};
+    if (file.read(8) != QByteArray("\x89PNG\r\n\x1a\n", 8)) return {State::NotPng, {}};
+    Checked found;
     bool hasPixels = false;
     for (bool isFirst = true;; isFirst = false) {
         const auto chunk = readChunk(file);
-        if (!chunk || isFirst != (chunk->type == "IHDR")) return std::nullopt;
+        if (!chunk || isFirst != (chunk->type == "IHDR")) return {};
         if (chunk->type == "IEND") break;
         hasPixels = hasPixels || chunk->type == "IDAT";
         if (chunk->type == "tEXt" && chunk->data.startsWith(keyword + '\0'))
-            text = chunk->data.sliced(keyword.size() + 1);
+            found.text = chunk->data.sliced(keyword.size() + 1);
     }
-    return hasPixels && file.atEnd() ? text : std::nullopt;
+    if (hasPixels && file.atEnd()) found.state = State::Complete;
+    return found;
+}
+
+} // namespace
+
+std::optional<QByteArray> textOfCompletePng(const QString& path, const QByteArray& keyword) {
+    const Checked found = check(path, keyword);
+    return found.state == State::Complete ? found.text : std::nullopt;
+}
+
+std::optional<QString> pngDamage(const QString& path) {
+    switch (check(path, {}).state) {
+    case State::NotOpen:
+        return QCoreApplication::translate("PngSystem", "The picture cannot be opened.");
+    case State::NotPng:
+        return QCoreApplication::translate("PngSystem", "The file is not a PNG picture.");
+    case State::Damaged:
+        return QCoreApplication::translate("PngSystem",
+                                           "The picture is damaged or incomplete. Draw it again.");
+    case State::Complete:
+        break;
+    }
+    return std::nullopt;
 }
 
 } // namespace io

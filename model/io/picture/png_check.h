@@ -13,4 +13,7 @@ namespace io {
 // be it cut, damaged, without such a text, or not readable. Looks at no pixel.
 std::optional<QByteArray> textOfCompletePng(const QString& path, const QByteArray& keyword);
 
+// Why the file is no complete PNG picture, as a sentence; nullopt: it is one, with or without texts.
+std::optional<QString> pngDamage(const QString& path);
+
 } // namespace io

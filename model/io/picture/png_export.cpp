@@ -35,6 +35,8 @@ Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& 
     const attractor::Camera& camera = picture.request.camera;
     attractor::BandedRendering rendering(picture.request);
     if (picture.divided) rendering.divide(*picture.divided);
+    if (!picture.moments.empty()) rendering.openShutter(picture.moments);
+    if (picture.exposure) rendering.useExposure(*picture.exposure);
     note = rendering.note();
     const int most = attractor::BandedRendering::rowsWithin(picture.request, picture.bandBytes);
     for (int first = 0; first < camera.height; first += most) {

@@ -26,6 +26,9 @@ struct PngExport {
     PngFormat::Depth depth = PngFormat::Depth::Bits8;
     std::optional<attractor::DividedPicture> divided{};     // what of it is drawn here, and what elsewhere
     std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PngFormat
+    // What a shutter sees in place of the request's moment; see BandedRendering::openShutter().
+    std::vector<attractor::RenderRequest> moments{};
+    std::optional<attractor::Exposure> exposure{}; // mean density included; else that of the picture itself
     std::size_t bandBytes = 256U << 20; // for the cells of the rows that are drawn at a time; same picture
 };
 

@@ -39,9 +39,10 @@ std::pair<double, double> heights(const attractor::SpaceRequest& request) {
     return {request.camera.target.y() - half, request.camera.target.y() + half};
 }
 
-template <class Pixel>
-ExportOutcome writeLit(const attractor::DepthRaster& raster, const attractor::SolidLight& light, int side,
-                       PngWriter& writer, const Progress& progress, const std::stop_token& stop) {
+// Some rows at a time into take(pixels), which returns a failure.
+template <class Pixel, class Take>
+ExportOutcome lightRows(const attractor::DepthRaster& raster, const attractor::SolidLight& light, int side,
+                        Take take, const Progress& progress, const std::stop_token& stop) {
     ExportOutcome outcome;
     const int width = raster.width / side, height = raster.height / side;
     std::vector<Pixel> fine(static_cast<std::size_t>(raster.width) *
@@ -57,25 +58,15 @@ ExportOutcome writeLit(const attractor::DepthRaster& raster, const attractor::So
         const std::span<Pixel> out(pixels.data(), count);
         light.apply(raster, row * side, end * side, std::span<Pixel>(fine));
         attractor::averagePixels(std::span<const Pixel>(fine), side, width, out);
-        outcome.failure = writer.writeRows(std::span<const Pixel>(out));
+        outcome.failure = take(std::span<const Pixel>(out));
         if (progress) progress(shareOfDrawing + (1 - shareOfDrawing) * end / height);
     }
-    if (!outcome.failure) outcome.failure = writer.finish();
     return outcome;
 }
 
-} // namespace
-
-std::uint64_t memoryFor(const SolidPicture& picture) {
-    const auto side = static_cast<std::uint64_t>(sideOf(picture));
-    const attractor::RasterSize& size = picture.request.camera.size;
-    const auto width = side * static_cast<std::uint64_t>(std::max(1, size.width));
-    const auto height = side * static_cast<std::uint64_t>(std::max(1, size.height));
-    return width * height * sizeof(std::uint32_t) + 2 * width * side * bandRows * sizeof(Rgba16);
-}
-
-ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const Progress& progress,
-                         const std::stop_token& stop) {
+template <class Pixel, class Take>
+ExportOutcome drawRows(const SolidPicture& picture, Take take, const Progress& progress,
+                       const std::stop_token& stop) {
     const int side = sideOf(picture);
     attractor::SpaceRequest request = picture.request;
     request.camera.size.width *= side;
@@ -92,11 +83,50 @@ ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const P
     const auto [lowest, highest] = heights(request);
     const attractor::SolidLight light(picture.appearance,
                                       attractor::solidView(request.camera, lowest, highest));
-    outcome = picture.depth == PngFormat::Depth::Bits16
-                  ? writeLit<Rgba16>(raster, light, side, writer, progress, stop)
-                  : writeLit<std::uint32_t>(raster, light, side, writer, progress, stop);
+    outcome = lightRows<Pixel>(raster, light, side, take, progress, stop);
     outcome.note = note;
     return outcome;
+}
+
+template <class Pixel>
+ExportOutcome drawInto(const SolidPicture& picture, std::span<Pixel> pixels, const Progress& progress,
+                       const std::stop_token& stop) {
+    auto at = pixels.begin();
+    const auto take = [&at](std::span<const Pixel> rows) -> Failure {
+        at = std::ranges::copy(rows, at).out;
+        return std::nullopt;
+    };
+    return drawRows<Pixel>(picture, take, progress, stop);
+}
+
+} // namespace
+
+std::uint64_t memoryFor(const SolidPicture& picture) {
+    const auto side = static_cast<std::uint64_t>(sideOf(picture));
+    const attractor::RasterSize& size = picture.request.camera.size;
+    const auto width = side * static_cast<std::uint64_t>(std::max(1, size.width));
+    const auto height = side * static_cast<std::uint64_t>(std::max(1, size.height));
+    return width * height * sizeof(std::uint32_t) + 2 * width * side * bandRows * sizeof(Rgba16);
+}
+
+ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const Progress& progress,
+                         const std::stop_token& stop) {
+    const auto take = [&writer](auto rows) { return writer.writeRows(rows); };
+    ExportOutcome outcome = picture.depth == PngFormat::Depth::Bits16
+                                ? drawRows<Rgba16>(picture, take, progress, stop)
+                                : drawRows<std::uint32_t>(picture, take, progress, stop);
+    if (!outcome.failure && !outcome.stopped) outcome.failure = writer.finish();
+    return outcome;
+}
+
+ExportOutcome drawSolid(const SolidPicture& picture, std::span<std::uint32_t> pixels,
+                        const Progress& progress, const std::stop_token& stop) {
+    return drawInto(picture, pixels, progress, stop);
+}
+
+ExportOutcome drawSolid(const SolidPicture& picture, std::span<Rgba16> pixels, const Progress& progress,
+                        const std::stop_token& stop) {
+    return drawInto(picture, pixels, progress, stop);
 }
 
 } // namespace io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/space_export.h"
 
+#include "attractor/light/pixel_average.h"
 #include "attractor/render/cloud_rendering.h"
 #include "attractor/render/solid_rendering.h"
 #include "io/fractint/entry_writer.h"
@@ -10,6 +11,7 @@
 #include <QBuffer>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace io {
@@ -70,29 +72,45 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
     return outcome;
 }
 
+constexpr std::uint64_t slice = std::uint64_t{1}
+                                << 26; // whole sample sets, between two looks at the progress
+
+// The samples of one moment.
+bool refineAll(attractor::CloudRendering& rendering, std::uint64_t samples, const Progress& progress,
+               const std::stop_token& stop) {
+    for (std::uint64_t done = 0; done < samples; done += slice) {
+        if (progress) progress(double(done) / double(samples));
+        if (!rendering.refine(stop, std::min(slice, samples - done))) return false;
+    }
+    return true;
+}
+
+// The moments of a shutter share the samples.
+bool drawMoments(const SpaceExport& picture, attractor::CloudRendering& rendering, const Progress& progress,
+                 const std::stop_token& stop) {
+    const std::size_t count = std::max<std::size_t>(1, picture.moments.size());
+    const std::uint64_t samples = std::max<std::uint64_t>(1, picture.request.samples / count);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (k > 0) rendering.follow(picture.moments[k]);
+        const auto told = [&](double fraction) {
+            if (progress) progress((double(k) + fraction) / double(count));
+        };
+        if (!refineAll(rendering, samples, told, stop)) return false;
+    }
+    return true;
+}
+
 template <class Pixel>
-ExportOutcome drawCloud(const SpaceExport& picture, QIODevice& device, const Progress& progress,
-                        const std::stop_token& stop) {
-    constexpr std::uint64_t slice = std::uint64_t{1} << 26; // whole sample sets
-    const std::uint64_t samples = picture.request.samples;
-    attractor::SpaceRequest request = picture.request;
-    request.samples = std::min(samples, slice);
+ExportOutcome cloudPixels(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
+                          const std::stop_token& stop) {
+    attractor::SpaceRequest request = picture.moments.empty() ? picture.request : picture.moments.front();
+    request.samples = std::min(picture.request.samples, slice);
     attractor::CloudRendering rendering(request);
     ExportOutcome outcome;
     outcome.note = rendering.note();
-    PngFormat format = formatOf(picture);
-    format.pixels = request.appearance.background.alpha == 255 ? PngFormat::Pixels::Opaque
-                                                               : PngFormat::Pixels::Transparent;
-    format.depth = picture.depth;
-    for (std::uint64_t done = 0; done < samples && !outcome.stopped; done += slice) {
-        if (progress) progress(shareOfDrawing * double(done) / double(samples));
-        outcome.stopped = !rendering.refine(stop, std::min(slice, samples - done));
-    }
-    std::vector<Pixel> pixels(std::size_t(format.width) * std::size_t(format.height));
+    outcome.stopped = !drawMoments(picture, rendering, progress, stop);
+    if (picture.exposure) rendering.useExposure(*picture.exposure);
     outcome.stopped = outcome.stopped || !rendering.tone(pixels, stop);
-    if (outcome.stopped) return outcome;
-    PngWriter writer(device, format);
-    write(writer, pixels, format.width, outcome, progress, stop);
     return outcome;
 }
 
@@ -100,11 +118,60 @@ SolidPicture solidOf(const SpaceExport& picture) {
     return {picture.request, picture.solid, picture.depth, picture.supersample};
 }
 
-ExportOutcome drawSolid(const SpaceExport& picture, QIODevice& device, const Progress& progress,
-                        const std::stop_token& stop) {
+template <class Pixel>
+ExportOutcome solidPixels(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
+                          const std::stop_token& stop) {
+    SolidPicture solid = solidOf(picture);
+    if (picture.moments.empty()) return drawSolid(solid, pixels, progress, stop);
+    ExportOutcome outcome;
+    attractor::PictureAverage<Pixel> average;
+    for (std::size_t k = 0; k < picture.moments.size() && !outcome.stopped; ++k) {
+        solid.request = picture.moments[k];
+        const auto told = [&](double fraction) {
+            if (progress) progress((double(k) + fraction) / double(picture.moments.size()));
+        };
+        outcome = drawSolid(solid, pixels, told, stop);
+        average.add(pixels);
+    }
+    average.mean(pixels);
+    return outcome;
+}
+
+template <class Pixel>
+ExportOutcome pixelsOf(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
+                       const std::stop_token& stop) {
+    return picture.look == SpaceLook::Solid ? solidPixels(picture, pixels, progress, stop)
+                                            : cloudPixels(picture, pixels, progress, stop);
+}
+
+PngFormat::Pixels pixelsOf(const SpaceExport& picture) {
+    const attractor::Rgba& background =
+        picture.look == SpaceLook::Solid ? picture.solid.background : picture.request.appearance.background;
+    return background.alpha == 255 ? PngFormat::Pixels::Opaque : PngFormat::Pixels::Transparent;
+}
+
+template <class Pixel>
+ExportOutcome drawPixels(const SpaceExport& picture, QIODevice& device, const Progress& progress,
+                         const std::stop_token& stop) {
     PngFormat format = formatOf(picture);
-    format.pixels =
-        picture.solid.background.alpha == 255 ? PngFormat::Pixels::Opaque : PngFormat::Pixels::Transparent;
+    format.pixels = pixelsOf(picture);
+    format.depth = picture.depth;
+    std::vector<Pixel> pixels(std::size_t(format.width) * std::size_t(format.height));
+    const auto drawing = [&](double fraction) {
+        if (progress) progress(shareOfDrawing * fraction);
+    };
+    ExportOutcome outcome = pixelsOf(picture, std::span<Pixel>(pixels), drawing, stop);
+    if (outcome.stopped) return outcome;
+    PngWriter writer(device, format);
+    write(writer, pixels, format.width, outcome, progress, stop);
+    return outcome;
+}
+
+// A single moment of a solid is written band by band.
+ExportOutcome writeSolidPng(const SpaceExport& picture, QIODevice& device, const Progress& progress,
+                            const std::stop_token& stop) {
+    PngFormat format = formatOf(picture);
+    format.pixels = pixelsOf(picture);
     format.depth = picture.depth;
     PngWriter writer(device, format);
     return writeSolid(solidOf(picture), writer, progress, stop);
@@ -130,10 +197,33 @@ ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& png, const Pr
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
     if (picture.look == SpaceLook::Depth) return drawDepths(picture, buffer, progress, stop);
-    if (picture.look == SpaceLook::Solid) return drawSolid(picture, buffer, progress, stop);
+    if (picture.look == SpaceLook::Solid && picture.moments.empty())
+        return writeSolidPng(picture, buffer, progress, stop);
     return picture.depth == PngFormat::Depth::Bits16
-               ? drawCloud<attractor::Rgba16>(picture, buffer, progress, stop)
-               : drawCloud<std::uint32_t>(picture, buffer, progress, stop);
+               ? drawPixels<attractor::Rgba16>(picture, buffer, progress, stop)
+               : drawPixels<std::uint32_t>(picture, buffer, progress, stop);
+}
+
+Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress, std::stop_token stop) {
+    const attractor::RasterSize& size = picture.request.camera.size;
+    Picture drawn{QImage(size.width, size.height, QImage::Format_ARGB32_Premultiplied), {}};
+    if (drawn.image.isNull()) return drawn;
+    const std::span<std::uint32_t> pixels(reinterpret_cast<std::uint32_t*>(drawn.image.bits()),
+                                          std::size_t(size.width) * std::size_t(size.height));
+    const ExportOutcome outcome = pixelsOf(picture, pixels, progress, stop);
+    drawn.note = outcome.note;
+    if (outcome.stopped) drawn.image = {};
+    return drawn;
+}
+
+std::optional<attractor::Exposure> cloudExposure(const SpaceExport& picture, const std::stop_token& stop) {
+    constexpr std::uint64_t enough = 8'000'000;
+    attractor::SpaceRequest request = picture.request;
+    request.samples = std::min(request.samples, enough);
+    attractor::CloudRendering rendering(request);
+    if (!rendering.refine(stop)) return std::nullopt;
+    const attractor::Exposure exposure = rendering.exposure(stop);
+    return stop.stop_requested() ? std::nullopt : std::optional(exposure);
 }
 
 } // namespace io

@@ -30,6 +30,10 @@ struct SpaceExport {
     PngFormat::Depth depth = PngFormat::Depth::Bits8; // of a cloud or a solid
     std::optional<double> dotsPerInch;
     std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PngFormat
+    // What a shutter sees in place of the request's moment: requests that differ from it in system, cage and
+    // camera only. Not of depths.
+    std::vector<attractor::SpaceRequest> moments{};
+    std::optional<attractor::Exposure> exposure{}; // of a cloud, mean density included; else its own
 };
 
 // Memory that drawSpacePng() takes, in bytes, about.
@@ -40,5 +44,13 @@ std::uint64_t memoryFor(const SpaceExport& picture);
 // depth near + (far − near)·v/65534, and 65535 shows nothing.
 ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& png, const Progress& progress = {},
                            std::stop_token stop = {});
+
+// The same picture in memory, 8 bits a channel, without texts; null when stopped. Not of depths.
+Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress = {},
+                         std::stop_token stop = {});
+
+// The exposure of a cloud at the request's moment, from some of its samples; nullopt when stopped.
+std::optional<attractor::Exposure> cloudExposure(const SpaceExport& picture,
+                                                 const std::stop_token& stop = {});
 
 } // namespace io

@@ -31,6 +31,9 @@ private slots:
     void existingFilesCanBeReplacedOrRefused();
     void keysMoveTheCamera();
     void spaceMoves();
+    void aShutterBlursWhatMoves();
+    void aShutterBlursSolids();
+    void exposureIsAFunctionOfTheAnimation();
     void aMomentWithoutAttractorIsNamed();
     void wrongUsageIsRefused_data();
     void wrongUsageIsRefused();
@@ -162,7 +165,7 @@ void CliAnimateTest::picturesCarryTheAnimation() {
 }
 
 void CliAnimateTest::renderDrawsTheSamePixels() {
-    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --frames 4") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --frames 4 --exposure each") + small).status, 0);
     QCOMPARE(run(QByteArray("render wind.ifs --entry wind --frame 3 -o a/r.png") + small).status, 0);
     QVERIFY(!QImage(path("a/r.png")).isNull());
     QCOMPARE(QImage(path("a/r.png")).convertToFormat(QImage::Format_RGB32),
@@ -229,7 +232,7 @@ void CliAnimateTest::staleAndDamagedFramesAreDrawnAgain() {
     QCOMPARE(run(command).status, 0);
     // Another request by its options, by its frame or by its entry.
     for (const char* option : {"--seed 2", "--gamma 3", "--margin 6", "--background black", "--palette Fern",
-                               "--bits 16", "--supersample 2"}) {
+                               "--bits 16", "--supersample 2", "--shutter 180", "--exposure each"}) {
         QCOMPARE(run(command + option).status, 0);
         QVERIFY2(read("a/f.1.png") != whole, option);
         QCOMPARE(run(command).status, 0);
@@ -262,7 +265,7 @@ void CliAnimateTest::keysMoveTheCamera() {
                       "; barycage: key 0 linear\n; barycage: value 0 0 1 1\n"
                       "; barycage: key 2 linear\n; barycage: value 3 0 4 1\n"
                       " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n .5 0 0 .5 0 .5 .5\n}\n");
-    QCOMPARE(run(QByteArray("animate zoom.ifs -o a/f.#.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate zoom.ifs -o a/f.#.png --exposure each") + small).status, 0);
     // Half way, a third of the way, at twice the height.
     QCOMPARE(run(QByteArray("render zoom.ifs --view 1,0,2 -o a/half.png") + small).status, 0);
     QCOMPARE(QImage(path("a/f.2.png")), QImage(path("a/half.png")));
@@ -292,6 +295,68 @@ void CliAnimateTest::spaceMoves() {
         for (int x = 0; x < 48; ++x)
             different += turned.pixel(x, y) != frame.pixel(x, y);
     QVERIFY2(different < 48 * 36 / 50, qPrintable(QString::number(different))); // but for rounding
+}
+
+void CliAnimateTest::aShutterBlursWhatMoves() {
+    const QByteArray command = QByteArray("animate wind.ifs --entry once --size 120x90 --points 400000 ");
+    QCOMPARE(run(command + "-o a/f.#.png").status, 0);
+    QCOMPARE(run(command + "-o b/f.#.png --shutter 180").status, 0);
+    QCOMPARE(run(command + "-o c/f.#.png --shutter 0 --frames 3").status, 0);
+    QCOMPARE(read("c/f.3.png"), read("a/f.3.png"));
+    QVERIFY(read("b/f.3.png") != read("a/f.3.png"));
+    // A frame that is drawn alone, by another number of threads, is that of the sequence.
+    for (const QByteArray number : {"1", "3", "7"}) {
+        QCOMPARE(run(command + "-o d/f.#.png --shutter 180 --threads 1 --frames " + number).status, 0);
+        QCOMPARE(read("d/f." + number + ".png"), read("b/f." + number + ".png"));
+    }
+    // Blurred pixels are between those of the moments before and after: the difference of neighbours shrinks.
+    const auto roughness = [this](const QByteArray& file) {
+        const QImage picture = QImage(path(file)).convertToFormat(QImage::Format_Grayscale8);
+        int sum = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 1; x < picture.width(); ++x)
+                sum += std::abs(picture.constScanLine(y)[x] - picture.constScanLine(y)[x - 1]);
+        return sum;
+    };
+    QVERIFY(roughness("b/f.3.png") < 0.9 * roughness("a/f.3.png"));
+}
+
+void CliAnimateTest::aShutterBlursSolids() {
+    write("cube.ifs", "cube (3D) {\n; barycage: animation 8 24/1 cycle\n; barycage: motion orbit\n"
+                      "; barycage: count 1\n; barycage: pivot 0 0 0\n"
+                      ".5 0 0 0 .5 0 0 0 .5 0 0 0 1\n.5 0 0 0 .5 0 0 0 .5 .5 0 0 1\n"
+                      ".5 0 0 0 .5 0 0 0 .5 0 .5 0 1\n.5 0 0 0 .5 0 0 0 .5 0 0 .5 1\n}\n");
+    for (const QByteArray look : {"stone", "cloud"}) {
+        const QByteArray command =
+            "animate cube.ifs --size 64x48 --points 100000 --existing replace --look " + look;
+        QCOMPARE(run(command + " -o a/f.#.png --shutter 90").status, 0);
+        QCOMPARE(run(command + " -o b/f.#.png --shutter 90 --frames 2 --threads 1").status, 0);
+        QCOMPARE(run(command + " -o c/f.#.png --frames 2").status, 0);
+        QVERIFY(!read("a/f.2.png").isEmpty());
+        QCOMPARE(read("b/f.2.png"), read("a/f.2.png"));
+        QVERIFY(read("c/f.2.png") != read("a/f.2.png"));
+    }
+    QCOMPARE(run("animate cube.ifs --size 64x48 -o d/f.#.png --look normals --shutter 90").status, 2);
+    QCOMPARE(run("animate cube.ifs --size 64x48 -o d/f.#.png --look depth --shutter 90").status, 2);
+    QVERIFY(files("d").isEmpty());
+}
+
+void CliAnimateTest::exposureIsAFunctionOfTheAnimation() {
+    const auto drawn = [this](const QByteArray& folder, const QByteArray& options) {
+        return run("animate wind.ifs --entry wind -o " + folder + "/f.#.png " + options + small).status;
+    };
+    QCOMPARE(drawn("a", {}), 0);
+    QCOMPARE(drawn("b", "--exposure each"), 0);
+    QCOMPARE(drawn("c", "--exposure fixed"), 0);
+    QCOMPARE(drawn("d", "--exposure smooth --chunk 1/2"), 0);
+    for (const QString& file : files("d"))
+        QCOMPARE(read("d/" + file.toUtf8()), read("a/" + file.toUtf8()));
+    const auto image = [this](const char* file) { return QImage(path(file)); };
+    // Frame 0 is a pilot. Later, what is fixed is that of frame 0.
+    QVERIFY(!image("a/f.1.png").isNull());
+    QCOMPARE(image("a/f.1.png"), image("b/f.1.png"));
+    QCOMPARE(image("c/f.1.png"), image("b/f.1.png"));
+    QVERIFY(image("c/f.4.png") != image("b/f.4.png"));
 }
 
 void CliAnimateTest::aMomentWithoutAttractorIsNamed() {

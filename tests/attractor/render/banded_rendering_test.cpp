@@ -35,6 +35,62 @@ class BandedRenderingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // Threads and bands change nothing, and what stands still is as bright as without a shutter.
+    void aShutterAddsUpMoments() {
+        RenderRequest request = systems::request(systems::maple(), 2'000'000);
+        RenderRequest right = request;
+        right.camera.centre.x() -= 20 / request.camera.pixelsPerUnit;
+        const auto drawn = [&](const std::vector<RenderRequest>& moments, int threads,
+                               const std::vector<std::pair<int, int>>& bands) {
+            RenderRequest whole = request;
+            whole.threads = threads;
+            BandedRendering rendering(whole);
+            rendering.openShutter(moments);
+            std::vector<std::uint32_t> pixels(320 * 200);
+            for (const auto& [first, rows] : bands)
+                if (!rendering.band(
+                        first, rows,
+                        std::span(pixels).subspan(std::size_t(first) * 320, std::size_t(rows) * 320)))
+                    pixels.clear();
+            return pixels;
+        };
+        const auto blurred = drawn({request, right}, 1, {{0, 200}});
+        QVERIFY(drawn({request, right}, 3, {{100, 100}, {0, 100}}) == blurred);
+        const auto still = drawn({request, request, request}, 1, {{0, 200}}),
+                   single = drawn({}, 1, {{0, 200}});
+        const std::uint32_t background = single.front();
+        int lit = 0, litStill = 0, outside = 0, missing = 0;
+        for (int y = 0; y < 200; ++y)
+            for (int x = 20; x < 320; ++x) {
+                const auto at = std::size_t(y) * 320 + std::size_t(x);
+                const bool isLeft = single[at] != background, isRight = single[at - 20] != background;
+                lit += isLeft;
+                litStill += still[at] != background;
+                outside += blurred[at] != background && !isLeft && !isRight;
+                missing += blurred[at] == background && isLeft && isRight;
+            }
+        QVERIFY(lit > 5000);
+        QVERIFY(std::abs(litStill - lit) < lit / 20);
+        QVERIFY(outside < lit / 20 && missing < lit / 20);
+    }
+
+    void anExposureCanBeSet() {
+        const RenderRequest request = systems::request(systems::maple(), 1'000'000);
+        BandedRendering measured(request), set(request);
+        const auto exposure = measured.measuredExposure();
+        QVERIFY(exposure && exposure->meanDensity > 0);
+        std::vector<std::uint32_t> own(320 * 200), same(own), bright(own);
+        QVERIFY(measured.band(0, 200, std::span(own)));
+        QVERIFY(measured.exposure() == *exposure);
+        set.useExposure(*exposure);
+        QVERIFY(set.band(0, 200, std::span(same)));
+        QVERIFY(same == own);
+        BandedRendering brighter(request);
+        brighter.useExposure({exposure->meanDensity / 4, exposure->whitePoint, exposure->gain});
+        QVERIFY(brighter.band(0, 200, std::span(bright)));
+        QVERIFY(bright != own);
+    }
+
     void bandsShowNoSeams_data() {
         QTest::addColumn<int>("side");
         QTest::addColumn<int>("colourBy");

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "animate_video.h"
+
+#include "animated_entry.h"
+#include "frame_drawing.h"
+#include "interrupt.h"
+#include "messages.h"
+#include "render_note.h"
+#include "video_output.h"
+
+#include "io/fractint/entry_writer.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+ExitStatus refused(const QString& path, const QString& sentence) {
+    reportError(path, sentence);
+    return ExitStatus::CannotReadOrWrite;
+}
+
+// Whether any frame may be; in space all have the background of the first.
+bool isTransparent(const FrameDrawing& drawing, const document::Fractal& entry, std::vector<int> files) {
+    if (document::space(entry)) files.resize(1);
+    return std::ranges::any_of(files, [&](int file) { return drawing.isTransparent(file - 1); });
+}
+
+} // namespace
+
+ExitStatus animateVideo(const AnimateArguments& arguments, const Input& input, const document::Fractal& entry,
+                        ProgressMode mode) {
+    const QString path = fileNameOf(arguments.picture.output);
+    const document::AnimationFacts facts = *document::animationFacts(entry);
+    VideoSource source;
+    source.settings.format = *arguments.video;
+    source.settings.rate = arguments.framesPerSecond.value_or(facts.rate);
+    source.settings.repeats = facts.loop != animation::Loop::Off;
+    source.settings.systemText = io::writeEntry(entry);
+    source.settings.title = entry.name;
+    if (const io::Failure obstacle = io::videoObstacle(source.settings)) return refused(path, *obstacle);
+    const std::vector<int> files = filesOf(arguments, input, entry);
+    if (files.empty()) {
+        reportError(input.name, tr("--frames names no frame of the animation; no video was written."));
+        return ExitStatus::InputProblems;
+    }
+    if (arguments.whatExists == Existing::Fail && QFileInfo::exists(path))
+        return refused(path, tr("The file exists already; nothing was drawn."));
+    warnAboutAttractor(input, entry);
+    const Interrupt interrupt;
+    ProgressBar bar(mode);
+    FrameDrawing drawing(entry, arguments.picture, input.name);
+    source.count = int(files.size());
+    source.settings.isTransparent = isTransparent(drawing, entry, files);
+    attractor::RenderNote note = attractor::RenderNote::None;
+    source.frame = [&](int index, const io::VideoWriter::Progress& progress) {
+        io::Picture picture = drawing.draw(files[std::size_t(index)] - 1, progress, interrupt.token());
+        if (note == attractor::RenderNote::None) note = picture.note;
+        return picture.image;
+    };
+    const ExitStatus status = writeVideo(path, std::move(source), bar, interrupt);
+    if (status == ExitStatus::Done) reportNote(note, path);
+    return status;
+}
+
+} // namespace cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "animated_entry.h"
+
+#include "messages.h"
+#include "render_note.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+QString momentText(const animation::Moment& moment) {
+    return moment.denominator == 1 ? QString::number(moment.numerator)
+                                   : QString::number(double(moment.numerator) / double(moment.denominator));
+}
+
+bool isAnimated(const document::Entry& entry) {
+    return document::animationFacts(*entry.fractal).has_value();
+}
+
+} // namespace
+
+const document::Entry* animatedEntry(const Input& input, const std::vector<std::string>& names,
+                                     ExitStatus& status) {
+    if (names.empty()) {
+        const auto& entries = input.collection.file.entries;
+        if (const auto found = std::ranges::find_if(entries, isAnimated); found != entries.end()) {
+            status = std::max(status, reportAll(input.collection.file.problems, input.name));
+            status = std::max(status, reportAll(found->problems, input.name));
+            return &*found;
+        }
+    }
+    const ToDraw toDraw = entriesToDraw(input, names);
+    status = std::max(status, toDraw.status);
+    if (toDraw.entries.empty()) return nullptr;
+    const document::Entry& entry = *toDraw.entries.front();
+    if (isAnimated(entry)) return hasMaps(*entry.fractal, input.name) ? &entry : nullptr;
+    reportError(input.name, tr("“%1” has no animation.").arg(printableLine(entry.fractal->name)));
+    return nullptr;
+}
+
+std::vector<int> filesOf(const AnimateArguments& arguments, const Input& input,
+                         const document::Fractal& entry) {
+    const auto facts = *document::animationFacts(entry);
+    const int count = animation::frameCount(facts.loop, facts.length);
+    if (isAnyBeyond(arguments.ranges, count))
+        reportWarning(input.name, tr("The animation of “%1” has %2 frames; those of --frames after the "
+                                     "last one are left out.")
+                                      .arg(printableLine(entry.name))
+                                      .arg(count));
+    const std::vector<int> all = filesIn(arguments.ranges, count);
+    std::vector<int> files;
+    for (auto i = std::size_t(arguments.part.i); i < all.size(); i += std::size_t(arguments.part.n))
+        files.push_back(all[i]);
+    return files;
+}
+
+void warnAboutAttractor(const Input& input, const document::Fractal& entry) {
+    const auto lost = document::firstWithoutAttractor(entry);
+    if (!lost) return;
+    reportWarning(input.name,
+                  (lost->verdict == ifs::Verdict::Undecided
+                       ? tr("At frame %1 of “%2” it could not be decided whether there is an attractor.")
+                       : tr("At frame %1 of “%2” there is no attractor."))
+                      .arg(momentText(lost->moment), printableLine(entry.name)));
+}
+
+} // namespace cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/render_request.h"
+#include "attractor/request/space_request.h"
+
+#include <vector>
+
+// How far a picture moves while a shutter is open. docs/mathematics.md, "Shutter".
+namespace attractor {
+
+constexpr int maxSteps = 64;
+
+// Where some thousand points of the attractor are shown, in pixels: those with the same addresses for every
+// request with as many maps that take part.
+struct TrackedPoints {
+    std::vector<ifs::Vector<2>> pixels;
+    RasterSize size;
+};
+TrackedPoints trackedPoints(const RenderRequest& request);
+TrackedPoints trackedPoints(const SpaceRequest& request);
+
+// The steps into which evenly spaced moments have to be divided so that no tracked point that is in the
+// picture moves more than a pixel in a step; 1 … maxSteps, and maxSteps where the points do not correspond.
+int stepsFor(const std::vector<TrackedPoints>& moments);
+
+} // namespace attractor

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "io/video/libav_encoder.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+extern "C" {
+#include <libavutil/opt.h>
+}
+
+namespace io::libav {
+
+namespace {
+
+// A fixed number, because what encoders write depends on it.
+constexpr int threads = 4;
+
+struct Option {
+    const char* name;
+    const char* value;
+};
+
+// How a format is written.
+struct Recipe {
+    const char* muxer;
+    const char* encoder;
+    AVPixelFormat opaque;
+    AVPixelFormat transparent;
+    std::vector<Option> options{};     // of the encoder
+    std::vector<Option> fileOptions{}; // of the muxer
+};
+
+Recipe recipeOf(const VideoSettings& settings) {
+    switch (settings.format) {
+    case VideoFormat::Mp4:
+        return {"mp4",
+                "libx264",
+                AV_PIX_FMT_YUV420P,
+                AV_PIX_FMT_YUV420P,
+                {{"preset", "medium"}, {"crf", "14"}},
+                {{"movflags", "+faststart"}}};
+    case VideoFormat::WebM:
+        // Frames that are never shown and transparency do not go together.
+        return {"webm",
+                "libvpx-vp9",
+                AV_PIX_FMT_YUV420P,
+                AV_PIX_FMT_YUVA420P,
+                {{"crf", "16"},
+                 {"deadline", "good"},
+                 {"cpu-used", "4"},
+                 {"auto-alt-ref", settings.isTransparent ? "0" : "1"}}};
+    case VideoFormat::Mkv:
+        return {"matroska",
+                "ffv1",
+                AV_PIX_FMT_BGR0,
+                AV_PIX_FMT_BGRA,
+                {{"level", "3"}, {"slices", "4"}, {"slicecrc", "1"}, {"g", "1"}}};
+    case VideoFormat::Gif:
+        return {"gif",           "gif", AV_PIX_FMT_PAL8,
+                AV_PIX_FMT_PAL8, {},    {{"loop", settings.repeats ? "0" : "-1"}}};
+    case VideoFormat::WebP: // without loss, because with loss it has a quarter of the colours
+        return {"webp",
+                "libwebp_anim",
+                AV_PIX_FMT_BGRA,
+                AV_PIX_FMT_BGRA,
+                {{"lossless", "1"}, {"quality", "50"}},
+                {{"loop", settings.repeats ? "0" : "1"}}};
+    case VideoFormat::Apng:
+        return {"apng",          "apng",           AV_PIX_FMT_RGB24,
+                AV_PIX_FMT_RGBA, {{"pred", "up"}}, {{"plays", settings.repeats ? "0" : "1"}}};
+    }
+    return {};
+}
+
+const char* suffixOf(VideoFormat format) {
+    return std::array{".mp4", ".webm", ".mkv", ".gif", ".webp", ".apng"}[std::size_t(format)];
+}
+
+// Of the options that the library takes; it leaves the others in the dictionary.
+class Options {
+public:
+    explicit Options(const std::vector<Option>& options) {
+        for (const Option& option : options)
+            av_dict_set(&m_dictionary, option.name, option.value, 0);
+    }
+    ~Options() { av_dict_free(&m_dictionary); }
+    Options(const Options&) = delete;
+    Options& operator=(const Options&) = delete;
+
+    AVDictionary** get() { return &m_dictionary; }
+
+private:
+    AVDictionary* m_dictionary = nullptr;
+};
+
+bool isRgb(AVPixelFormat format) {
+    return format != AV_PIX_FMT_YUV420P && format != AV_PIX_FMT_YUVA420P;
+}
+
+void describeColours(AVCodecContext& encoder) {
+    if (encoder.pix_fmt == AV_PIX_FMT_PAL8) return;
+    const bool rgb = isRgb(encoder.pix_fmt);
+    encoder.color_range = rgb ? AVCOL_RANGE_JPEG : AVCOL_RANGE_MPEG;
+    encoder.colorspace = rgb ? AVCOL_SPC_RGB : AVCOL_SPC_BT709;
+    encoder.color_primaries = AVCOL_PRI_BT709;
+    encoder.color_trc = rgb ? AVCOL_TRC_IEC61966_2_1 : AVCOL_TRC_BT709;
+}
+
+bool copiesRows(AVPixelFormat format) {
+    return format == AV_PIX_FMT_BGRA || format == AV_PIX_FMT_BGR0;
+}
+
+Pointer<SwsContext> conversion(int width, int height, AVPixelFormat to) {
+    constexpr int flags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP | SWS_BITEXACT;
+    Pointer<SwsContext> context(
+        sws_getContext(width, height, AV_PIX_FMT_BGRA, width, height, to, flags, nullptr, nullptr, nullptr));
+    if (!context) return context;
+    constexpr int one = 1 << 16;
+    const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+    sws_setColorspaceDetails(context.get(), bt709, 1, bt709, isRgb(to) ? 1 : 0, 0, one, one);
+    return context;
+}
+
+} // namespace
+
+QByteArray commentOf(const QByteArray& systemText) {
+    return "; Barycage\n" + systemText;
+}
+
+Failure encoderObstacle(VideoFormat format) {
+    VideoSettings settings;
+    settings.format = format;
+    const Recipe recipe = recipeOf(settings);
+    if (avcodec_find_encoder_by_name(recipe.encoder) != nullptr &&
+        av_guess_format(recipe.muxer, nullptr, nullptr) != nullptr)
+        return std::nullopt;
+    return QCoreApplication::translate(
+               "VideoWriter", "FFmpeg's libraries on this machine cannot write %1 files: the encoder "
+                              "%2 is missing. Choose another format.")
+        .arg(QLatin1String(suffixOf(format)), QLatin1String(recipe.encoder));
+}
+
+Encoder::Encoder(QIODevice& device, const VideoSettings& settings) : m_file(device) {
+    av_log_set_level(AV_LOG_QUIET); // what fails is said by failure()
+    open(settings);
+}
+
+bool Encoder::isDone(int result) {
+    if (result >= 0) return true;
+    std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+    av_strerror(result, text.data(), text.size());
+    if (!m_failure)
+        m_failure = QCoreApplication::translate("VideoWriter", "The video cannot be written: %1.")
+                        .arg(QString::fromUtf8(text.data()));
+    return false;
+}
+
+void Encoder::open(const VideoSettings& settings) {
+    m_packet.reset(av_packet_alloc());
+    AVFormatContext* format = nullptr;
+    const Recipe recipe = recipeOf(settings);
+    const int made = avformat_alloc_output_context2(&format, nullptr, recipe.muxer, nullptr);
+    m_format.reset(format);
+    if (!isDone(m_packet ? made : AVERROR(ENOMEM))) return;
+    openEncoder(settings);
+    if (!m_failure) openFile(settings);
+}
+
+void Encoder::openEncoder(const VideoSettings& settings) {
+    const Recipe recipe = recipeOf(settings);
+    const AVCodec* codec = avcodec_find_encoder_by_name(recipe.encoder);
+    m_encoder.reset(codec != nullptr ? avcodec_alloc_context3(codec) : nullptr);
+    if (!isDone(m_encoder ? 0 : AVERROR_ENCODER_NOT_FOUND)) return;
+    m_encoder->width = settings.width;
+    m_encoder->height = settings.height;
+    m_encoder->pix_fmt = settings.isTransparent ? recipe.transparent : recipe.opaque;
+    m_encoder->time_base = {settings.rate.seconds, settings.rate.frames};
+    m_encoder->framerate = {settings.rate.frames, settings.rate.seconds};
+    m_encoder->sample_aspect_ratio = {1, 1};
+    m_encoder->bit_rate = 0; // the quality is constant
+    m_encoder->thread_count = threads;
+    m_encoder->flags |= AV_CODEC_FLAG_BITEXACT;
+    if ((m_format->oformat->flags & AVFMT_GLOBALHEADER) != 0) m_encoder->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    describeColours(*m_encoder);
+    Options options(recipe.options);
+    if (!isDone(avcodec_open2(m_encoder.get(), codec, options.get()))) return;
+    if (isRgb(m_encoder->pix_fmt) && copiesRows(m_encoder->pix_fmt)) return;
+    if (m_encoder->pix_fmt == AV_PIX_FMT_PAL8) return;
+    m_colours = conversion(settings.width, settings.height, m_encoder->pix_fmt);
+    isDone(m_colours ? 0 : AVERROR(ENOMEM));
+}
+
+void Encoder::openFile(const VideoSettings& settings) {
+    m_stream = avformat_new_stream(m_format.get(), nullptr);
+    if (!isDone(m_stream != nullptr ? 0 : AVERROR(ENOMEM))) return;
+    if (!isDone(avcodec_parameters_from_context(m_stream->codecpar, m_encoder.get()))) return;
+    m_stream->time_base = m_encoder->time_base;
+    m_stream->avg_frame_rate = m_stream->r_frame_rate = m_encoder->framerate;
+    if (settings.format == VideoFormat::WebM && settings.isTransparent)
+        av_dict_set(&m_stream->metadata, "alpha_mode", "1", 0);
+    if (!settings.title.isEmpty())
+        av_dict_set(&m_format->metadata, "title", settings.title.toUtf8().constData(), 0);
+    if (!settings.systemText.isEmpty())
+        av_dict_set(&m_format->metadata, "comment", commentOf(settings.systemText).constData(), 0);
+    m_format->flags |= AVFMT_FLAG_BITEXACT;
+    m_file.serve(*m_format);
+    if (!isDone(m_format->pb != nullptr ? 0 : AVERROR(ENOMEM))) return;
+    Options options(recipeOf(settings).fileOptions);
+    isDone(avformat_write_header(m_format.get(), options.get()));
+}
+
+Frame Encoder::converted(AVFrame& picture) {
+    if (picture.format == AV_PIX_FMT_PAL8) return Frame(av_frame_clone(&picture));
+    Frame frame = newFrame(m_encoder->pix_fmt, picture.width, picture.height);
+    if (!frame) return frame;
+    if (m_colours) {
+        sws_scale(m_colours.get(), picture.data, picture.linesize, 0, picture.height, frame->data,
+                  frame->linesize);
+    } else {
+        for (int row = 0; row < picture.height; ++row)
+            std::memcpy(frame->data[0] + std::ptrdiff_t(row) * frame->linesize[0],
+                        picture.data[0] + std::ptrdiff_t(row) * picture.linesize[0],
+                        std::size_t(picture.width) * 4);
+    }
+    frame->color_range = m_encoder->color_range;
+    frame->colorspace = m_encoder->colorspace;
+    frame->color_primaries = m_encoder->color_primaries;
+    frame->color_trc = m_encoder->color_trc;
+    return frame;
+}
+
+void Encoder::add(AVFrame& picture) {
+    if (m_failure) return;
+    const Frame frame = converted(picture);
+    if (!isDone(frame ? 0 : AVERROR(ENOMEM))) return;
+    frame->pts = m_pictures++;
+    encode(frame.get());
+}
+
+void Encoder::encode(AVFrame* picture) {
+    if (!isDone(avcodec_send_frame(m_encoder.get(), picture))) return;
+    while (!m_failure) {
+        const int result = avcodec_receive_packet(m_encoder.get(), m_packet.get());
+        if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
+        if (!isDone(result)) return;
+        if (m_packet->duration == 0) m_packet->duration = 1;
+        av_packet_rescale_ts(m_packet.get(), m_encoder->time_base, m_stream->time_base);
+        m_packet->stream_index = m_stream->index;
+        isDone(av_interleaved_write_frame(m_format.get(), m_packet.get()));
+    }
+}
+
+void Encoder::finish() {
+    if (!m_failure) encode(nullptr);
+    if (!m_failure) isDone(av_write_trailer(m_format.get()));
+    if (m_failure) return;
+    avio_flush(m_format->pb);
+    isDone(m_format->pb->error);
+}
+
+} // namespace io::libav

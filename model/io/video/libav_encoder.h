@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/video/libav_file.h"
+#include "io/video/libav_pointers.h"
+#include "io/video/video_writer.h"
+
+#include <QIODevice>
+
+#include <optional>
+
+namespace io::libav {
+
+// The comment of a video that carries this text.
+QByteArray commentOf(const QByteArray& systemText);
+
+// That the encoder of the format is missing; nullopt: it is there.
+Failure encoderObstacle(VideoFormat format);
+
+// One stream of pictures into one file. Failures carry the words of the libraries.
+class Encoder {
+public:
+    Encoder(QIODevice& device, const VideoSettings& settings);
+
+    const Failure& failure() const { return m_failure; }
+    qint64 size() const { return m_file.size(); } // of what has been written
+
+    // The next picture: AV_PIX_FMT_BGRA with straight alpha, or AV_PIX_FMT_PAL8 for a GIF.
+    void add(AVFrame& picture);
+    void finish();
+
+private:
+    void open(const VideoSettings& settings);
+    void openEncoder(const VideoSettings& settings);
+    void openFile(const VideoSettings& settings);
+    Frame converted(AVFrame& picture);
+    void encode(AVFrame* picture); // nullptr: what waits
+    bool isDone(int result);       // false after a failure, which is remembered
+
+    File m_file;
+    Pointer<AVFormatContext> m_format;
+    Pointer<AVCodecContext> m_encoder;
+    Pointer<SwsContext> m_colours;
+    Pointer<AVPacket> m_packet;
+    AVStream* m_stream = nullptr;
+    std::int64_t m_pictures = 0;
+    Failure m_failure;
+};
+
+} // namespace io::libav

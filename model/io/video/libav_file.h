@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QIODevice>
+
+#include <cstdint>
+#include <vector>
+
+struct AVFormatContext;
+struct AVIOContext;
+
+namespace io::libav {
+
+// A device as FFmpeg's libraries write to it, and read what they have written, through any number of
+// positions of their own.
+class File {
+public:
+    explicit File(QIODevice& device); // open for reading and writing, random-access; outlives the file
+    ~File();
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+
+    void serve(AVFormatContext& format); // which the file outlives
+    qint64 size() const { return m_size; }
+
+private:
+    struct Cursor {
+        File* file;
+        qint64 position = 0;
+    };
+    static int read(void* cursor, unsigned char* data, int size);
+    static int write(void* cursor, const unsigned char* data, int size);
+    static std::int64_t seek(void* cursor, std::int64_t offset, int whence);
+    AVIOContext* open(bool isWritable);
+    void close(AVIOContext* context);
+
+    QIODevice& m_device;
+    qint64 m_size = 0;
+    std::vector<AVIOContext*> m_open;
+};
+
+} // namespace io::libav

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "io/video/video_format.h"
+
+#include <QStringList>
+
+namespace io {
+
+std::optional<VideoFormat> videoFormat(const QString& suffix) {
+    static const QStringList suffixes{QStringLiteral("mp4"), QStringLiteral("webm"), QStringLiteral("mkv"),
+                                      QStringLiteral("gif"), QStringLiteral("webp"), QStringLiteral("apng")};
+    const qsizetype index = suffixes.indexOf(suffix.toLower());
+    return index >= 0 ? std::optional(VideoFormat(index)) : std::nullopt;
+}
+
+VideoFormatFacts factsOf(VideoFormat format) {
+    constexpr int common = 16384;
+    switch (format) {
+    case VideoFormat::Mp4:
+        return {false, true, std::nullopt, common};
+    case VideoFormat::WebP:
+        return {true, false, 1000, 16383}; // milliseconds
+    case VideoFormat::Gif:
+        return {true, false, 50, common}; // hundredths of a second, and one of them is shown as ten
+    case VideoFormat::WebM:
+    case VideoFormat::Mkv:
+    case VideoFormat::Apng:
+        break;
+    }
+    return {true, false, std::nullopt, common};
+}
+
+} // namespace io

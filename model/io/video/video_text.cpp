@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "io/video/video_text.h"
+
+#include "io/picture/png_system.h"
+#include "io/picture/svg_system.h"
+
+#include <QtEndian>
+
+#include <zlib.h>
+
+#include <algorithm>
+
+namespace io {
+
+namespace {
+
+QByteArray read(QIODevice& device, qint64 at, qint64 size) {
+    return device.seek(at) ? device.read(size) : QByteArray();
+}
+
+bool write(QIODevice& device, qint64 at, const QByteArray& bytes) {
+    return device.seek(at) && device.write(bytes) == bytes.size();
+}
+
+// What comes behind moves on, the last of it first.
+bool insert(QIODevice& device, qint64 size, qint64 at, const QByteArray& bytes) {
+    constexpr qint64 piece = 1 << 20;
+    for (qint64 end = size; end > at;) {
+        const qint64 begin = std::max(at, end - piece);
+        const QByteArray moved = read(device, begin, end - begin);
+        if (moved.size() != end - begin || !write(device, begin + bytes.size(), moved)) return false;
+        end = begin;
+    }
+    return write(device, at, bytes);
+}
+
+QByteArray bigEndian(quint32 number) {
+    QByteArray bytes(4, '\0');
+    qToBigEndian(number, bytes.data());
+    return bytes;
+}
+
+QByteArray littleEndian(quint32 number) {
+    QByteArray bytes(4, '\0');
+    qToLittleEndian(number, bytes.data());
+    return bytes;
+}
+
+// Behind the header, before the first pixel.
+bool addToApng(QIODevice& device, qint64 size, const QByteArray& text) {
+    constexpr qint64 header = 8 + 25;
+    if (!looksLikePng(read(device, 0, 8))) return false;
+    const QByteArray data = "iTXt" + QByteArray(pngSystemKeyword) + QByteArray(5, '\0') + text;
+    const auto sum = crc32(0, reinterpret_cast<const Bytef*>(data.constData()), uInt(data.size()));
+    return insert(device, size, header, bigEndian(quint32(data.size() - 4)) + data + bigEndian(quint32(sum)));
+}
+
+// Before the last byte.
+bool addToGif(QIODevice& device, qint64 size, const QByteArray& text) {
+    constexpr qsizetype block = 255;
+    if (read(device, size - 1, 1) != ";") return false;
+    QByteArray comment("\x21\xfe", 2);
+    for (qsizetype at = 0; at < text.size(); at += block) {
+        const QByteArray piece = text.mid(at, block);
+        comment += char(uchar(piece.size())) + piece;
+    }
+    return write(device, size - 1, comment + '\0' + ';');
+}
+
+// Behind all else; the file and its first chunk say that it is there.
+bool addToWebP(QIODevice& device, qint64 size, const QByteArray& text) {
+    constexpr char hasXmp = 0x04;
+    constexpr qint64 flagsAt = 20;
+    const QByteArray head = read(device, 0, flagsAt + 1);
+    if (head.size() <= flagsAt || head.mid(8, 8) != "WEBPVP8X" || size % 2 != 0) return false;
+    QByteArray packet = "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF "
+                        "xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\"><rdf:Description "
+                        "rdf:about=\"\"><system xmlns=\"" +
+                        svgSystemNamespace().toUtf8() + "\">" +
+                        QString::fromUtf8(text).toHtmlEscaped().toUtf8() +
+                        "</system></rdf:Description></rdf:RDF></x:xmpmeta>";
+    const qsizetype length = packet.size();
+    if (length % 2 != 0) packet += '\0';
+    return write(device, size, "XMP " + littleEndian(quint32(length)) + packet) &&
+           write(device, flagsAt, QByteArray(1, char(head[flagsAt] | hasXmp))) &&
+           write(device, 4, littleEndian(quint32(size + 8 + packet.size() - 8)));
+}
+
+} // namespace
+
+bool addVideoText(QIODevice& device, qint64 size, VideoFormat format, const QByteArray& text) {
+    switch (format) {
+    case VideoFormat::Gif:
+        return addToGif(device, size, text);
+    case VideoFormat::WebP:
+        return addToWebP(device, size, text);
+    case VideoFormat::Apng:
+        return addToApng(device, size, text);
+    case VideoFormat::Mp4:
+    case VideoFormat::WebM:
+    case VideoFormat::Mkv:
+        break;
+    }
+    return false;
+}
+
+} // namespace io

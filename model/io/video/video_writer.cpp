@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "io/video/video_writer.h"
+
+#include <QCoreApplication>
+
+#ifdef BARYCAGE_VIDEO
+#include "io/video/frame_spool.h"
+#include "io/video/libav_encoder.h"
+#include "io/video/libav_palette.h"
+#include "io/video/video_text.h"
+
+#include <algorithm>
+#endif
+
+namespace io {
+
+namespace {
+
+struct VideoTexts {
+    Q_DECLARE_TR_FUNCTIONS(VideoWriter)
+};
+
+} // namespace
+
+#ifdef BARYCAGE_VIDEO
+
+namespace {
+
+// As PNG pictures have it: straight alpha.
+std::uint32_t straight(std::uint32_t pixel) {
+    return qUnpremultiply(pixel);
+}
+
+// The picture in BGRA, with sides that are even if they have to be; null when there is no memory.
+libav::Frame pictureOf(const QImage& image, const VideoSettings& settings) {
+    const bool isEven = factsOf(settings.format).needsEvenSides;
+    const int width = image.width() + (isEven ? image.width() % 2 : 0);
+    const int height = image.height() + (isEven ? image.height() % 2 : 0);
+    libav::Frame frame = libav::newFrame(AV_PIX_FMT_BGRA, width, height);
+    if (!frame) return frame;
+    const bool isPremultiplied = image.format() == QImage::Format_ARGB32_Premultiplied;
+    const bool onBlack = !factsOf(settings.format).storesAlpha;
+    for (int y = 0; y < height; ++y) {
+        const auto* from =
+            reinterpret_cast<const std::uint32_t*>(image.constScanLine(std::min(y, image.height() - 1)));
+        auto* row = reinterpret_cast<std::uint32_t*>(frame->data[0] + std::ptrdiff_t(y) * frame->linesize[0]);
+        for (int x = 0; x < width; ++x) {
+            const std::uint32_t pixel = from[std::min(x, image.width() - 1)];
+            if (onBlack)
+                row[x] = (isPremultiplied ? pixel : qPremultiply(pixel)) | 0xff000000U;
+            else
+                row[x] =
+                    (isPremultiplied ? straight(pixel) : pixel) | (settings.isTransparent ? 0 : 0xff000000U);
+        }
+    }
+    return frame;
+}
+
+QImage readable(const QImage& image) {
+    const QImage::Format format = image.format();
+    const bool isRead = format == QImage::Format_ARGB32 || format == QImage::Format_ARGB32_Premultiplied;
+    return isRead ? image : image.convertToFormat(QImage::Format_ARGB32);
+}
+
+VideoSettings encoded(VideoSettings settings) {
+    if (!factsOf(settings.format).needsEvenSides) return settings;
+    settings.width += settings.width % 2;
+    settings.height += settings.height % 2;
+    return settings;
+}
+
+bool isAddedLater(VideoFormat format) {
+    return format == VideoFormat::Gif || format == VideoFormat::WebP || format == VideoFormat::Apng;
+}
+
+// What goes on between two looks at the stop token.
+struct Course {
+    const VideoWriter::Progress& progress;
+    const std::stop_token& stop;
+
+    bool goesOn(double fraction) const {
+        if (progress) progress(fraction);
+        return !stop.stop_requested();
+    }
+};
+
+} // namespace
+
+struct VideoWriter::State {
+    State(const QString& path, const VideoSettings& wanted) : settings(wanted), file(path) {
+        failure = videoObstacle(settings);
+        if (!failure) failure = file.failure();
+        if (failure) return;
+        encoder = std::make_unique<libav::Encoder>(file, encoded(settings));
+        takeFailure();
+        if (settings.format == VideoFormat::Gif) spool = std::make_unique<FrameSpool>();
+    }
+
+    void takeFailure() {
+        if (!failure) failure = file.failure() ? file.failure() : encoder->failure();
+    }
+
+    void add(const QImage& image) {
+        const libav::Frame picture = pictureOf(readable(image), settings);
+        if (picture)
+            encoder->add(*picture);
+        else
+            failure = VideoTexts::tr("There is not enough memory for a frame of the video.");
+        takeFailure();
+    }
+
+    void addAllInOnePalette(const Course& course);
+    libav::Frame paletteOfAll(const Course& course);
+    void finish(const Course& course);
+
+    VideoSettings settings;
+    NewFile file;
+    Failure failure;
+    std::unique_ptr<libav::Encoder> encoder;
+    std::unique_ptr<FrameSpool> spool; // of a GIF
+};
+
+// Null after a failure, which is remembered, or when stopped.
+libav::Frame VideoWriter::State::paletteOfAll(const Course& course) {
+    libav::PaletteMaker maker(settings.width, settings.height, settings.isTransparent);
+    for (int index = 0; index < spool->count(); ++index) {
+        if (!course.goesOn(0.3 * index / spool->count())) return {};
+        const QImage image = spool->read(index);
+        const libav::Frame picture = image.isNull() ? nullptr : pictureOf(image, settings);
+        if (picture && maker.add(picture)) continue;
+        failure = VideoTexts::tr("The palette of the GIF cannot be made.");
+        return {};
+    }
+    libav::Frame palette = maker.finish();
+    if (!palette) failure = VideoTexts::tr("The palette of the GIF cannot be made.");
+    return palette;
+}
+
+void VideoWriter::State::addAllInOnePalette(const Course& course) {
+    const libav::Frame palette = paletteOfAll(course);
+    if (!palette) return;
+    libav::PaletteMap map(settings.width, settings.height, palette);
+    for (int index = 0; index < spool->count() && !failure; ++index) {
+        if (!course.goesOn(0.3 + 0.7 * index / spool->count())) return;
+        const QImage image = spool->read(index);
+        const libav::Frame picture = image.isNull() ? nullptr : pictureOf(image, settings);
+        const libav::Frame mapped = picture ? map.apply(picture) : nullptr;
+        if (mapped)
+            encoder->add(*mapped);
+        else
+            failure = VideoTexts::tr("A frame of the GIF cannot be made.");
+        takeFailure();
+    }
+}
+
+void VideoWriter::State::finish(const Course& course) {
+    if (spool && !failure) addAllInOnePalette(course);
+    if (failure || course.stop.stop_requested()) return;
+    encoder->finish();
+    takeFailure();
+    if (failure || course.stop.stop_requested()) return;
+    if (isAddedLater(settings.format) && !settings.systemText.isEmpty() &&
+        !addVideoText(file, encoder->size(), settings.format, libav::commentOf(settings.systemText)))
+        failure =
+            file.failure() ? file.failure() : VideoTexts::tr("The animation cannot be stored in the video.");
+    if (!failure) failure = file.commit();
+}
+
+Failure videoObstacle(const VideoSettings& settings) {
+    if (const Failure missing = libav::encoderObstacle(settings.format)) return missing;
+    const VideoFormatFacts facts = factsOf(settings.format);
+    const int side = std::max(settings.width, settings.height);
+    if (facts.maxSide && side > *facts.maxSide)
+        return VideoTexts::tr("A side of %1 pixels is too long for this format; the limit is %2.")
+            .arg(side)
+            .arg(*facts.maxSide);
+    if (facts.maxRate && settings.rate.frames > std::int64_t(*facts.maxRate) * settings.rate.seconds)
+        return VideoTexts::tr("This format shows at most %1 frames per second. Choose a lower rate.")
+            .arg(*facts.maxRate);
+    return std::nullopt;
+}
+
+VideoWriter::VideoWriter(const QString& path, const VideoSettings& settings)
+    : m_state(std::make_unique<State>(path, settings)) {}
+
+Failure VideoWriter::writeFrame(const QImage& frame) {
+    State& state = *m_state;
+    if (state.failure) return state.failure;
+    if (state.spool)
+        state.failure = state.spool->add(frame);
+    else
+        state.add(frame);
+    return state.failure;
+}
+
+Failure VideoWriter::finish(const Progress& progress, const std::stop_token& stop) {
+    if (!m_state->failure) m_state->finish({progress, stop});
+    return m_state->failure;
+}
+
+#else
+
+struct VideoWriter::State {
+    Failure failure;
+};
+
+Failure videoObstacle(const VideoSettings&) {
+    return VideoTexts::tr(
+        "This Barycage was built without FFmpeg's libraries and writes no videos. Write the frames as "
+        "PNG pictures instead.");
+}
+
+VideoWriter::VideoWriter(const QString&, const VideoSettings& settings)
+    : m_state(std::make_unique<State>(State{videoObstacle(settings)})) {}
+
+Failure VideoWriter::writeFrame(const QImage&) {
+    return m_state->failure;
+}
+
+Failure VideoWriter::finish(const Progress&, const std::stop_token&) {
+    return m_state->failure;
+}
+
+#endif
+
+VideoWriter::~VideoWriter() = default;
+
+const Failure& VideoWriter::failure() const {
+    return m_state->failure;
+}
+
+} // namespace io

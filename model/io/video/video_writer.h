@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "animation/animation.h"
+#include "io/file/save_file.h"
+#include "io/video/video_format.h"
+
+#include <QByteArray>
+#include <QImage>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+namespace io {
+
+struct VideoSettings {
+    VideoFormat format = VideoFormat::Mp4;
+    int width = 0; // pixels
+    int height = 0;
+    bool isTransparent = false; // MP4 shows what is transparent on black
+    animation::FrameRate rate;  // positive
+    bool repeats = false;       // GIF, WebP and APNG are played again and again rather than once
+    QByteArray systemText;      // UTF-8, embedded for readVideoSystem(); empty: nothing
+    QString title;
+};
+
+// Why no video of these settings can be written here: a library or an encoder that is missing, or a size or a
+// rate that the format does not have.
+Failure videoObstacle(const VideoSettings& settings);
+
+// Writes a video through FFmpeg's libraries; `path` appears whole or not at all. The same frames give the
+// same bytes with the same versions of the libraries. Where a format needs even sides, the last column and
+// the last row are shown twice. A GIF has one palette for all frames, so that its frames wait, compressed, in
+// a file without a name until finish(). Any failure is remembered and makes the calls that follow return it
+// at once.
+class VideoWriter {
+public:
+    using Progress = std::function<void(double fraction)>;
+
+    VideoWriter(const QString& path, const VideoSettings& settings);
+    ~VideoWriter();
+
+    VideoWriter(const VideoWriter&) = delete;
+    VideoWriter& operator=(const VideoWriter&) = delete;
+
+    const Failure& failure() const;
+
+    // The next frame, sRGB of any QImage format, of the size in the settings.
+    Failure writeFrame(const QImage& frame);
+    // After the last frame, of which there is at least one. When stopped, nothing is written.
+    Failure finish(const Progress& progress = {}, const std::stop_token& stop = {});
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace io

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "document/shutter.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace document;
+using animation::Loop;
+using animation::Moment;
+using animation::moment;
+
+// When the shutter is open, and between which moments exposures are interpolated.
+class ShutterTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void partsLieEvenlyAroundTheFrame() {
+        const AnimationFacts facts{{}, 10, Loop::Off, 0, 0};
+        QCOMPARE(shutterMiddles(facts, 5, 360'000, 2), (std::vector<Moment>{moment(19, 4), moment(21, 4)}));
+        QCOMPARE(shutterEdges(facts, 5, 180'000, 1), (std::vector<Moment>{moment(19, 4), moment(21, 4)}));
+        QCOMPARE(shutterMiddles(facts, 5, 90'000, 1), (std::vector<Moment>{moment(5)}));
+        QCOMPARE(shutterEdges(facts, 5, 360'000, 4),
+                 (std::vector<Moment>{moment(9, 2), moment(19, 4), moment(5), moment(21, 4), moment(11, 2)}));
+    }
+
+    // At the ends it stays, goes round or turns back.
+    void theShutterStaysWithinTheAnimation() {
+        const auto edges = [](Loop loop, int frame) {
+            return shutterEdges({{}, 10, loop, 0, 0}, frame, 360'000, 1);
+        };
+        QCOMPARE(edges(Loop::Off, 0), (std::vector<Moment>{moment(0), moment(1, 2)}));
+        QCOMPARE(edges(Loop::Off, 10), (std::vector<Moment>{moment(19, 2), moment(10)}));
+        QCOMPARE(edges(Loop::Cycle, 0), (std::vector<Moment>{moment(19, 2), moment(1, 2)}));
+        QCOMPARE(edges(Loop::Cycle, 10), edges(Loop::Cycle, 0));
+        QCOMPARE(edges(Loop::ThereAndBack, 0), (std::vector<Moment>{moment(1, 2), moment(1, 2)}));
+        QCOMPARE(edges(Loop::ThereAndBack, 10), (std::vector<Moment>{moment(19, 2), moment(19, 2)}));
+    }
+
+    void pilotsAreKeysAndMiddles() {
+        Shape<2> shape;
+        ifs::append(shape.system, ifs::affineMap(.5, 0, 0, .5, 0, 0), 1);
+        shape.animation = animation::Animation<2>{};
+        shape.animation->length = 12;
+        shape.animation->camera = {{3, {}, {}}, {8, {}, {}}};
+        Fractal fractal;
+        fractal.shape = shape;
+        QCOMPARE(exposurePilots(fractal),
+                 (std::vector<Moment>{moment(0), moment(3, 2), moment(3), moment(11, 2), moment(8),
+                                      moment(10), moment(12)}));
+        shape.animation->motions = {animation::PaletteCycle{}};
+        fractal.shape = shape;
+        const auto pilots = exposurePilots(fractal);
+        QVERIFY(pilots.size() > 17);
+        QVERIFY(std::ranges::is_sorted(
+            pilots, {}, [](const Moment& m) { return double(m.numerator) / double(m.denominator); }));
+        shape.animation->length = 10'000;
+        for (int frame = 0; frame < 5000; ++frame)
+            shape.animation->look.push_back({frame, {}, {}});
+        fractal.shape = shape;
+        QCOMPARE(exposurePilots(fractal).size(), std::size_t(255));
+        QCOMPARE(exposurePilots(fractal).back(), moment(10'000));
+    }
+
+    void exposuresGoGeometrically() {
+        const std::vector<Moment> pilots{moment(0), moment(2), moment(4)};
+        const BetweenPilots at = betweenPilots(pilots, moment(5, 2));
+        QCOMPARE(at.before, std::size_t(1));
+        QCOMPARE(at.after, std::size_t(2));
+        QCOMPARE(at.share, 0.25);
+        for (std::size_t i = 0; i < pilots.size(); ++i) {
+            const BetweenPilots exactly = betweenPilots(pilots, pilots[i]);
+            QVERIFY(exactly.before == i && exactly.after == i && exactly.share == 0);
+        }
+        QCOMPARE(betweenPilots(pilots, moment(9)).before, std::size_t(2));
+        const attractor::Exposure from{1e-6, 4, 1}, to{16e-6, 9, 2};
+        const attractor::Exposure half = interpolated(from, to, 0.5);
+        QVERIFY(std::abs(half.meanDensity / 4e-6 - 1) < 1e-12);
+        QVERIFY(std::abs(half.whitePoint - 6) < 1e-12);
+        QVERIFY(std::abs(half.gain - std::sqrt(2)) < 1e-12);
+        QVERIFY(interpolated(from, to, 0) == from);
+    }
+};
+
+QTEST_APPLESS_MAIN(ShutterTest)
+#include "shutter_test.moc"
