@@ -21,8 +21,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Maps = std::vector<ifs::AffineMap<2>>;
 
-// The longer side of the target, in cells, at the three stages.
-constexpr int coarseSide = 64, mediumSide = 128, fineSide = 256;
+// The longer side of the target, in cells, at the three stages, and how many cells the last one may have:
+// thin shapes are fitted at a finer scale.
+constexpr int coarseSide = 64, mediumSide = 128, fineSide = 512, fineCells = 16'000;
 constexpr double levelMargin = 0.25, pictureMargin = 0.25; // shares of that side around it
 // One in so many starts goes on from the coarse level.
 constexpr std::size_t goingOn = 4;
@@ -47,6 +48,11 @@ struct Candidate {
 
 Target level(const Mask& picture, int side) {
     return target(picture, factorFor(picture, side), levelMargin);
+}
+
+Target fineLevel(const Mask& picture) {
+    const int byArea = int(std::ceil(std::sqrt(double(area(picture)) / fineCells)));
+    return target(picture, std::max(byArea, factorFor(picture, fineSide)), levelMargin);
 }
 
 Maps inGrid(const Grid& grid, const Maps& maps) {
@@ -74,7 +80,7 @@ public:
           m_picture(target(picture, 1, pictureMargin)),
           m_coarse(level(picture, coarseSide)),
           m_medium(level(picture, mediumSide)),
-          m_fine(level(picture, fineSide)),
+          m_fine(fineLevel(picture)),
           m_workers(std::size_t(std::max(1, options.threads))) {
         for (int maps = options.minMaps; maps <= options.maxMaps; ++maps)
             m_counts.push_back(maps);

@@ -8,13 +8,13 @@ namespace collage {
 
 namespace {
 
-// How many pixels of the shape every cell has. The first cell begins at (left, top) of the picture.
-std::vector<int> coverage(const Mask& picture, const PixelBox& box, int factor, int pad, const Mask& cells) {
+// How many pixels of the shape every cell has, where the first cell begins at (left, top) of the picture.
+std::vector<int> coverage(const Mask& picture, int left, int top, int factor, const Mask& cells) {
     std::vector<int> count(cells.cells.size());
+    const PixelBox box = boxOf(picture);
     for (int y = box.top; y < box.bottom; ++y)
         for (int x = box.left; x < box.right; ++x)
-            if (picture(x, y))
-                ++count[cells.index(pad + (x - box.left) / factor, pad + (y - box.top) / factor)];
+            if (picture(x, y)) ++count[cells.index((x - left) / factor, (y - top) / factor)];
     return count;
 }
 
@@ -78,11 +78,13 @@ Target target(const Mask& picture, int factor, double margin) {
     const int pad = std::max(2, int(std::ceil(margin * std::max(columns, rows))));
     Target result;
     const double pixel = 1.0 / picture.height;
-    result.grid = {(box.left - pad * factor - picture.width / 2.0) * pixel,
-                   (picture.height / 2.0 - box.top + pad * factor) * pixel, factor * pixel, columns + 2 * pad,
-                   rows + 2 * pad};
+    // The box lies in the middle of its cells, so that a thin line does in those that are set for it.
+    const int left = box.left - pad * factor - (columns * factor - box.width()) / 2;
+    const int top = box.top - pad * factor - (rows * factor - box.height()) / 2;
+    result.grid = {(left - picture.width / 2.0) * pixel, (picture.height / 2.0 - top) * pixel, factor * pixel,
+                   columns + 2 * pad, rows + 2 * pad};
     const Mask empty = emptyMask(result.grid.width, result.grid.height);
-    result.mask = reduced(empty, coverage(picture, box, factor, pad, empty), factor);
+    result.mask = reduced(empty, coverage(picture, left, top, factor, empty), factor);
     result.features = featureTransform(result.mask);
     result.size = std::max(box.width(), box.height()) * pixel;
     list(result);

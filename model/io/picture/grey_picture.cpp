@@ -9,6 +9,8 @@
 #include <QImageReader>
 #include <QtEndian>
 
+#include <zlib.h>
+
 #include <algorithm>
 
 namespace io {
@@ -26,8 +28,26 @@ bool isKnown(const QByteArray& format) {
     return formats.contains(format);
 }
 
+// Whether every chunk that matters is there with its checksum, to the last one. libpng would tell the
+// terminal.
+bool isWholePng(const QByteArray& bytes) {
+    for (qsizetype at = 8; at + 12 <= bytes.size();) {
+        const qsizetype length = qFromBigEndian<quint32>(bytes.constData() + at);
+        if (length > bytes.size() - at - 12) return false;
+        const char* type = bytes.constData() + at + 4;
+        const auto* checked = reinterpret_cast<const Bytef*>(type);
+        const bool matters = (type[0] & 0x20) == 0;
+        if (matters && crc32(0, checked, uInt(length + 4)) != qFromBigEndian<quint32>(type + 4 + length))
+            return false;
+        if (bytes.mid(at + 4, 4) == "IEND") return true;
+        at += length + 12;
+    }
+    return false;
+}
+
 // What its reader would pass over in silence.
-bool isIncomplete(const QByteArray& bytes, const QByteArray& format) {
+bool isDamaged(const QByteArray& bytes, const QByteArray& format) {
+    if (format == "png") return !isWholePng(bytes);
     if (format.startsWith("jp")) return !jpegFacts(bytes).isComplete;
     if (format == "gif") {
         qsizetype end = bytes.size();
@@ -63,7 +83,7 @@ std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes) {
             .arg(size.width())
             .arg(size.height())
             .arg(minTracedSide);
-    if (isIncomplete(bytes, format)) return Text::tr("The picture is incomplete: its end is missing.");
+    if (isDamaged(bytes, format)) return Text::tr("The picture is damaged or incomplete.");
     if (format.startsWith("jp") && jpegFacts(bytes).components > 3)
         return Text::tr(
             "The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB "
@@ -107,7 +127,7 @@ LoadedGrey readGreyPicture(const QByteArray& bytes) {
     loaded.isReduced = std::max(size.width(), size.height()) > maxTracedSide;
     QImage image = reader.read();
     if (image.isNull()) {
-        loaded.flaw = Text::tr("The picture cannot be read: it is damaged or incomplete.");
+        loaded.flaw = Text::tr("The picture is damaged or incomplete.");
         return loaded;
     }
     if (loaded.isReduced) image = image.scaled(traced, Qt::KeepAspectRatio, Qt::SmoothTransformation);
