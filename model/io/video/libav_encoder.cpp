@@ -40,7 +40,7 @@ Recipe recipeOf(const VideoSettings& settings) {
                 "libx264",
                 AV_PIX_FMT_YUV420P,
                 AV_PIX_FMT_YUV420P,
-                {{"preset", "medium"}, {"crf", "14"}},
+                {{"preset", "medium"}, {"crf", "11"}},
                 {{"movflags", "+faststart"}}};
     case VideoFormat::WebM:
         // Frames that are never shown and transparency do not go together.
@@ -48,7 +48,7 @@ Recipe recipeOf(const VideoSettings& settings) {
                 "libvpx-vp9",
                 AV_PIX_FMT_YUV420P,
                 AV_PIX_FMT_YUVA420P,
-                {{"crf", "16"},
+                {{"crf", "10"},
                  {"deadline", "good"},
                  {"cpu-used", "4"},
                  {"auto-alt-ref", settings.isTransparent ? "0" : "1"}}};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/file/save_file.h"
 #include "io/video/libav_file.h"
 #include "io/video/libav_pointers.h"
-#include "io/video/video_writer.h"
+#include "io/video/video_settings.h"
 
 #include <QIODevice>
 
