@@ -5,8 +5,8 @@
 
 #ifdef BARYCAGE_VIDEO
 #include "io/video/frame_spool.h"
-#include "io/video/libav_encoder.h"
-#include "io/video/libav_palette.h"
+#include "io/video/libav/encoder.h"
+#include "io/video/libav/palette.h"
 #include "io/video/video_text.h"
 
 #include <algorithm>

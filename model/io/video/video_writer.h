@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/file/save_file.h"
-#include "io/video/video_settings.h"
+#include "io/video/format/video_settings.h"
 
 #include <QImage>
 #include <QString>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "animation/animation.h"
-#include "io/video/video_format.h"
+#include "io/video/format/video_format.h"
 
 #include <QByteArray>
 #include <QString>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/video/libav_encoder.h"
+#include "io/video/libav/encoder.h"
 
 #include <QCoreApplication>
 
