@@ -298,7 +298,9 @@ void CliVideoTest::encodeWritesTheSameBytes() {
         QCOMPARE(run("animate wind.ifs --entry wind -o a/f.###.png --existing replace" + all).status, 0);
         QCOMPARE(run("animate wind.ifs --entry wind -o a/v." + suffix + all).status, 0);
         QCOMPARE(run("animate wind.ifs --entry wind -o b/v." + suffix + " --threads 1" + all).status, 0);
+        qputenv("MALLOC_PERTURB_", "85"); // memory that nobody has written is something else
         QCOMPARE(run("encode a/f.###.png -o c/v." + suffix).status, 0);
+        qunsetenv("MALLOC_PERTURB_");
         QVERIFY(!read("a/v." + suffix).isEmpty());
         QCOMPARE(read("b/v." + suffix), read("a/v." + suffix));
         QCOMPARE(read("c/v." + suffix), read("a/v." + suffix));
