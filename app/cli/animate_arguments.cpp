@@ -125,7 +125,7 @@ void check(AnimateArguments& arguments) {
     arguments.video = io::videoFormat(QFileInfo(output).suffix());
     if (!arguments.video)
         checkPattern(output);
-    else if (output.contains(u'#'))
+    else if (QFileInfo(output).fileName().contains(u'#'))
         throw UsageError{
             tr("A video is one file, and the # in “%1” stands for the numbers of frames.").arg(output)};
     if (arguments.video) arguments.picture.format = "png"; // of the frames, which nobody sees

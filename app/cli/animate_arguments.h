@@ -4,7 +4,7 @@
 #include "render_arguments.h"
 
 #include "animation/animation.h"
-#include "io/video/video_format.h"
+#include "io/video/format/video_format.h"
 
 #include <QString>
 

@@ -256,7 +256,8 @@ struct ReplacementFile::State {
     qint64 read(qint64 position, char* data, qint64 size) {
         ssize_t count = 0;
         do
-            count = ::pread(file.number(), data, static_cast<std::size_t>(size), static_cast<off_t>(position));
+            count =
+                ::pread(file.number(), data, static_cast<std::size_t>(size), static_cast<off_t>(position));
         while (count < 0 && errno == EINTR);
         error = count < 0 ? errno : 0;
         return count;

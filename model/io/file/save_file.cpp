@@ -187,8 +187,7 @@ qint64 NewFile::readData(char* data, qint64 size) {
 qint64 NewFile::writeData(const char* data, qint64 size) {
     bool isWritten = m_waiting < 0 && m_replacement->write(pos(), data, size);
     for (qint64 done = 0; m_waiting >= 0 && done < size && !isWritten;) {
-        const ssize_t piece =
-            ::pwrite(m_waiting, data + done, std::size_t(size - done), off_t(pos() + done));
+        const ssize_t piece = ::pwrite(m_waiting, data + done, std::size_t(size - done), off_t(pos() + done));
         if (piece < 0 && errno != EINTR) break;
         done += std::max<ssize_t>(piece, 0);
         isWritten = done == size;

@@ -19,9 +19,8 @@ FrameSpool::~FrameSpool() {
 
 Failure FrameSpool::add(const QImage& picture) {
     constexpr int fast = 1;
-    const QImage straight = picture.convertToFormat(QImage::Format_ARGB32);
-    const QByteArray packed = qCompress(straight.constBits(), straight.sizeInBytes(), fast);
-    m_size = straight.size();
+    const QByteArray packed = qCompress(picture.constBits(), picture.sizeInBytes(), fast);
+    m_size = picture.size();
     const qint64 begin = m_ends.empty() ? 0 : m_ends.back();
     for (qint64 done = 0; done < packed.size();) {
         const ssize_t count = ::pwrite(m_file, packed.constData() + done, std::size_t(packed.size() - done),

@@ -17,9 +17,9 @@ public:
     FrameSpool(const FrameSpool&) = delete;
     FrameSpool& operator=(const FrameSpool&) = delete;
 
-    Failure add(const QImage& picture);
+    Failure add(const QImage& picture); // ARGB32, all of one size
     int count() const { return int(m_ends.size()); }
-    QImage read(int index) const; // ARGB32 of the size that was added; null when it cannot be read
+    QImage read(int index) const; // null when it cannot be read
 
 private:
     int m_file;

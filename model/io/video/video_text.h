@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/video/video_format.h"
+#include "io/video/format/video_format.h"
 
 #include <QByteArray>
 #include <QIODevice>

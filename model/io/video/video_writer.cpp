@@ -5,8 +5,8 @@
 
 #ifdef BARYCAGE_VIDEO
 #include "io/video/frame_spool.h"
-#include "io/video/libav_encoder.h"
-#include "io/video/libav_palette.h"
+#include "io/video/libav/encoder.h"
+#include "io/video/libav/palette.h"
 #include "io/video/video_text.h"
 
 #include <algorithm>
@@ -26,40 +26,39 @@ struct VideoTexts {
 
 namespace {
 
-// As PNG pictures have it: straight alpha.
-std::uint32_t straight(std::uint32_t pixel) {
-    return qUnpremultiply(pixel);
+// The picture with straight alpha, as PNG pictures have it: the same numbers whether it was drawn or read.
+QImage straight(const QImage& image) {
+    if (image.format() != QImage::Format_ARGB32_Premultiplied)
+        return image.convertToFormat(QImage::Format_ARGB32);
+    QImage result(image.size(), QImage::Format_ARGB32);
+    for (int y = 0; y < result.height(); ++y) {
+        const auto* from = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        std::transform(from, from + image.width(), reinterpret_cast<QRgb*>(result.scanLine(y)),
+                       [](QRgb pixel) { return qUnpremultiply(pixel); });
+    }
+    return result;
 }
 
-// The picture in BGRA, with sides that are even if they have to be; null when there is no memory.
+// Straight alpha in BGRA, with sides that are even if they have to be; null when there is no memory.
 libav::Frame pictureOf(const QImage& image, const VideoSettings& settings) {
-    const bool isEven = factsOf(settings.format).needsEvenSides;
-    const int width = image.width() + (isEven ? image.width() % 2 : 0);
-    const int height = image.height() + (isEven ? image.height() % 2 : 0);
+    constexpr QRgb opaque = 0xff000000U;
+    const VideoFormatFacts facts = factsOf(settings.format);
+    const int width = image.width() + (facts.needsEvenSides ? image.width() % 2 : 0);
+    const int height = image.height() + (facts.needsEvenSides ? image.height() % 2 : 0);
     libav::Frame frame = libav::newFrame(AV_PIX_FMT_BGRA, width, height);
     if (!frame) return frame;
-    const bool isPremultiplied = image.format() == QImage::Format_ARGB32_Premultiplied;
-    const bool onBlack = !factsOf(settings.format).storesAlpha;
     for (int y = 0; y < height; ++y) {
         const auto* from =
-            reinterpret_cast<const std::uint32_t*>(image.constScanLine(std::min(y, image.height() - 1)));
-        auto* row = reinterpret_cast<std::uint32_t*>(frame->data[0] + std::ptrdiff_t(y) * frame->linesize[0]);
+            reinterpret_cast<const QRgb*>(image.constScanLine(std::min(y, image.height() - 1)));
+        auto* row = reinterpret_cast<QRgb*>(frame->data[0] + std::ptrdiff_t(y) * frame->linesize[0]);
         for (int x = 0; x < width; ++x) {
-            const std::uint32_t pixel = from[std::min(x, image.width() - 1)];
-            if (onBlack)
-                row[x] = (isPremultiplied ? pixel : qPremultiply(pixel)) | 0xff000000U;
-            else
-                row[x] =
-                    (isPremultiplied ? straight(pixel) : pixel) | (settings.isTransparent ? 0 : 0xff000000U);
+            const QRgb pixel = from[std::min(x, image.width() - 1)];
+            row[x] = !facts.storesAlpha       ? qPremultiply(pixel) | opaque
+                     : settings.isTransparent ? pixel
+                                              : pixel | opaque;
         }
     }
     return frame;
-}
-
-QImage readable(const QImage& image) {
-    const QImage::Format format = image.format();
-    const bool isRead = format == QImage::Format_ARGB32 || format == QImage::Format_ARGB32_Premultiplied;
-    return isRead ? image : image.convertToFormat(QImage::Format_ARGB32);
 }
 
 VideoSettings encoded(VideoSettings settings) {
@@ -101,7 +100,7 @@ struct VideoWriter::State {
     }
 
     void add(const QImage& image) {
-        const libav::Frame picture = pictureOf(readable(image), settings);
+        const libav::Frame picture = pictureOf(image, settings);
         if (picture)
             encoder->add(*picture);
         else
@@ -186,10 +185,13 @@ VideoWriter::VideoWriter(const QString& path, const VideoSettings& settings)
 Failure VideoWriter::writeFrame(const QImage& frame) {
     State& state = *m_state;
     if (state.failure) return state.failure;
-    if (state.spool)
-        state.failure = state.spool->add(frame);
+    const QImage picture = straight(frame);
+    if (picture.isNull())
+        state.failure = VideoTexts::tr("There is not enough memory for a frame of the video.");
+    else if (state.spool)
+        state.failure = state.spool->add(picture);
     else
-        state.add(frame);
+        state.add(picture);
     return state.failure;
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "animation/animation.h"
 #include "io/file/save_file.h"
-#include "io/video/video_format.h"
+#include "io/video/format/video_settings.h"
 
-#include <QByteArray>
 #include <QImage>
 #include <QString>
 
@@ -14,17 +12,6 @@
 #include <stop_token>
 
 namespace io {
-
-struct VideoSettings {
-    VideoFormat format = VideoFormat::Mp4;
-    int width = 0; // pixels
-    int height = 0;
-    bool isTransparent = false; // MP4 shows what is transparent on black
-    animation::FrameRate rate;  // positive
-    bool repeats = false;       // GIF, WebP and APNG are played again and again rather than once
-    QByteArray systemText;      // UTF-8, embedded for readVideoSystem(); empty: nothing
-    QString title;
-};
 
 // Why no video of these settings can be written here: a library or an encoder that is missing, or a size or a
 // rate that the format does not have.

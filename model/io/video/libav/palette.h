@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/video/libav_pointers.h"
+#include "io/video/libav/pointers.h"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/video/libav_encoder.h"
+#include "io/video/libav/encoder.h"
 
 #include <QCoreApplication>
 
@@ -35,12 +35,12 @@ struct Recipe {
 
 Recipe recipeOf(const VideoSettings& settings) {
     switch (settings.format) {
-    case VideoFormat::Mp4:
+    case VideoFormat::Mp4: // with mbtree, x264 reads memory that it has not written, and bytes vary
         return {"mp4",
                 "libx264",
                 AV_PIX_FMT_YUV420P,
                 AV_PIX_FMT_YUV420P,
-                {{"preset", "medium"}, {"crf", "14"}},
+                {{"preset", "medium"}, {"crf", "12"}, {"mbtree", "0"}},
                 {{"movflags", "+faststart"}}};
     case VideoFormat::WebM:
         // Frames that are never shown and transparency do not go together.
@@ -48,7 +48,7 @@ Recipe recipeOf(const VideoSettings& settings) {
                 "libvpx-vp9",
                 AV_PIX_FMT_YUV420P,
                 AV_PIX_FMT_YUVA420P,
-                {{"crf", "16"},
+                {{"crf", "10"},
                  {"deadline", "good"},
                  {"cpu-used", "4"},
                  {"auto-alt-ref", settings.isTransparent ? "0" : "1"}}};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/video/libav_file.h"
-#include "io/video/libav_pointers.h"
-#include "io/video/video_writer.h"
+#include "io/file/save_file.h"
+#include "io/video/format/video_settings.h"
+#include "io/video/libav/file.h"
+#include "io/video/libav/pointers.h"
 
 #include <QIODevice>
 

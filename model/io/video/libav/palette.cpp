@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/video/libav_palette.h"
+#include "io/video/libav/palette.h"
 
 #include <string>
 

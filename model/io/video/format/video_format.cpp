@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/video/video_format.h"
+#include "io/video/format/video_format.h"
 
 #include <QStringList>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/video/libav_file.h"
+#include "io/video/libav/file.h"
 
 #include <algorithm>
 #include <cstdio>
