@@ -268,6 +268,13 @@ bool ReplacementFile::write(const char* data, qint64 size) {
     return m_state->error == 0;
 }
 
+bool ReplacementFile::seek(qint64 position) {
+    const auto wanted = static_cast<off_t>(position);
+    m_state->error = ::lseek(m_state->file.number(), wanted, SEEK_SET) == wanted ? 0 : errno;
+    m_error = errorOf(m_state->error);
+    return m_state->error == 0;
+}
+
 bool ReplacementFile::replaceTarget() {
     m_state->replaceTarget();
     m_error = errorOf(m_state->error);
@@ -304,6 +311,11 @@ ReplacementFile::ReplacementFile(const fs::path& target)
 
 bool ReplacementFile::write(const char* data, qint64 size) {
     m_error = m_state->errorUnless(m_state->file.write(data, size) == size);
+    return m_error.kind == SystemError::Kind::None;
+}
+
+bool ReplacementFile::seek(qint64 position) {
+    m_error = m_state->errorUnless(m_state->file.seek(position));
     return m_error.kind == SystemError::Kind::None;
 }
 

@@ -32,6 +32,8 @@ public:
 
     // All of it; false with an error.
     bool write(const char* data, qint64 size);
+    // Where the next byte goes.
+    bool seek(qint64 position);
 
     // Flushes the bytes to the disk, then gives them the name; the folder is flushed as well. `target` holds
     // the old bytes or the new ones at every moment. False with an error: it holds the old ones.

@@ -193,6 +193,15 @@ qint64 NewFile::writeData(const char* data, qint64 size) {
     return -1;
 }
 
+bool NewFile::seek(qint64 position) {
+    const bool isThere = m_waiting < 0 ? m_replacement->seek(position)
+                                       : ::lseek(m_waiting, off_t(position), SEEK_SET) == off_t(position);
+    if (isThere && QIODevice::seek(position)) return true;
+    fail();
+    setErrorString(*m_failure);
+    return false;
+}
+
 Failure NewFile::commit() {
     if (!m_failure && !(m_waiting < 0 ? m_replacement->replaceTarget() : printFile(m_waiting))) fail();
     return m_failure;

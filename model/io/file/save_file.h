@@ -27,6 +27,7 @@ public:
 
     const Failure& failure() const { return m_failure; } // the first, also of writing
     [[nodiscard]] Failure commit();
+    bool seek(qint64 position) override;
 
 protected:
     qint64 readData(char* data, qint64 maxSize) override;

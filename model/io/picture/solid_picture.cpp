@@ -41,7 +41,7 @@ std::pair<double, double> heights(const attractor::SpaceRequest& request) {
 
 template <class Pixel>
 ExportOutcome writeLit(const attractor::DepthRaster& raster, const attractor::SolidLight& light, int side,
-                       PngWriter& writer, const Progress& progress, const std::stop_token& stop) {
+                       PictureWriter& writer, const Progress& progress, const std::stop_token& stop) {
     ExportOutcome outcome;
     const int width = raster.width / side, height = raster.height / side;
     std::vector<Pixel> fine(static_cast<std::size_t>(raster.width) *
@@ -74,7 +74,7 @@ std::uint64_t memoryFor(const SolidPicture& picture) {
     return width * height * sizeof(std::uint32_t) + 2 * width * side * bandRows * sizeof(Rgba16);
 }
 
-ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const Progress& progress,
+ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, const Progress& progress,
                          const std::stop_token& stop) {
     const int side = sideOf(picture);
     attractor::SpaceRequest request = picture.request;

@@ -22,7 +22,7 @@ struct SolidPicture {
 std::uint64_t memoryFor(const SolidPicture& picture);
 
 // Draws all rows into a writer of that size and depth, and finishes it.
-ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const Progress& progress = {},
+ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, const Progress& progress = {},
                          const std::stop_token& stop = {});
 
 } // namespace io

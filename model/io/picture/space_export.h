@@ -30,15 +30,17 @@ struct SpaceExport {
     PngFormat::Depth depth = PngFormat::Depth::Bits8; // of a cloud or a solid
     std::optional<double> dotsPerInch;
     std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PngFormat
+    PictureFile file = PictureFile::Png;                    // of Depth: PNG
+    std::optional<int> quality{};                           // as in PictureFormat
 };
 
-// Memory that drawSpacePng() takes, in bytes, about.
+// Memory that drawSpacePicture() takes, in bytes, about.
 std::uint64_t memoryFor(const SpaceExport& picture);
 
 // Draws the picture and encodes it. A picture of depths has two texts, barycage:near and barycage:far: depths
 // along the view from the plane of the target, away from the eye, in units of the system; a pixel v shows
 // depth near + (far − near)·v/65534, and 65535 shows nothing.
-ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& png, const Progress& progress = {},
-                           std::stop_token stop = {});
+ExportOutcome drawSpacePicture(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
+                               std::stop_token stop = {});
 
 } // namespace io
