@@ -272,8 +272,7 @@ public:
 void forgetTime(QByteArray& pdf) {
     const qsizetype at = pdf.indexOf("/CreationDate");
     const qsizetype end = at < 0 ? -1 : pdf.indexOf('\n', at);
-    for (qsizetype i = at; i >= 0 && i < end; ++i)
-        if (pdf[i] >= '1' && pdf[i] <= '9') pdf[i] = '0';
+    if (end > at) std::fill(pdf.begin() + at, pdf.begin() + end, ' ');
 }
 
 } // namespace
