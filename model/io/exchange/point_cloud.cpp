@@ -25,9 +25,10 @@ class Writer {
 public:
     explicit Writer(const PointCloud& cloud)
         : m_cloud(cloud),
-          m_system(attractor::prepared(*document::system2(cloud.fractal),
-                                       document::movedBranches(cloud.fractal))),
-          m_display(document::placement(cloud.fractal)), m_bytes(header()) {}
+          m_system(
+              attractor::prepared(*document::system2(cloud.fractal), document::movedBranches(cloud.fractal))),
+          m_display(document::placement(cloud.fractal)),
+          m_bytes(header()) {}
 
     const attractor::PreparedSystem& system() const { return m_system; }
     const QByteArray& bytes() const { return m_bytes; }
