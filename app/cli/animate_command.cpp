@@ -169,7 +169,7 @@ private:
         picture.fractal = m_fractal;
         picture.texts = {{requestKeyword, hash}};
         QByteArray png;
-        io::ExportOutcome outcome = io::drawSpacePicture(picture, png, progress(), m_interrupt.token());
+        io::ExportOutcome outcome = io::drawSpacePng(picture, png, progress(), m_interrupt.token());
         if (!outcome.failure && !outcome.stopped) outcome.failure = io::saveFile(path, png);
         return outcome;
     }

@@ -217,7 +217,7 @@ private:
         const io::SpaceExport picture =
             spaceExportOf(shownBy(*task.entry->fractal, m_arguments), m_arguments, task.input->name);
         QByteArray png;
-        const auto outcome = io::drawSpacePicture(
+        const auto outcome = io::drawSpacePng(
             picture, png, [&](double fraction) { m_bar.show((before + fraction) / all); },
             m_interrupt.token());
         if (!outcome.failure && !outcome.stopped)

@@ -144,7 +144,7 @@ int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* n
     if (file >= 0) ::close(file);
 #endif
     *name = freeName(folder, [&](const QByteArray& candidate) {
-        file = ::open(candidate.constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        file = ::open(candidate.constData(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         return file;
     });
     return file;
@@ -243,13 +243,23 @@ struct ReplacementFile::State {
         if (directory.isOpen()) ::fsync(directory.number());
     }
 
-    void write(const char* data, qint64 size) {
+    void write(qint64 position, const char* data, qint64 size) {
         for (qint64 done = 0; done < size;) {
-            const ssize_t count = ::write(file.number(), data + done, static_cast<std::size_t>(size - done));
+            const ssize_t count = ::pwrite(file.number(), data + done, static_cast<std::size_t>(size - done),
+                                           static_cast<off_t>(position + done));
             error = count < 0 ? errno : 0;
             if (count < 0 && error != EINTR) return;
             done += std::max<ssize_t>(count, 0);
         }
+    }
+
+    qint64 read(qint64 position, char* data, qint64 size) {
+        ssize_t count = 0;
+        do
+            count = ::pread(file.number(), data, static_cast<std::size_t>(size), static_cast<off_t>(position));
+        while (count < 0 && errno == EINTR);
+        error = count < 0 ? errno : 0;
+        return count;
     }
 
     QByteArray target, folder;
@@ -262,17 +272,16 @@ struct ReplacementFile::State {
 ReplacementFile::ReplacementFile(const fs::path& target)
     : m_state(std::make_unique<State>(target)), m_error(errorOf(m_state->error)) {}
 
-bool ReplacementFile::write(const char* data, qint64 size) {
-    m_state->write(data, size);
+bool ReplacementFile::write(qint64 position, const char* data, qint64 size) {
+    m_state->write(position, data, size);
     m_error = errorOf(m_state->error);
     return m_state->error == 0;
 }
 
-bool ReplacementFile::seek(qint64 position) {
-    const auto wanted = static_cast<off_t>(position);
-    m_state->error = ::lseek(m_state->file.number(), wanted, SEEK_SET) == wanted ? 0 : errno;
+qint64 ReplacementFile::read(qint64 position, char* data, qint64 size) {
+    const qint64 count = m_state->read(position, data, size);
     m_error = errorOf(m_state->error);
-    return m_state->error == 0;
+    return count;
 }
 
 bool ReplacementFile::replaceTarget() {
@@ -309,14 +318,14 @@ ReplacementFile::ReplacementFile(const fs::path& target)
     : m_state(std::make_unique<State>(target)),
       m_error(m_state->errorUnless(m_state->file.open(QIODevice::WriteOnly))) {}
 
-bool ReplacementFile::write(const char* data, qint64 size) {
-    m_error = m_state->errorUnless(m_state->file.write(data, size) == size);
+bool ReplacementFile::write(qint64 position, const char* data, qint64 size) {
+    m_error = m_state->errorUnless(m_state->file.seek(position) && m_state->file.write(data, size) == size);
     return m_error.kind == SystemError::Kind::None;
 }
 
-bool ReplacementFile::seek(qint64 position) {
-    m_error = m_state->errorUnless(m_state->file.seek(position));
-    return m_error.kind == SystemError::Kind::None;
+qint64 ReplacementFile::read(qint64, char*, qint64) { // QSaveFile cannot
+    m_error = m_state->errorUnless(false);
+    return -1;
 }
 
 bool ReplacementFile::replaceTarget() {

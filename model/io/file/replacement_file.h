@@ -30,10 +30,10 @@ public:
     // Of the last call, the constructor included.
     const SystemError& error() const { return m_error; }
 
-    // All of it; false with an error.
-    bool write(const char* data, qint64 size);
-    // Where the next byte goes.
-    bool seek(qint64 position);
+    // All of it, from a position on; false with an error.
+    bool write(qint64 position, const char* data, qint64 size);
+    // What was written there, at most `size` bytes; -1 with an error.
+    qint64 read(qint64 position, char* data, qint64 size);
 
     // Flushes the bytes to the disk, then gives them the name; the folder is flushed as well. `target` holds
     // the old bytes or the new ones at every moment. False with an error: it holds the old ones.

@@ -151,7 +151,7 @@ NewFile::NewFile(const QString& path) {
         if (m_waiting < 0)
             fail();
         else
-            setOpenMode(WriteOnly | Unbuffered);
+            setOpenMode(ReadWrite | Unbuffered);
         return;
     }
     const fs::path end = target(path);
@@ -160,7 +160,7 @@ NewFile::NewFile(const QString& path) {
     if (m_failure) return;
     m_replacement = std::make_unique<ReplacementFile>(end);
     if (m_replacement->error().kind == SystemError::Kind::None)
-        setOpenMode(WriteOnly | Unbuffered);
+        setOpenMode(ReadWrite | Unbuffered);
     else
         fail();
 }
@@ -175,14 +175,20 @@ void NewFile::fail() {
                                   : Text::tr("Standard output cannot be written to.");
 }
 
-qint64 NewFile::readData(char*, qint64) {
-    return -1;
+qint64 NewFile::readData(char* data, qint64 size) {
+    if (m_waiting < 0) return m_replacement->read(pos(), data, size);
+    ssize_t count = 0;
+    do
+        count = ::pread(m_waiting, data, std::size_t(size), off_t(pos()));
+    while (count < 0 && errno == EINTR);
+    return count;
 }
 
 qint64 NewFile::writeData(const char* data, qint64 size) {
-    bool isWritten = m_waiting < 0 && m_replacement->write(data, size);
+    bool isWritten = m_waiting < 0 && m_replacement->write(pos(), data, size);
     for (qint64 done = 0; m_waiting >= 0 && done < size && !isWritten;) {
-        const ssize_t piece = ::write(m_waiting, data + done, std::size_t(size - done));
+        const ssize_t piece =
+            ::pwrite(m_waiting, data + done, std::size_t(size - done), off_t(pos() + done));
         if (piece < 0 && errno != EINTR) break;
         done += std::max<ssize_t>(piece, 0);
         isWritten = done == size;
@@ -191,15 +197,6 @@ qint64 NewFile::writeData(const char* data, qint64 size) {
     fail();
     setErrorString(*m_failure);
     return -1;
-}
-
-bool NewFile::seek(qint64 position) {
-    const bool isThere = m_waiting < 0 ? m_replacement->seek(position)
-                                       : ::lseek(m_waiting, off_t(position), SEEK_SET) == off_t(position);
-    if (isThere && QIODevice::seek(position)) return true;
-    fail();
-    setErrorString(*m_failure);
-    return false;
 }
 
 Failure NewFile::commit() {

@@ -19,7 +19,7 @@ using Failure = std::optional<QString>;
 // commit() flushes to the disk and renames: `path` holds the old bytes or the new ones, never a part.
 // Permissions, access control lists, extended attributes and a symbolic link at `path` are kept; what is no
 // ordinary file is not replaced. It is open from the start, unless failure() says why not; what is not
-// committed leaves nothing behind.
+// committed leaves nothing behind. Until then, seek() and read() work as on any file.
 class NewFile : public QIODevice {
 public:
     explicit NewFile(const QString& path); // or standardOutputPath()
@@ -27,7 +27,6 @@ public:
 
     const Failure& failure() const { return m_failure; } // the first, also of writing
     [[nodiscard]] Failure commit();
-    bool seek(qint64 position) override;
 
 protected:
     qint64 readData(char* data, qint64 maxSize) override;

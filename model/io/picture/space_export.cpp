@@ -125,8 +125,8 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
            (cell * side * side * std::uint64_t(picture.request.threads) + 2 * sizeof(attractor::Rgba16));
 }
 
-ExportOutcome drawSpacePicture(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
-                               std::stop_token stop) {
+ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
+                           std::stop_token stop) {
     ExportOutcome refused;
     refused.failure = whyImpossible(picture.file, formatOf(picture));
     if (refused.failure) return refused;

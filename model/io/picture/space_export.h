@@ -34,13 +34,13 @@ struct SpaceExport {
     std::optional<int> quality{};                           // as in PictureFormat
 };
 
-// Memory that drawSpacePicture() takes, in bytes, about.
+// Memory that drawSpacePng() takes, in bytes, about.
 std::uint64_t memoryFor(const SpaceExport& picture);
 
 // Draws the picture and encodes it. A picture of depths has two texts, barycage:near and barycage:far: depths
 // along the view from the plane of the target, away from the eye, in units of the system; a pixel v shows
 // depth near + (far − near)·v/65534, and 65535 shows nothing.
-ExportOutcome drawSpacePicture(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
-                               std::stop_token stop = {});
+ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
+                           std::stop_token stop = {});
 
 } // namespace io
