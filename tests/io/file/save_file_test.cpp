@@ -103,6 +103,22 @@ private slots:
                  QStringList{QStringLiteral("a.ifs")}); // nothing temporary is left
     }
 
+    // As what puts an index in front of a video does.
+    void isReadAndWrittenAnywhere() {
+        io::NewFile file(m_path);
+        QCOMPARE(file.write("0123456789"), 10);
+        QVERIFY(file.seek(2));
+        QCOMPARE(file.read(3), QByteArray("234"));
+        QCOMPARE(file.write("ab"), 2);
+        QVERIFY(file.seek(12));
+        QCOMPARE(file.write("z"), 1);
+        QVERIFY(file.seek(0));
+        QCOMPARE(file.read(100), QByteArray("01234ab789\0\0z", 13));
+        QVERIFY(!QFile::exists(m_path));
+        QCOMPARE(file.commit(), io::Failure());
+        QCOMPARE(contents(m_path), QByteArray("01234ab789\0\0z", 13));
+    }
+
     void keepsPermissions() {
         put(m_path, "old");
         const auto permissions = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner | QFile::ReadGroup;
