@@ -9,11 +9,13 @@
 #include "usage_error.h"
 
 #include "io/picture/contact_sheet.h"
+#include "io/picture/picture_writers.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QPageSize>
 
+#include <algorithm>
 #include <memory>
 
 namespace cli {
@@ -27,7 +29,7 @@ struct Arguments {
     std::string tile = "240x240";
     std::string paper = "dark";
     std::string title;
-    std::optional<std::string> columns, palette, colour;
+    std::optional<std::string> columns, palette, colour, page;
     Verbosity verbosity;
 };
 
@@ -44,9 +46,6 @@ QString headingOf(const QString& fileName) {
 }
 
 io::ContactSheet sheetOf(const Arguments& arguments) {
-    const QString output = fileNameOf(arguments.output);
-    if (!isStandardOutput(output) && QFileInfo(output).suffix().compare(u"png", Qt::CaseInsensitive) != 0)
-        throw UsageError{tr("The sheet can be written only as .png, and “%1” is not.").arg(output)};
     io::ContactSheet sheet;
     sheet.title = QString::fromStdString(arguments.title);
     if (arguments.columns) sheet.columns = integerArgument("--columns", *arguments.columns, 1, 1000);
@@ -55,6 +54,42 @@ io::ContactSheet sheetOf(const Arguments& arguments) {
     sheet.paper = isLight ? io::ContactSheet::Paper::Light : io::ContactSheet::Paper::Dark;
     sheet.threads = io::threadsOfThisMachine();
     return sheet;
+}
+
+// nullopt: PDF.
+std::optional<io::PictureFile> fileOf(const QString& output) {
+    const QString suffix = QFileInfo(output).suffix();
+    if (isStandardOutput(output)) return io::PictureFile::Png;
+    if (suffix.compare(u"pdf", Qt::CaseInsensitive) == 0) return std::nullopt;
+    const auto file = io::pictureFileOf(suffix);
+    if (!file || !io::takes(*file, io::PictureFormat::Depth::Bits8))
+        throw UsageError{
+            tr("The sheet can be written as .png, .jpg, .webp, .tiff or .pdf, and “%1” is none of "
+               "them.")
+                .arg(output)};
+    return file;
+}
+
+// A name, or width and height in millimetres.
+QPageSize pageArgument(const std::string& text) {
+    const QString name = QString::fromStdString(text).toLower();
+    if (name == u"a3") return QPageSize(QPageSize::A3);
+    if (name == u"a4") return QPageSize(QPageSize::A4);
+    if (name == u"a5") return QPageSize(QPageSize::A5);
+    if (name == u"letter") return QPageSize(QPageSize::Letter);
+    if (name == u"legal") return QPageSize(QPageSize::Legal);
+    constexpr double least = 50, most = 5000; // mm
+    const QStringList sides = name.split(u'x');
+    bool areNumbers[2] = {false, false};
+    QSizeF size;
+    if (sides.size() == 2) size = {sides[0].toDouble(&areNumbers[0]), sides[1].toDouble(&areNumbers[1])};
+    if (!areNumbers[0] || !areNumbers[1] || !(std::min(size.width(), size.height()) >= least) ||
+        !(std::max(size.width(), size.height()) <= most))
+        throw UsageError{
+            tr("--page “%1” is not valid: it must be A3, A4, A5, letter, legal, or width and height "
+               "from 50 to 5000 millimetres, such as 297x210.")
+                .arg(QString::fromStdString(text))};
+    return QPageSize(size, QPageSize::Millimeter, {}, QPageSize::ExactMatch);
 }
 
 // What all tiles have in common.
@@ -114,23 +149,33 @@ ExitStatus gallery(const Arguments& arguments) {
     if (arguments.colour) style.colourBy = colourByArgument("--colour", *arguments.colour);
     const Interrupt interrupt;
     const QString output = fileNameOf(arguments.output);
+    const auto file = fileOf(output);
+    if (file && arguments.page) throw UsageError{tr("--page cannot be used here: only a .pdf has pages.")};
+    const QPageSize page = pageArgument(arguments.page.value_or("A4"));
     const ExitStatus read = addFiles(arguments, style, sheet);
     if (sheet.sections.isEmpty()) {
         reportError(output, tr("No file contains an entry that can be shown, so nothing was written."));
         return std::max(read, ExitStatus::InputProblems);
     }
     ProgressBar bar(mode);
-    const io::DrawnSheet drawn = io::drawSheet(
-        sheet, [&bar](double fraction) { bar.show(fraction); }, interrupt.token());
+    const auto progress = [&bar](double fraction) { bar.show(fraction); };
+    if (file)
+        if (const io::Failure reason = io::whyImpossible(sheet, *file)) throw UsageError{*reason};
+    const auto write = [&](const QString& path) {
+        return file ? io::exportSheet(sheet, *file, path, progress, interrupt.token())
+                    : io::exportSheetPdf(sheet, page, path, progress, interrupt.token());
+    };
+    const io::ExportOutcome outcome = exportBy(write, output);
     bar.clear();
-    if (drawn.failure) throw UsageError{*drawn.failure};
-    if (drawn.image.isNull()) {
+    if (outcome.stopped) {
         reportError(output, tr("Interrupted; nothing was written."));
         return interrupt.status();
     }
-    QBuffer png;
-    drawn.image.save(&png, "PNG");
-    return std::max(read, writeOutput(output, png.data()));
+    if (outcome.failure) {
+        reportError(output, *outcome.failure);
+        return ExitStatus::CannotReadOrWrite;
+    }
+    return read;
 }
 
 } // namespace
@@ -138,12 +183,14 @@ ExitStatus gallery(const Arguments& arguments) {
 Command galleryCommand(CLI::App& program) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand("gallery", "Draw all entries of collections on one sheet");
-    command->footer("gallery FILE... -o SHEET.png [OPTION]...");
+    command->footer("gallery FILE... -o SHEET [OPTION]...");
     command->add_option("FILE", arguments->files, "Collections; - for standard input")
         ->type_name("FILE...")
         ->group("Files")
         ->required();
-    command->add_option("-o,--output", arguments->output, "Sheet to write: .png; - for standard output")
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "Sheet to write: .png, .jpg, .webp, .tiff or .pdf; - for standard output (PNG)")
         ->type_name("SHEET")
         ->group("Files")
         ->required();
@@ -162,6 +209,12 @@ Command galleryCommand(CLI::App& program) {
     command->add_option("--columns", arguments->columns, "Pictures per row, 1 to 1000")
         ->type_name("N")
         ->default_str("enough to fill a screen, at most 1920 pixels")
+        ->group("Sheet");
+    command
+        ->add_option("--page", arguments->page,
+                     "Pages of a .pdf: A3, A4, A5, letter, legal, or WIDTHxHEIGHT in millimetres")
+        ->type_name("SIZE")
+        ->default_str("A4")
         ->group("Sheet");
     command->add_option("--tile", arguments->tile, "Width and height of a picture in pixels")
         ->type_name("WxH")

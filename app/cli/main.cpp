@@ -56,14 +56,22 @@ ExitStatus run(CLI::App& program, const std::vector<cli::Command>& commands,
     }
 }
 
+// Of a sheet, or over a picture.
+bool paintsLetters(const std::vector<std::string>& words) {
+    const auto explains = [](const std::string& word) {
+        return word.starts_with("--overlay") || word.starts_with("--legend");
+    };
+    return !words.empty() && (words.front() == "gallery" || std::ranges::any_of(words, explains));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error of writing, not the end
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    // Letters on a sheet need a QGuiApplication; it gets no display all the same.
+    // Letters need a QGuiApplication; it gets no display all the same.
     std::unique_ptr<QCoreApplication> application;
-    if (!words.empty() && words.front() == "gallery") {
+    if (paintsLetters(words)) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         qputenv("QT_LOGGING_RULES", "default.warning=false"); // what is wrong with the desktop is no concern
         application = std::make_unique<QGuiApplication>(argc, argv);

@@ -60,9 +60,13 @@ ExitStatus writeOutput(const QString& output, const QByteArray& bytes) {
 
 io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
                                std::stop_token stop) {
+    return exportBy([&](const QString& path) { return io::exportTo(what, path, progress, stop); }, output);
+}
+
+io::ExportOutcome exportBy(const std::function<io::ExportOutcome(const QString& path)>& write,
+                           const QString& output) {
     const int linked = otherNames(output);
-    io::ExportOutcome outcome = io::exportTo(
-        what, isStandardOutput(output) ? io::standardOutputPath() : output, progress, std::move(stop));
+    io::ExportOutcome outcome = write(isStandardOutput(output) ? io::standardOutputPath() : output);
     if (!outcome.failure && !outcome.stopped) warnAboutLinks(output, linked);
     return outcome;
 }

@@ -8,6 +8,8 @@
 #include <QByteArray>
 #include <QString>
 
+#include <functional>
+
 namespace cli {
 
 // "-", in place of a file.
@@ -22,5 +24,9 @@ ExitStatus writeOutput(const QString& output, const QByteArray& bytes);
 // Like io::exportTo(); on standard output appears all or nothing as well.
 io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
                                std::stop_token stop);
+
+// What writes a file, given to the path behind `output`.
+io::ExportOutcome exportBy(const std::function<io::ExportOutcome(const QString& path)>& write,
+                           const QString& output);
 
 } // namespace cli

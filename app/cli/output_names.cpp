@@ -15,9 +15,11 @@ QString letters(const QString& pattern) {
     return found;
 }
 
+// Without what leads to another folder, or changes the order in which a name is read.
 QString harmless(QString name) {
     for (QChar& c : name)
-        if (c == u'/' || c == u'\0' || c.category() == QChar::Other_Control) c = u'_';
+        if (c == u'/' || c.category() == QChar::Other_Control || c.category() == QChar::Other_Format)
+            c = u'_';
     return name.isEmpty() ? QStringLiteral("_") : name;
 }
 

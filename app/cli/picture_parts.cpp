@@ -176,8 +176,8 @@ void checkParts(const RenderArguments& arguments, Format format) {
         refuseWhatIsDecided(arguments);
         if (!arguments.points)
             throw UsageError{tr("--resume needs --points, the number of points of the whole picture.")};
-        refuseIf(format != Format::Png && format != Format::Sum, "--resume",
-                 tr("it writes .png or .sum files."));
+        const bool isPng = format == Format::Pixels && pictureFileOf(arguments) == io::PictureFile::Png;
+        refuseIf(!isPng && format != Format::Sum, "--resume", tr("it writes .png or .sum files."));
     } else if (arguments.files.empty()) {
         throw UsageError{tr("FILE is missing. Usage: barycage-cli %1")
                              .arg(QStringLiteral("render FILE... -o OUT [OPTION]..."))};

@@ -8,6 +8,7 @@
 #include "usage_error.h"
 
 #include "attractor/kernels/kernels.h"
+#include "io/picture/picture_writers.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -28,19 +29,26 @@ bool isStrip(const RenderArguments& arguments) {
     return arguments.steps.first < arguments.steps.last && !hasIterations(fileNameOf(arguments.output));
 }
 
+QString suffixOf(const RenderArguments& arguments) {
+    return arguments.format.empty() ? QFileInfo(fileNameOf(arguments.output)).suffix().toLower()
+                                    : QString::fromStdString(arguments.format);
+}
+
 Format formatOf(const RenderArguments& arguments) {
-    if (!arguments.format.empty()) choiceArgument("--to", arguments.format, {"png", "svg", "pdf"});
-    const QString suffix = arguments.format.empty()
-                               ? QFileInfo(fileNameOf(arguments.output)).suffix().toLower()
-                               : QString::fromStdString(arguments.format);
-    if (suffix == u"png") return Format::Png;
+    if (!arguments.format.empty())
+        choiceArgument("--to", arguments.format, {"png", "jpg", "webp", "tiff", "exr", "svg", "pdf"});
+    const QString suffix = suffixOf(arguments);
+    if (io::pictureFileOf(suffix)) return Format::Pixels;
     if (suffix == u"svg") return Format::Svg;
     if (suffix == u"pdf") return Format::Pdf;
     if (suffix == u"sum") return Format::Sum;
     if (isStandardOutput(fileNameOf(arguments.output)))
-        throw UsageError{tr("Give the format for standard output with --to: png, svg or pdf.")};
-    throw UsageError{tr("The picture can be written as .png, .svg, .pdf or .sum, and “%1” is none of them.")
-                         .arg(fileNameOf(arguments.output))};
+        throw UsageError{
+            tr("Give the format for standard output with --to: png, jpg, webp, tiff, exr, svg or pdf.")};
+    throw UsageError{
+        tr("The picture can be written as .png, .jpg, .webp, .tiff, .exr, .svg, .pdf or .sum, and "
+           "“%1” is none of them.")
+            .arg(fileNameOf(arguments.output))};
 }
 
 io::ShapeStyle styleOf(const RenderArguments& arguments) {
@@ -112,8 +120,25 @@ void applyAppearance(attractor::Appearance& appearance, const RenderArguments& a
         appearance.supersample = integerArgument("--supersample", *arguments.supersample, 1, 4);
 }
 
+io::PictureFile pictureFileOf(const RenderArguments& arguments) {
+    const io::PictureFile file = io::pictureFileOf(suffixOf(arguments)).value_or(io::PictureFile::Png);
+    return file == io::PictureFile::ExrHalf && arguments.bits == "32" ? io::PictureFile::ExrFloat : file;
+}
+
+io::PictureFormat::Depth depthOf(const RenderArguments& arguments) {
+    using enum io::PictureFormat::Depth;
+    const bool isOnlyDeep = !io::takes(pictureFileOf(arguments), Bits8);
+    return isOnlyDeep || is16Bit(arguments) ? Bits16 : Bits8;
+}
+
 bool is16Bit(const RenderArguments& arguments) {
-    return arguments.bits && choiceArgument("--bits", *arguments.bits, {"8", "16"}) == "16";
+    return arguments.bits && choiceArgument("--bits", *arguments.bits, {"8", "16", "32"}) == "16";
+}
+
+std::optional<int> qualityOf(const RenderArguments& arguments) {
+    if (!arguments.quality) return std::nullopt;
+    constexpr int most = 100;
+    return integerArgument("--quality", *arguments.quality, 1, most);
 }
 
 std::optional<double> dotsPerInch(const RenderArguments& arguments) {
@@ -135,7 +160,46 @@ std::optional<std::uint64_t> memoryLimitOf(const RenderArguments& arguments) {
     return std::uint64_t(integerArgument("--memory-limit", *arguments.memoryLimit, least, most)) << 20;
 }
 
+io::PictureOverlay overlayOf(const RenderArguments& arguments) {
+    io::PictureOverlay overlay;
+    if (!arguments.overlay) return overlay;
+    const QStringList names = QString::fromStdString(*arguments.overlay).split(u',');
+    for (const QString& name : names) {
+        const std::string part = choiceArgument("--overlay", name.trimmed().toStdString(),
+                                                {"maps", "hull", "cage", "fixed-points", "numbers"});
+        if (part == "maps") overlay.maps = true;
+        if (part == "hull") overlay.hull = true;
+        if (part == "cage") overlay.cage = true;
+        if (part == "fixed-points") overlay.fixedPoints = true;
+        if (part == "numbers") overlay.numbers = true;
+    }
+    return overlay;
+}
+
 namespace {
+
+// What explains the picture is drawn over pixels.
+void refuseExplanations(const RenderArguments& arguments, const QString& reason) {
+    refuseIf(arguments.overlay.has_value(), "--overlay", reason);
+    refuseIf(arguments.legend, "--legend", reason);
+}
+
+// What each kind of file holds.
+void checkPixels(const RenderArguments& arguments) {
+    using enum io::PictureFormat::Depth;
+    const io::PictureFile file = pictureFileOf(arguments);
+    const bool hasQuality = file == io::PictureFile::Jpeg || file == io::PictureFile::WebP;
+    qualityOf(arguments);
+    refuseIf(arguments.quality && !hasQuality, "--quality", tr("it applies only to .jpg and .webp."));
+    const std::string bits =
+        arguments.bits ? choiceArgument("--bits", *arguments.bits, {"8", "16", "32"}) : "";
+    if (!io::takes(file, Bits8))
+        refuseIf(bits == "8", "--bits 8", tr("OpenEXR has 16 or 32 bits per channel."));
+    else
+        refuseIf(bits == "32", "--bits 32", tr("only .exr has 32 bits per channel."));
+    refuseIf(bits == "16" && !io::takes(file, Bits16), "--bits 16",
+             tr(".jpg and .webp have 8 bits per channel."));
+}
 
 // What this version cannot do, and what makes no sense for the format. Nothing is ignored silently.
 void refuseUnsupported(const RenderArguments& arguments, Format format) {
@@ -151,8 +215,11 @@ void refuseUnsupported(const RenderArguments& arguments, Format format) {
         refuseIf(arguments.brightness.has_value(), "--brightness", reason);
         refuseIf(arguments.supersample.has_value(), "--supersample", reason);
         refuseIf(arguments.bits.has_value(), "--bits", reason);
+        refuseIf(arguments.quality.has_value(), "--quality", reason);
+        refuseExplanations(arguments, tr("it applies only to pictures made of pixels."));
         refuseIf(arguments.dpi.has_value(), "--dpi", tr("vector graphics have no resolution."));
     } else {
+        checkPixels(arguments);
         const QString reason = tr("it applies only to vector graphics (.svg and .pdf).");
         refuseIf(arguments.svg.has_value(), "--svg", reason);
         refuseIf(arguments.depth.has_value(), "--depth", reason);
@@ -194,9 +261,13 @@ Format checked(RenderArguments& arguments) {
     if (isShapes) shapesOf(arguments);
     wholeArgument("--seed", arguments.seed);
     if (arguments.frame) momentArgument("--frame", *arguments.frame);
-    refuseIf(is16Bit(arguments) && isStrip(arguments), "--bits 16",
-             tr("a strip of steps has 8 bits per channel."));
+    refuseIf(isStrip(arguments) && depthOf(arguments) == io::PictureFormat::Depth::Bits16,
+             arguments.bits ? "--bits 16" : ".exr", tr("a strip of steps has 8 bits per channel."));
     dotsPerInch(arguments);
+    overlayOf(arguments);
+    if (format == Format::Sum)
+        refuseExplanations(arguments, tr("a .sum file holds only the numbers of points."));
+    refuseIf(arguments.legend && isStrip(arguments), "--legend", tr("the steps stand side by side."));
     if (algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic && !arguments.iterations)
         throw UsageError{tr("--algorithm deterministic needs --iterations.")};
     if (arguments.simd) selectInstructions(*arguments.simd);
@@ -236,7 +307,8 @@ void addColourOptions(CLI::App& command, RenderArguments& arguments) {
 
 void addShapeOptions(CLI::App& command, RenderArguments& arguments) {
     const OptionGroup file{command, "File"};
-    file.add("--to", "FORMAT", arguments.format, "png, svg or pdf", "as the name of the output shows");
+    file.add("--to", "FORMAT", arguments.format, "png, jpg, webp, tiff, exr, svg or pdf",
+             "as the name of the output shows");
     file.add("--svg", "KIND", arguments.svg, "Kind of vector graphics: structured, outline or points",
              "structured");
     file.add("--depth", "N", arguments.depth, "Levels of copies in vector graphics",
@@ -245,8 +317,29 @@ void addShapeOptions(CLI::App& command, RenderArguments& arguments) {
 
 void addPixelOptions(CLI::App& command, RenderArguments& arguments) {
     const OptionGroup file{command, "File"};
-    file.add("--bits", "8|16", arguments.bits, "Bits per channel in the PNG", "8");
-    file.add("--dpi", "D", arguments.dpi, "Resolution stored in the PNG, in dots per inch, 1 to 100000");
+    file.add(
+        "--bits", "8|16|32", arguments.bits,
+        "Bits per channel: 8 or 16 in .png and .tiff, 8 in .jpg and .webp, 16 or 32 (floating point) in .exr",
+        "8, or 16 in .exr");
+    file.add("--dpi", "D", arguments.dpi, "Resolution stored in the picture, in dots per inch, 1 to 100000");
+}
+
+void addExplanationOptions(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup group{command, "Explanations"};
+    group.add(
+        "--overlay", "PARTS", arguments.overlay,
+        "Draw over the picture: maps, hull, cage, fixed-points and numbers, separated by commas; the view "
+        "holds the cage and the maps as well");
+    command
+        .add_flag("--legend", arguments.legend,
+                  "Put the table of maps to the right, which makes the picture wider")
+        ->group("Explanations");
+}
+
+void addQualityOption(CLI::App& command, RenderArguments& arguments) {
+    const OptionGroup file{command, "File"};
+    file.add("--quality", "Q", arguments.quality, "Quality of .jpg and .webp, 1 to 100",
+             "92 of .jpg; .webp without loss");
 }
 
 void addAlgorithmOptions(CLI::App& command, RenderArguments& arguments) {
@@ -343,10 +436,11 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
         ->type_name("FILE...")
         ->group("Files");
     command
-        .add_option("-o,--output", arguments.output,
-                    "Picture to write: .png, .svg or .pdf, or its sums: .sum; - for standard output; for "
-                    "several, %e is the "
-                    "name of the entry, %n its number, %f its file, %i the number of iterations")
+        .add_option(
+            "-o,--output", arguments.output,
+            "Picture to write: .png, .jpg, .webp, .tiff, .exr, .svg or .pdf, or its sums: .sum; - for "
+            "standard output; for several, %e is the name of the entry, %n its number, %f its file, %i the "
+            "number of iterations")
         ->type_name("OUT")
         ->group("Files")
         ->required();
@@ -357,6 +451,8 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addPartOptions(command, arguments);
     addLimitOptions(command, arguments);
     addShapeOptions(command, arguments);
+    addQualityOption(command, arguments);
+    addExplanationOptions(command, arguments);
     command.add_flag("--list-palettes", arguments.listPalettes, "List the palettes and do nothing else")
         ->group("Colours");
     addVerbosityOptions(command, arguments.verbosity);

@@ -5,7 +5,9 @@
 
 #include "attractor/request/appearance.h"
 #include "attractor/request/render_request.h"
+#include "io/overlay/picture_overlay.h"
 #include "io/picture/svg_writer.h"
+#include "io/raster/picture_writer.h"
 
 #include <CLI/CLI.hpp>
 
@@ -23,7 +25,7 @@ namespace cli {
 constexpr int maxInt = std::numeric_limits<int>::max();
 constexpr std::uint64_t maxPoints = std::numeric_limits<std::uint64_t>::max();
 
-enum class Format { Png, Svg, Pdf, Sum };
+enum class Format { Pixels, Svg, Pdf, Sum };
 
 // Numbers of iterations, from the first to the last.
 struct Steps {
@@ -47,9 +49,11 @@ struct RenderArguments {
     Text shutter;                              // of its frames, in degrees
     std::string exposure = "smooth";           // of its frames
     std::string algorithm = "density";
-    Text iterations, supersample, threads, depth, bits;
+    Text iterations, supersample, threads, depth, bits, quality;
     Text timeLimit, memoryLimit;
+    Text overlay;
     bool yDown = false;
+    bool legend = false;
     bool listPalettes = false;
     Verbosity verbosity;
 
@@ -68,7 +72,12 @@ void refuseIf(bool given, const char* option, const QString& reason);
 attractor::Algorithm algorithmOf(const std::string& text);
 io::SvgFormat shapesOf(const RenderArguments& arguments);
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);
+// What a picture of pixels is written as, by --to or the name of the output, with --bits.
+io::PictureFile pictureFileOf(const RenderArguments& arguments);
+io::PictureFormat::Depth depthOf(const RenderArguments& arguments); // of the rows that its writer takes
 bool is16Bit(const RenderArguments& arguments);
+std::optional<int> qualityOf(const RenderArguments& arguments);
+io::PictureOverlay overlayOf(const RenderArguments& arguments);
 std::optional<double> dotsPerInch(const RenderArguments& arguments);
 std::optional<std::chrono::duration<double>> timeLimitOf(const RenderArguments& arguments);
 std::optional<std::uint64_t> memoryLimitOf(const RenderArguments& arguments); // in bytes

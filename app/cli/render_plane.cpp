@@ -8,12 +8,14 @@
 
 #include "document/edits/cage_edits.h"
 #include "document/fractal_geometry.h"
+#include "document/map_handles.h"
 #include "ifs/extent/convex_hull.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace cli {
 
@@ -94,6 +96,24 @@ ViewBox boxOf(const document::Fractal& fractal, const RenderArguments& arguments
     return box;
 }
 
+// With what is drawn over the picture.
+ViewBox withOverlay(ViewBox box, const document::Fractal& fractal, const io::PictureOverlay& overlay) {
+    const auto include = [&box](const std::vector<ifs::Vector<2>>& points) {
+        for (const ifs::Vector<2>& point : points) {
+            box.min = box.min.cwiseMin(point);
+            box.max = box.max.cwiseMax(point);
+        }
+    };
+    if (!overlay.cage && !overlay.maps) return box;
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    include(cage.current);
+    if (overlay.cage) include(cage.rest);
+    const document::MapHandles maps(std::make_shared<document::Fractal>(fractal), cage);
+    for (std::size_t i = 0; overlay.maps && i < maps.count(); ++i)
+        include(maps.outline(i));
+    return box;
+}
+
 // A side that was left open gets the proportions of the box, but never more than a hundred times the other.
 QSize completed(QSize size, const ViewBox& box) {
     constexpr double maxRatio = 100;
@@ -124,7 +144,8 @@ attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments,
         return attractor::cameraOf(*shown.view, {size.width(), size.height()});
     }
     const bool isIterate = algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic;
-    const ViewBox box = shown.box && !isIterate ? *shown.box : boxOf(shown.fractal, arguments);
+    const ViewBox plain = shown.box && !isIterate ? *shown.box : boxOf(shown.fractal, arguments);
+    const ViewBox box = withOverlay(plain, shown.fractal, overlayOf(arguments));
     if (!box.certified)
         reportWarning(fileName, tr("No box around the picture could be certified; the view is estimated from "
                                    "the points drawn. Set it with --view."));
@@ -163,7 +184,12 @@ attractor::RenderRequest requestOf(const document::Fractal& fractal, const attra
 io::PngExport pngOf(const Shown& shown, const attractor::Camera& camera, const RenderArguments& arguments,
                     int step) {
     io::PngExport picture{shown.entry, requestOf(shown.fractal, camera, arguments, step), {}};
-    if (is16Bit(arguments)) picture.depth = io::PngFormat::Depth::Bits16;
+    picture.depth = depthOf(arguments);
+    picture.file = pictureFileOf(arguments);
+    picture.quality = qualityOf(arguments);
+    picture.overlay = overlayOf(arguments);
+    picture.withLegend = arguments.legend;
+    if (arguments.frame) picture.explained = std::make_shared<document::Fractal>(shown.fractal);
     picture.dotsPerInch = dotsPerInch(arguments);
     return picture;
 }

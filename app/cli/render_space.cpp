@@ -10,6 +10,7 @@
 
 #include "attractor/samples/prepared_space.h"
 #include "ifs/extent/extent.h"
+#include "io/picture/picture_writers.h"
 #include "io/picture/space_export.h"
 #include "io/text/number.h"
 
@@ -50,6 +51,8 @@ void refuseUnsupported(const RenderArguments& options, io::SpaceLook look) {
     refuseIf(options.iterations.has_value(), "--iterations", plane);
     refuseIf(options.svg.has_value(), "--svg", plane);
     refuseIf(options.depth.has_value(), "--depth", plane);
+    refuseIf(options.overlay.has_value(), "--overlay", plane);
+    refuseIf(options.legend, "--legend", plane);
     if (look == io::SpaceLook::Solid) return;
     refuseLight(options, tr("it applies only to solids: --look stone or ink."));
     if (look != io::SpaceLook::Depth) return;
@@ -64,14 +67,18 @@ void refuseUnsupported(const RenderArguments& options, io::SpaceLook look) {
     refuseIf(options.bits && !is16Bit(options), "--bits", tr("--look depth has 16 bits."));
 }
 
-void requirePng(const RenderArguments& options) {
+void requirePixels(const RenderArguments& options, io::SpaceLook look) {
     const QString output = fileNameOf(options.output);
     const QString suffix =
         options.format.empty() ? QFileInfo(output).suffix().toLower() : quoted(options.format);
-    if (suffix == u"png") return;
-    if (options.format.empty() && isStandardOutput(output))
-        throw UsageError{tr("Give the format for standard output with --to: png.")};
-    throw UsageError{tr("A system in space can be drawn only as .png, and “%1” is not.").arg(output)};
+    const auto file = io::pictureFileOf(suffix);
+    if (!file)
+        throw UsageError{
+            tr("A system in space can be drawn only as .png, .jpg, .webp, .tiff or .exr, and “%1” "
+               "is none of them.")
+                .arg(output)};
+    if (look == io::SpaceLook::Depth && file != io::PictureFile::Png)
+        throw UsageError{tr("--look depth can be drawn only as .png, and “%1” is not.").arg(output)};
 }
 
 attractor::Orientation orientationOf(const RenderArguments& options) {
@@ -210,11 +217,11 @@ void refuseSpaceOptions(const RenderArguments& options) {
 }
 
 io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options, const QString& fileName) {
-    requirePng(options);
     const document::Fractal& fractal = shown.fractal;
     io::SpaceExport picture;
     picture.fractal = fractal;
     picture.look = lookOf(options);
+    requirePixels(options, picture.look);
     refuseUnsupported(options, picture.look);
     if (const auto look = solidLook(options.look.value_or("stone"))) {
         picture.solid = solidAppearance(*look, fractal, options);
@@ -223,7 +230,9 @@ io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options
     } else {
         applyAppearance(picture.fractal.appearance, options);
     }
-    if (is16Bit(options)) picture.depth = io::PngFormat::Depth::Bits16;
+    picture.depth = depthOf(options);
+    picture.file = pictureFileOf(options);
+    picture.quality = qualityOf(options);
     picture.dotsPerInch = dotsPerInch(options);
     attractor::SpaceRequest& request = picture.request;
     const document::Shape<3>& shape = *document::space(fractal);

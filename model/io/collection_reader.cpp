@@ -7,6 +7,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/picture/png_system.h"
 #include "io/picture/svg_system.h"
+#include "io/raster/raster_system.h"
 #include "io/table/listed_maps.h"
 #include "io/table/table_reader.h"
 #include "io/text/export_weights.h"
@@ -171,6 +172,8 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
     if (looksLikePng(bytes)) return {QStringLiteral("png"), fileOf(readPngSystem(bytes)), false};
     if (const QString format = looksLikeVideo(bytes); !format.isEmpty())
         return {format, fileOf(readVideoSystem(bytes)), false};
+    if (const QString format = rasterFormat(bytes); !format.isEmpty())
+        return {format, fileOf(readRasterSystem(bytes)), false};
     if (looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes)), false};
     if (looksLikeFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes, options.axis), false};
     if (looksLikeAifs(bytes)) return {QStringLiteral("aifs"), readAifs(bytes), false};

@@ -120,7 +120,7 @@ _barycage_cli_options() {
   case ${line[1]} in
     info) options="--entry --frame --json --list --names --hull-tolerance --budget --no-dimension --progress --quiet --help" ;;
     render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --orbit --perspective --look --light --fog --y-down --palette --list-palettes --colour --color
-      --gamma --brightness --background --algorithm --iterations --part --band --resume --time-limit --memory-limit --supersample --threads --svg --depth --bits --dpi --simd
+      --gamma --brightness --background --algorithm --iterations --part --band --resume --time-limit --memory-limit --supersample --threads --svg --depth --bits --quality --dpi --overlay --legend --simd
       --to --progress --quiet --help" ;;
     convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --y-as-written
       --progress --quiet --help" ;;
@@ -131,7 +131,7 @@ _barycage_cli_options() {
     collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --threads --progress --quiet --help" ;;
     morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
     merge) options="--output --threads --progress --quiet --help" ;;
-    gallery) options="--output --entry --palette --colour --color --columns --tile --paper --title --progress --quiet --help" ;;
+    gallery) options="--output --entry --palette --colour --color --columns --tile --paper --page --title --progress --quiet --help" ;;
   esac
   local IFS=$' \n'
   _barycage_cli_offer $options
@@ -144,7 +144,9 @@ _barycage_cli_value() {
     --algorithm) _barycage_cli_offer "$2"{density,chaos-game,deterministic} ;;
     --look) _barycage_cli_offer "$2"{stone,ink,cloud,depth,normals} ;;
     --svg) _barycage_cli_offer "$2"{structured,outline,points} ;;
-    --bits) _barycage_cli_offer "$2"{8,16} ;;
+    --bits) _barycage_cli_offer "$2"{8,16,32} ;;
+    --overlay) _barycage_cli_offer "$2"{maps,hull,cage,fixed-points,numbers} ;;
+    --page) _barycage_cli_offer "$2"{A3,A4,A5,letter,legal} ;;
     --supersample) _barycage_cli_offer "$2"{1,2,3,4} ;;
     --simd) _barycage_cli_offer "$2"{scalar,sse4,avx2,avx512,neon} ;;
     --progress) _barycage_cli_offer "$2"{always,never,auto} ;;
@@ -154,7 +156,7 @@ _barycage_cli_value() {
       if [[ ${line[1]} == morph ]]; then
         _barycage_cli_names "$2"
       elif [[ ${line[1]} == render ]]; then
-        _barycage_cli_offer "$2"{png,svg,pdf}
+        _barycage_cli_offer "$2"{png,jpg,webp,tiff,exr,svg,pdf}
       else
         _barycage_cli_offer "$2"{fractint,flame,aifs,csv,tsv,ply,pdf,stl,obj,glb,scad}
       fi

@@ -104,14 +104,14 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l colo
 complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deterministic" -d "Drawing algorithm"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l look -x -a "stone ink cloud depth normals" -d "Look of a system in space"
 complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of vector graphics"
-complete -c barycage-cli -n $render -l to -x -a "png svg pdf" -d "Format"
+complete -c barycage-cli -n $render -l to -x -a "png jpg webp tiff exr svg pdf" -d "Format"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l background -x -a "transparent black white" -d "Background"
 complete -c barycage-cli -n $render -l rest-cage -x -a "canonical box hull" -d "Corners at rest"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l palette -r -a "(command barycage-cli render --list-palettes </dev/null 2>/dev/null)" -d "Palette by name or from a file"
 complete -c barycage-cli -n $render -l list-palettes -d "List the palettes"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l color -x -a "density map address none" -d "What the colours show"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -s j -l threads -x -d "Threads"
-complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l bits -x -a "8 16" -d "Bits per channel"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l bits -x -a "8 16 32" -d "Bits per channel"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l supersample -x -a "1 2 3 4" -d "Cells along each side of a pixel"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l simd -x -a "scalar sse4 avx2 avx512 neon" -d "Instruction set"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l progress -x -a "always never auto" -d "Progress bar"
@@ -122,6 +122,9 @@ end
 for option in size points seed margin view orbit perspective light fog gamma brightness dpi
   complete -c barycage-cli -n $animate -l $option -x
 end
+complete -c barycage-cli -n $render -l quality -x -d "Quality of JPEG and WebP"
+complete -c barycage-cli -n $render -l overlay -x -a "maps hull cage fixed-points numbers" -d "What is drawn over the picture"
+complete -c barycage-cli -n $render -l legend -d "Table of maps beside the picture"
 complete -c barycage-cli -n $render -l part -x -d "Part I of N, into a .sum file"
 complete -c barycage-cli -n $render -l band -x -d "Band J of M of the rows, into a .sum file"
 complete -c barycage-cli -n $render -l resume -r -d "Add points to the picture in a .sum file"
@@ -139,5 +142,6 @@ complete -c barycage-cli -n $gallery -l color -x -a "density map address none" -
 complete -c barycage-cli -n $gallery -l columns -x -d "Pictures side by side"
 complete -c barycage-cli -n $gallery -l tile -x -d "Width and height of a picture"
 complete -c barycage-cli -n $gallery -l paper -x -a "dark light" -d "Background"
+complete -c barycage-cli -n $gallery -l page -x -a "A3 A4 A5 letter legal" -d "Pages of a PDF"
 complete -c barycage-cli -n $gallery -l title -x -d "A title over the sheet"
 complete -c barycage-cli -n $gallery -l progress -x -a "always never auto" -d "Progress bar"

@@ -1802,6 +1802,33 @@
     </message>
 </context>
 <context>
+    <name>PictureWriter</name>
+    <message>
+        <source>A %1 picture has at most %2 pixels along a side.</source>
+        <translation>Ein %1-Bild hat höchstens %2 Pixel je Seite.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
+        <translation>Ein JPEG-Bild kann nicht durchsichtig sein. Wählen Sie eine Hintergrundfarbe oder ein anderes Format.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture has at most %1 dots per inch.</source>
+        <translation>Ein JPEG-Bild hat höchstens %1 Punkte pro Zoll.</translation>
+    </message>
+    <message>
+        <source>Such a picture cannot be written as %1.</source>
+        <translation>Ein solches Bild kann nicht als %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>Das Bild kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>the WebP encoder has not enough memory.</source>
+        <translation>der WebP-Kodierer hat nicht genug Speicher.</translation>
+    </message>
+</context>
+<context>
     <name>PngSystem</name>
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
@@ -1825,6 +1852,13 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>Das Bild kann nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RasterSystem</name>
+    <message>
+        <source>The picture is damaged, or its text cannot be read.</source>
+        <translation>Das Bild ist beschädigt, oder sein Text kann nicht gelesen werden.</translation>
     </message>
 </context>
 <context>
@@ -2051,10 +2085,6 @@
         <translation>kein Attraktor</translation>
     </message>
     <message>
-        <source>The sheet would have %1 by %2 pixels; the limit is %3 per side. Use smaller tiles or another number of columns.</source>
-        <translation>Das Blatt wäre %1 mal %2 Pixel groß; höchstens %3 je Seite können gezeichnet werden. Nehmen Sie kleinere Kacheln oder andere Spalten.</translation>
-    </message>
-    <message>
         <source>the amount of “%1” is not a number</source>
         <translation>der Anteil von „%1“ ist keine Zahl</translation>
     </message>
@@ -2117,6 +2147,10 @@
     <message>
         <source>%1 more problems in this entry are not listed.</source>
         <translation>%1 weitere Probleme dieses Eintrags sind nicht aufgeführt.</translation>
+    </message>
+    <message>
+        <source>The name “%1” contains a control character, at which other programs may end it.</source>
+        <translation>Der Name „%1“ enthält ein Steuerzeichen, an dem andere Programme ihn enden lassen können.</translation>
     </message>
     <message>
         <source>The name “%1” contains a space; Fractint uses only its first word.</source>
@@ -2417,10 +2451,6 @@
     <message>
         <source>“%1” has no active map, so it has no points.</source>
         <translation>„%1“ hat keine aktive Abbildung und daher keine Punkte.</translation>
-    </message>
-    <message>
-        <source>A cage with more than three corners bends the picture; its points cannot be written.</source>
-        <translation>Ein Käfig mit mehr als drei Ecken biegt das Bild; dessen Punkte werden nicht geschrieben.</translation>
     </message>
     <message>
         <source>A point cloud can have from 1 to %1 points.</source>
@@ -3092,6 +3122,18 @@
     <message>
         <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
         <translation>%1 Ecken, Fläche %2; Fehler höchstens %3; periodische Adressen innerhalb des Zeitbudgets nicht berechnet</translation>
+    </message>
+    <message>
+        <source>A cage with more than four corners bends the solid; its points cannot be written.</source>
+        <translation>Ein Käfig mit mehr als vier Ecken biegt den Körper; dessen Punkte können nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller tiles or fewer columns.</source>
+        <translation>Das Blatt wäre %1 mal %2 Pixel groß; es kann höchstens %3 Pixel breit sein. Nehmen Sie kleinere Kacheln oder weniger Spalten.</translation>
     </message>
 </context>
 <context>

@@ -1802,6 +1802,33 @@
     </message>
 </context>
 <context>
+    <name>PictureWriter</name>
+    <message>
+        <source>A %1 picture has at most %2 pixels along a side.</source>
+        <translation>Una imagen %1 tiene como máximo %2 píxeles por lado.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
+        <translation>Una imagen JPEG no puede ser transparente. Elija un color de fondo u otro formato.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture has at most %1 dots per inch.</source>
+        <translation>Una imagen JPEG tiene como máximo %1 puntos por pulgada.</translation>
+    </message>
+    <message>
+        <source>Such a picture cannot be written as %1.</source>
+        <translation>Una imagen así no se puede escribir como %1.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>No se puede escribir la imagen: %1</translation>
+    </message>
+    <message>
+        <source>the WebP encoder has not enough memory.</source>
+        <translation>el codificador WebP no tiene suficiente memoria.</translation>
+    </message>
+</context>
+<context>
     <name>PngSystem</name>
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
@@ -1825,6 +1852,13 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>No se puede escribir la imagen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RasterSystem</name>
+    <message>
+        <source>The picture is damaged, or its text cannot be read.</source>
+        <translation>La imagen está dañada o no se puede leer su texto.</translation>
     </message>
 </context>
 <context>
@@ -2051,10 +2085,6 @@
         <translation>sin atractor</translation>
     </message>
     <message>
-        <source>The sheet would have %1 by %2 pixels; the limit is %3 per side. Use smaller tiles or another number of columns.</source>
-        <translation>La lámina tendría %1 por %2 píxeles; se pueden dibujar a lo sumo %3 por lado. Elija recuadros más pequeños u otro número de columnas.</translation>
-    </message>
-    <message>
         <source>the amount of “%1” is not a number</source>
         <translation>la cantidad de «%1» no es un número</translation>
     </message>
@@ -2117,6 +2147,10 @@
     <message>
         <source>%1 more problems in this entry are not listed.</source>
         <translation>Hay %1 problemas más en esta entrada que no se enumeran.</translation>
+    </message>
+    <message>
+        <source>The name “%1” contains a control character, at which other programs may end it.</source>
+        <translation>El nombre «%1» contiene un carácter de control, en el que otros programas pueden terminarlo.</translation>
     </message>
     <message>
         <source>The name “%1” contains a space; Fractint uses only its first word.</source>
@@ -2417,10 +2451,6 @@
     <message>
         <source>“%1” has no active map, so it has no points.</source>
         <translation>«%1» no tiene ninguna aplicación que intervenga, así que no tiene puntos.</translation>
-    </message>
-    <message>
-        <source>A cage with more than three corners bends the picture; its points cannot be written.</source>
-        <translation>Una jaula de más de tres vértices curva la imagen, y sus puntos no se escriben.</translation>
     </message>
     <message>
         <source>A point cloud can have from 1 to %1 points.</source>
@@ -3092,6 +3122,18 @@
     <message>
         <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
         <translation>%1 vértices, área %2; error máximo %3; direcciones periódicas no calculadas dentro del tiempo asignado</translation>
+    </message>
+    <message>
+        <source>A cage with more than four corners bends the solid; its points cannot be written.</source>
+        <translation>Una jaula de más de cuatro vértices curva el sólido; sus puntos no se pueden escribir.</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… y %1 más</translation>
+    </message>
+    <message>
+        <source>The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller tiles or fewer columns.</source>
+        <translation>La lámina tendría %1 por %2 píxeles; el ancho máximo es de %3 píxeles. Elija recuadros más pequeños o menos columnas.</translation>
     </message>
 </context>
 <context>

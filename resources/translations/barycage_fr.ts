@@ -1802,6 +1802,33 @@
     </message>
 </context>
 <context>
+    <name>PictureWriter</name>
+    <message>
+        <source>A %1 picture has at most %2 pixels along a side.</source>
+        <translation>Une image %1 a au plus %2 pixels de côté.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
+        <translation>Une image JPEG ne peut pas être transparente. Choisissez une couleur de fond ou un autre format.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture has at most %1 dots per inch.</source>
+        <translation>Une image JPEG a au plus %1 points par pouce.</translation>
+    </message>
+    <message>
+        <source>Such a picture cannot be written as %1.</source>
+        <translation>Une telle image ne peut pas être écrite en %1.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>the WebP encoder has not enough memory.</source>
+        <translation>l’encodeur WebP n’a pas assez de mémoire.</translation>
+    </message>
+</context>
+<context>
     <name>PngSystem</name>
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
@@ -1825,6 +1852,13 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RasterSystem</name>
+    <message>
+        <source>The picture is damaged, or its text cannot be read.</source>
+        <translation>L’image est endommagée, ou son texte est illisible.</translation>
     </message>
 </context>
 <context>
@@ -2051,10 +2085,6 @@
         <translation>pas d’attracteur</translation>
     </message>
     <message>
-        <source>The sheet would have %1 by %2 pixels; the limit is %3 per side. Use smaller tiles or another number of columns.</source>
-        <translation>La planche ferait %1 sur %2 pixels&#x202f;; on peut dessiner au plus %3 pixels par côté. Prenez des vignettes plus petites, ou un autre nombre de colonnes.</translation>
-    </message>
-    <message>
         <source>the amount of “%1” is not a number</source>
         <translation>le coefficient de «&#x202f;%1&#x202f;» n’est pas un nombre</translation>
     </message>
@@ -2117,6 +2147,10 @@
     <message>
         <source>%1 more problems in this entry are not listed.</source>
         <translation>%1 autres problèmes de cette entrée ne sont pas listés.</translation>
+    </message>
+    <message>
+        <source>The name “%1” contains a control character, at which other programs may end it.</source>
+        <translation>Le nom «&#x202f;%1&#x202f;» contient un caractère de contrôle, où d’autres programmes peuvent le terminer.</translation>
     </message>
     <message>
         <source>The name “%1” contains a space; Fractint uses only its first word.</source>
@@ -2417,10 +2451,6 @@
     <message>
         <source>“%1” has no active map, so it has no points.</source>
         <translation>«&#x202f;%1&#x202f;» n’a aucune application active, donc pas de points.</translation>
-    </message>
-    <message>
-        <source>A cage with more than three corners bends the picture; its points cannot be written.</source>
-        <translation>Une cage de plus de trois sommets courbe l’image, et ses points ne sont pas écrits.</translation>
     </message>
     <message>
         <source>A point cloud can have from 1 to %1 points.</source>
@@ -3092,6 +3122,18 @@
     <message>
         <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
         <translation>%1 sommets, aire %2&#x202f;; erreur au plus %3&#x202f;; adresses périodiques non calculées dans le temps imparti</translation>
+    </message>
+    <message>
+        <source>A cage with more than four corners bends the solid; its points cannot be written.</source>
+        <translation>Une cage de plus de quatre sommets courbe le solide&#x202f;; ses points ne peuvent pas être écrits.</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… et %1 de plus</translation>
+    </message>
+    <message>
+        <source>The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller tiles or fewer columns.</source>
+        <translation>La planche aurait %1 sur %2 pixels&#x202f;; la largeur maximale est de %3 pixels. Prenez des vignettes plus petites ou moins de colonnes.</translation>
     </message>
 </context>
 <context>

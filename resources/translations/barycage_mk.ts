@@ -1807,6 +1807,33 @@
     </message>
 </context>
 <context>
+    <name>PictureWriter</name>
+    <message>
+        <source>A %1 picture has at most %2 pixels along a side.</source>
+        <translation>Слика во формат %1 има најмногу %2 пиксели по страна.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
+        <translation>Слика JPEG не може да биде проѕирна. Изберете боја на позадината или друг формат.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture has at most %1 dots per inch.</source>
+        <translation>Слика JPEG има најмногу %1 точки на инч.</translation>
+    </message>
+    <message>
+        <source>Such a picture cannot be written as %1.</source>
+        <translation>Таква слика не може да се запише како %1.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>Сликата не може да се запише: %1</translation>
+    </message>
+    <message>
+        <source>the WebP encoder has not enough memory.</source>
+        <translation>кодерот за WebP нема доволно меморија.</translation>
+    </message>
+</context>
+<context>
     <name>PngSystem</name>
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
@@ -1830,6 +1857,13 @@
     <message>
         <source>The picture cannot be written: %1</source>
         <translation>Сликата не може да се запише: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RasterSystem</name>
+    <message>
+        <source>The picture is damaged, or its text cannot be read.</source>
+        <translation>Сликата е оштетена, или нејзиниот текст не може да се прочита.</translation>
     </message>
 </context>
 <context>
@@ -2056,10 +2090,6 @@
         <translation>нема атрактор</translation>
     </message>
     <message>
-        <source>The sheet would have %1 by %2 pixels; the limit is %3 per side. Use smaller tiles or another number of columns.</source>
-        <translation>Листот би бил %1 на %2 пиксели; најмногу може да се нацртаат %3 по страна. Земете помали плочки или поинаков број колони.</translation>
-    </message>
-    <message>
         <source>the amount of “%1” is not a number</source>
         <translation>количеството на „%1“ не е број</translation>
     </message>
@@ -2122,6 +2152,10 @@
     <message>
         <source>%1 more problems in this entry are not listed.</source>
         <translation>Уште %1 проблеми во овој запис не се наведени.</translation>
+    </message>
+    <message>
+        <source>The name “%1” contains a control character, at which other programs may end it.</source>
+        <translation>Името „%1“ содржи контролен знак, на кој други програми може да го завршат.</translation>
     </message>
     <message>
         <source>The name “%1” contains a space; Fractint uses only its first word.</source>
@@ -2422,10 +2456,6 @@
     <message>
         <source>“%1” has no active map, so it has no points.</source>
         <translation>„%1“ нема пресликување што учествува, па нема точки.</translation>
-    </message>
-    <message>
-        <source>A cage with more than three corners bends the picture; its points cannot be written.</source>
-        <translation>Кафез со повеќе од три темиња ја свиткува сликата, па нејзините точки не се запишуваат.</translation>
     </message>
     <message>
         <source>A point cloud can have from 1 to %1 points.</source>
@@ -3098,6 +3128,18 @@
     <message>
         <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
         <translation>%1 темиња, плоштина %2; грешка најмногу %3; периодичните адреси не се пресметани во дозволеното време</translation>
+    </message>
+    <message>
+        <source>A cage with more than four corners bends the solid; its points cannot be written.</source>
+        <translation>Кафез со повеќе од четири темиња го свиткува телото; неговите точки не можат да се запишат.</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… и уште %1</translation>
+    </message>
+    <message>
+        <source>The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller tiles or fewer columns.</source>
+        <translation>Листот би имал %1 на %2 пиксели; најголемата ширина е %3 пиксели. Користете помали плочки или помалку колони.</translation>
     </message>
 </context>
 <context>

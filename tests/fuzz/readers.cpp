@@ -11,6 +11,7 @@
 #include "io/palette/palette_stops.h"
 #include "io/picture/png_system.h"
 #include "io/picture/svg_system.h"
+#include "io/raster/raster_system.h"
 #include "io/sums/picture_request.h"
 #include "io/sums/sum_file.h"
 #include "io/table/table_reader.h"
@@ -208,7 +209,13 @@ void readPng(const QByteArray& bytes) {
     }
 }
 
-// The same: from the header on, each block and the number of its tile.
+void readRaster(const QByteArray& bytes) {
+    if (io::rasterFormat(bytes).isEmpty()) return;
+    const io::EmbeddedSystem system = io::readRasterSystem(bytes);
+    promise(bool(system.failure) == system.text.isEmpty(), "a text or a failure");
+}
+
+// With checksums: from the header on, each block and the number of its tile.
 QByteArray withChecksumsOfSums(QByteArray sums) {
     quint32 tile = 0;
     for (qsizetype at = 8; at + 8 <= sums.size();) {
@@ -300,12 +307,14 @@ std::span<const Reader> readers() {
         {"fractint", readFractint, {"ifs", "par"}},
         {"collection",
          readCollection,
-         {"ifs", "par", "flame", "flam3", "xml", "csv", "tsv", "txt", "svg", "png"}},
+         {"ifs", "par", "flame", "flam3", "xml", "csv", "tsv", "txt", "svg", "png", "jpg", "webp", "tiff",
+          "exr"}},
         {"flame", readFlame, {"flame", "flam3", "xml"}},
         {"table", readTable, {"csv", "tsv", "txt"}},
         {"palettes", readPalettes, {"gpl", "ugr", "map"}},
         {"sums", readSums, {"sum"}},
         {"png", readPng, {"png"}},
+        {"raster", readRaster, {"jpg", "webp", "tiff", "exr"}},
         {"svg", readSvg, {"svg"}},
         {"video", readVideo, {"mp4", "webm", "mkv", "gif", "webp"}},
         {"journal", readJournal, {"journal"}},

@@ -5,6 +5,7 @@
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/palette/palette_reader.h"
+#include "io/picture/picture_writers.h"
 #include "io/picture/png_writer.h"
 #include "io/picture/svg_writer.h"
 #include "io/sums/picture_request.h"
@@ -71,6 +72,23 @@ QByteArray video(io::VideoFormat format, const QByteArray& system) {
     return writer.finish() ? QByteArray() : contents(path);
 }
 
+QByteArray raster(io::PictureFile file, const QByteArray& system) {
+    using enum io::PictureFormat::Depth;
+    QBuffer device;
+    device.open(QIODevice::WriteOnly);
+    io::PictureFormat format;
+    format.width = format.height = 2;
+    format.depth = io::takes(file, Bits8) ? Bits8 : Bits16;
+    format.systemText = system;
+    const auto writer = io::pictureWriter(file, device, format);
+    if (format.depth == Bits8)
+        writer->writeRows(std::array<std::uint32_t, 4>{0xff000000, 0xffffffff, 0xff123456, 0xff808080});
+    else
+        writer->writeRows(std::array<attractor::Rgba16, 4>{});
+    writer->finish();
+    return device.data();
+}
+
 QByteArray svg(const document::Fractal& fractal) {
     attractor::Camera camera;
     camera.width = camera.height = 64;
@@ -109,6 +127,8 @@ QByteArrayList written(const QByteArray& suffix) {
     if (const auto format = io::videoFormat(QString::fromLatin1(suffix)))
         return {video(*format, io::writeEntry(triangle)), video(*format, own)};
     if (suffix == "svg") return {svg(triangle)};
+    if (const auto file = io::pictureFileOf(QString::fromLatin1(suffix)))
+        return {raster(*file, io::writeEntry(triangle)), raster(*file, {})};
     if (suffix == "sum") return {sums(triangle)};
     if (suffix == "journal")
         return {document::recoveryFile({QStringLiteral("/somewhere/a.ifs"),
@@ -168,6 +188,9 @@ const QByteArrayList& tokens() {
         // PNG
         "\x89PNG\r\n\x1a\n", "IHDR", "iTXt", "zTXt", "tEXt", "IDAT", "IEND", QByteArray("Barycage\0", 9),
         QByteArray("\0\0\0\0", 4), QByteArray("\x7f\xff\xff\xff", 4), QByteArray("\xff\xff\xff\xff", 4),
+        // JPEG, WebP, TIFF, OpenEXR
+        "\xff\xd8\xff\xfe", "Barycage\n", "RIFF", "WEBP", "XMP ", "EXIF", QByteArray("II*\0", 4),
+        QByteArray("MM\0*", 4), QByteArray("II+\0", 4), "\x76\x2f\x31\x01", QByteArray("string\0", 7),
         // recovery files
         "barycage-journal 1\n", "\"sha256\":", "\"current\":-1", "{}"};
     return all;

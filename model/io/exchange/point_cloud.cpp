@@ -25,11 +25,10 @@ class Writer {
 public:
     explicit Writer(const PointCloud& cloud)
         : m_cloud(cloud),
-          m_system(attractor::prepared(*document::system2(cloud.fractal),
-                                       document::movedBranches(cloud.fractal))) {
-        if (const auto* cage = document::cage2(cloud.fractal)) m_display = ifs::displayMap(*cage);
-        m_bytes = header();
-    }
+          m_system(
+              attractor::prepared(*document::system2(cloud.fractal), document::movedBranches(cloud.fractal))),
+          m_display(document::placement(cloud.fractal)),
+          m_bytes(header()) {}
 
     const attractor::PreparedSystem& system() const { return m_system; }
     const QByteArray& bytes() const { return m_bytes; }
@@ -84,7 +83,7 @@ private:
 
     const PointCloud& m_cloud;
     attractor::PreparedSystem m_system;
-    ifs::AffineMap<2> m_display;
+    ifs::Placement m_display; // bent where the cage is
     QByteArray m_bytes;
 };
 
@@ -97,11 +96,8 @@ Failure obstacle(const PointCloud& cloud) {
         return Text::tr("“%1” could not be read, so it has no points.").arg(cloud.fractal.name);
     if (space ? attractor::preparedSpace(space->system).maps.empty() : ifs::activeMaps(*system).maps.empty())
         return Text::tr("“%1” has no active map, so it has no points.").arg(cloud.fractal.name);
-    const auto* cage = document::cage2(cloud.fractal);
-    const bool isBent = space ? space->cage && ifs::bends(*space->cage) : cage && cage->rest.size() != 3;
-    if (isBent)
-        return Text::tr(
-            "A cage with more than three corners bends the picture; its points cannot be written.");
+    if (space && space->cage && ifs::bends(*space->cage))
+        return Text::tr("A cage with more than four corners bends the solid; its points cannot be written.");
     if (cloud.points < 1 || cloud.points > PointCloud::maxPoints)
         return Text::tr("A point cloud can have from 1 to %1 points.").arg(PointCloud::maxPoints);
     return std::nullopt;

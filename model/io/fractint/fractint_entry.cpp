@@ -147,7 +147,14 @@ void EntryParser::readName() {
     const Block& block = m_entry.layout.block;
     const QByteArrayView name = m_text.sliced(block.name.begin, block.name.size());
     m_entry.fractal.name = block.open < 0 ? QStringLiteral("unnamed") : decoded(name);
-    if (std::any_of(name.begin(), name.end(), isBlank))
+    const auto contains = [&name](auto predicate) {
+        return std::any_of(name.begin(), name.end(), predicate);
+    };
+    if (contains([](char c) { return c == '\0' || c == '\x1a'; }))
+        warn(block.name.begin,
+             Text::tr("The name “%1” contains a control character, at which other programs may end it.")
+                 .arg(m_entry.fractal.name));
+    else if (contains(isBlank))
         warn(block.name.begin, Text::tr("The name “%1” contains a space; Fractint uses only its first word.")
                                    .arg(m_entry.fractal.name));
     else if (name.size() > maxName)

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/contact_sheet.h"
-#include "attractor/render/renderer.h"
-#include "document/fractal_geometry.h"
 
+#include "document/fractal_geometry.h"
+#include "io/picture/picture_writers.h"
+
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QFont>
 #include <QFontMetrics>
+#include <QHashFunctions>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPdfWriter>
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <span>
+#include <vector>
 
 namespace io {
 
@@ -79,88 +86,109 @@ private:
     }
 };
 
+// A part of the sheet over its whole width.
+struct Band {
+    enum class Kind { Space, Title, Heading, Row } kind = Kind::Space;
+    int height = 0;
+    const ContactSheet::Section* section = nullptr;
+    qsizetype first = 0; // fractal of a row
+};
+
+std::vector<Band> bandsOf(const ContactSheet& sheet, const Layout& layout) {
+    using enum Band::Kind;
+    std::vector<Band> bands{{Space, layout.margin, nullptr, 0}};
+    if (!sheet.title.isEmpty()) bands.push_back({Title, layout.title, nullptr, 0});
+    for (const auto& section : sheet.sections) {
+        if (section.fractals.isEmpty()) continue;
+        if (!section.title.isEmpty()) bands.push_back({Heading, layout.heading, &section, 0});
+        for (qsizetype first = 0; first < section.fractals.size(); first += layout.columns)
+            bands.push_back({Row, layout.row(), &section, first});
+    }
+    bands.push_back({Space, layout.margin - layout.gap, nullptr, 0});
+    return bands;
+}
+
 class SheetPainter {
 public:
-    SheetPainter(const ContactSheet& sheet, QImage& image)
-        : m_sheet(sheet), m_layout(sheet), m_inks(inksOf(sheet.paper)), m_painter(&image) {
-        m_painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    SheetPainter(const ContactSheet& sheet, const Progress& progress, const std::stop_token& stop)
+        : m_sheet(sheet), m_layout(sheet), m_inks(inksOf(sheet.paper)), m_progress(progress), m_stop(stop) {
         for (const auto& section : sheet.sections)
             m_count += section.fractals.size();
     }
 
-    // False when stopped.
-    bool paint(const Progress& progress, const std::stop_token& stop) {
-        m_painter.fillRect(QRect(QPoint(), sizeOf(m_sheet)), m_inks.paper);
-        int y = m_layout.margin;
-        if (!m_sheet.title.isEmpty()) y = paintTitle(y);
-        qsizetype done = 0;
-        for (const auto& section : m_sheet.sections) {
-            if (section.fractals.isEmpty()) continue;
-            if (!section.title.isEmpty()) y = paintHeading(section, y);
-            for (qsizetype i = 0; i < section.fractals.size(); ++i) {
-                const QPoint corner(m_layout.margin +
-                                        int(i % m_layout.columns) * (m_layout.tile.width() + m_layout.gap),
-                                    y + int(i / m_layout.columns) * m_layout.row());
-                paintTile(*section.fractals[i], QRect(corner, m_layout.tile), stop);
-                if (stop.stop_requested()) return false;
-                if (progress) progress(double(++done) / double(m_count));
-            }
-            y += m_layout.rowsFor(section.fractals.size()) * m_layout.row();
+    const Layout& layout() const { return m_layout; }
+    QColor paper() const { return m_inks.paper; }
+
+    // With the upper left corner of the band in the origin. False when stopped.
+    bool paint(QPainter& painter, const Band& band) {
+        m_painter = &painter;
+        painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+        if (band.kind == Band::Kind::Title) paintTitle();
+        if (band.kind == Band::Kind::Heading) paintHeading(*band.section);
+        if (band.kind != Band::Kind::Row) return true;
+        const auto& fractals = band.section->fractals;
+        const qsizetype end = std::min(fractals.size(), band.first + m_layout.columns);
+        for (qsizetype i = band.first; i < end; ++i) {
+            const int column = int(i - band.first);
+            const QPoint corner(m_layout.margin + column * (m_layout.tile.width() + m_layout.gap), 0);
+            paintTile(*fractals[i], QRect(corner, m_layout.tile));
+            if (m_stop.stop_requested()) return false;
+            if (m_progress) m_progress(double(++m_done) / double(m_count));
         }
         return true;
     }
 
 private:
-    int paintTitle(int y) {
-        const QRect line(m_layout.margin, y, m_layout.width() - 2 * m_layout.margin, m_layout.title);
+    void paintTitle() {
+        const QRect line(m_layout.margin, 0, m_layout.width() - 2 * m_layout.margin, m_layout.title);
         paintText(line, Qt::AlignLeft | Qt::AlignTop, font(2 * m_layout.text, QFont::DemiBold), m_inks.text,
                   m_sheet.title);
-        return y + m_layout.title;
     }
 
-    int paintHeading(const ContactSheet::Section& section, int y) {
-        const QRect line(m_layout.margin, y, m_layout.width() - 2 * m_layout.margin,
+    void paintHeading(const ContactSheet::Section& section) {
+        const QRect line(m_layout.margin, 0, m_layout.width() - 2 * m_layout.margin,
                          m_layout.heading - m_layout.gap);
         const QFont bold = font(1.35 * m_layout.text, QFont::DemiBold);
         paintText(line, Qt::AlignLeft | Qt::AlignVCenter, bold, m_inks.text, section.title);
         paintText(line, Qt::AlignRight | Qt::AlignVCenter, font(m_layout.text), m_inks.quiet,
                   QString::number(section.fractals.size()));
-        m_painter.setPen(QPen(m_inks.line, std::max(1.0, m_layout.text / 12)));
-        m_painter.drawLine(line.bottomLeft(), line.bottomRight());
-        return y + m_layout.heading;
+        m_painter->setPen(QPen(m_inks.line, std::max(1.0, m_layout.text / 12)));
+        m_painter->drawLine(line.bottomLeft(), line.bottomRight());
     }
 
     void paintText(const QRect& area, Qt::Alignment alignment, const QFont& font, const QColor& ink,
                    const QString& text) {
-        m_painter.setFont(font);
-        m_painter.setPen(ink);
+        m_painter->setFont(font);
+        m_painter->setPen(ink);
         const QString shown = QFontMetrics(font).elidedText(text, Qt::ElideMiddle, area.width());
-        m_painter.drawText(area, int(alignment) | Qt::TextSingleLine, shown);
+        m_painter->drawText(area, int(alignment) | Qt::TextSingleLine, shown);
     }
 
-    void paintTile(const document::Fractal& fractal, const QRect& area, const std::stop_token& stop) {
-        const QImage picture = drawn(fractal, stop);
-        m_painter.setPen(Qt::NoPen);
-        m_painter.setBrush(m_inks.placeholder);
+    void paintTile(const document::Fractal& fractal, const QRect& area) {
+        const QImage picture = drawn(fractal);
+        m_painter->setPen(Qt::NoPen);
+        m_painter->setBrush(m_inks.placeholder);
         const double radius = m_layout.text / 2.5;
         QPainterPath card;
         card.addRoundedRect(area, radius, radius);
         if (picture.isNull()) {
-            m_painter.drawPath(card);
+            m_painter->drawPath(card);
             paintText(area, Qt::AlignCenter, font(m_layout.text), m_inks.quiet,
                       document::dimension(fractal) == 3 ? Text::tr("in space") : Text::tr("no attractor"));
         } else {
-            m_painter.setBrushOrigin(area.topLeft());
-            m_painter.fillPath(card, picture);
-            m_painter.setBrushOrigin(QPoint());
+            m_painter->save();
+            m_painter->setClipPath(card);
+            m_painter->drawImage(area, picture);
+            m_painter->restore();
         }
         const QRect label(area.left(), area.bottom() + 1, area.width(), m_layout.label);
         paintText(label, Qt::AlignHCenter | Qt::AlignVCenter, font(m_layout.text), m_inks.text, fractal.name);
     }
 
     // Null when there is nothing to draw.
-    QImage drawn(const document::Fractal& fractal, const std::stop_token& stop) const {
+    QImage drawn(const document::Fractal& fractal) const {
         constexpr double margin = 0.06;
+        constexpr std::size_t cells = 64U << 20; // bytes
         if (!document::system2(fractal)) return {};
         const auto box = document::displayedBox(fractal);
         if (!box) return {};
@@ -168,24 +196,84 @@ private:
         camera.width = m_layout.tile.width();
         camera.height = m_layout.tile.height();
         camera = attractor::fitted(camera, box->min, box->max, margin);
-        attractor::RenderRequest request = document::renderRequest(fractal, camera);
-        request.threads = m_sheet.threads;
-        request.samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) *
-                          std::uint64_t(m_sheet.samplesPerPixel);
-        attractor::Rendering rendering(request);
-        if (!rendering.refine(stop)) return {};
-        const attractor::Frame frame = rendering.frame();
-        return QImage(reinterpret_cast<const uchar*>(frame.pixels.data()), camera.width, camera.height,
-                      QImage::Format_ARGB32_Premultiplied)
-            .copy();
+        PngExport picture{fractal, document::renderRequest(fractal, camera), {}};
+        picture.bandBytes = cells;
+        picture.request.threads = m_sheet.threads;
+        picture.request.samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) *
+                                  std::uint64_t(m_sheet.samplesPerPixel);
+        return drawPicture(picture, {}, m_stop).image;
     }
 
     const ContactSheet& m_sheet;
     Layout m_layout;
     Inks m_inks;
-    QPainter m_painter;
-    qsizetype m_count = 0;
+    const Progress& m_progress;
+    const std::stop_token& m_stop;
+    QPainter* m_painter = nullptr; // of the band at hand
+    qsizetype m_count = 0, m_done = 0;
 };
+
+PictureFormat formatOf(const ContactSheet& sheet) {
+    PictureFormat format;
+    const QSize size = sizeOf(sheet);
+    format.width = size.width();
+    format.height = size.height();
+    return format;
+}
+
+// Each band as an image of its own. False when stopped.
+bool writeBands(const ContactSheet& sheet, PictureWriter& writer, SheetPainter& sheetPainter,
+                ExportOutcome& outcome) {
+    for (const Band& band : bandsOf(sheet, sheetPainter.layout())) {
+        if (band.height <= 0) continue;
+        QImage image(sheetPainter.layout().width(), band.height, QImage::Format_ARGB32_Premultiplied);
+        if (image.isNull()) throw std::bad_alloc();
+        image.fill(sheetPainter.paper());
+        QPainter painter(&image);
+        if (!sheetPainter.paint(painter, band)) return false;
+        painter.end();
+        const auto pixels = std::size_t(image.width()) * std::size_t(image.height());
+        outcome.failure =
+            writer.writeRows(std::span(reinterpret_cast<const std::uint32_t*>(image.constBits()), pixels));
+        if (outcome.failure) return true;
+    }
+    outcome.failure = writer.finish();
+    return true;
+}
+
+// Bands that stay together on a page: headings go with what follows.
+std::vector<std::vector<Band>> blocksOf(const std::vector<Band>& bands) {
+    std::vector<std::vector<Band>> blocks(1);
+    for (const Band& band : bands) {
+        if (band.kind == Band::Kind::Space) continue;
+        blocks.back().push_back(band);
+        if (band.kind == Band::Kind::Row) blocks.emplace_back();
+    }
+    return blocks;
+}
+
+int heightOf(const std::vector<Band>& block) {
+    int height = 0;
+    for (const Band& band : block)
+        height += band.height;
+    return height;
+}
+
+// Tables with a seed that changes would put the parts of the file into another order each time.
+class SteadyOrder {
+public:
+    SteadyOrder() { QHashSeed::setDeterministicGlobalSeed(); }
+    ~SteadyOrder() { QHashSeed::resetRandomGlobalSeed(); }
+    SteadyOrder(const SteadyOrder&) = delete;
+    SteadyOrder& operator=(const SteadyOrder&) = delete;
+};
+
+// The day and the hour would make every file another one.
+void forgetTime(QByteArray& pdf) {
+    const qsizetype at = pdf.indexOf("/CreationDate");
+    const qsizetype end = at < 0 ? -1 : pdf.indexOf('\n', at);
+    if (end > at) std::fill(pdf.begin() + at, pdf.begin() + end, ' ');
+}
 
 } // namespace
 
@@ -199,22 +287,80 @@ QSize sizeOf(const ContactSheet& sheet) {
     return {layout.width(), height};
 }
 
-DrawnSheet drawSheet(const ContactSheet& sheet, const Progress& progress, const std::stop_token& stop) {
-    constexpr int maxSide = 32'767; // that can be painted on
-    const QSize size = sizeOf(sheet);
-    DrawnSheet drawn;
-    if (size.width() <= maxSide && size.height() <= maxSide) drawn.image = QImage(size, QImage::Format_RGB32);
-    if (drawn.image.isNull()) {
-        drawn.failure = Text::tr("The sheet would have %1 by %2 pixels; the limit is %3 per side. Use "
-                                 "smaller tiles or another number of columns.")
-                            .arg(size.width())
-                            .arg(size.height())
-                            .arg(maxSide);
-        return drawn;
+Failure whyImpossible(const ContactSheet& sheet, PictureFile file) {
+    constexpr int maxWidth = 32'767; // that can be painted on
+    const PictureFormat format = formatOf(sheet);
+    if (format.width > maxWidth)
+        return Text::tr("The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller "
+                        "tiles or fewer columns.")
+            .arg(format.width)
+            .arg(format.height)
+            .arg(maxWidth);
+    return whyImpossible(file, format);
+}
+
+ExportOutcome exportSheet(const ContactSheet& sheet, PictureFile file, const QString& path,
+                          const Progress& progress, const std::stop_token& stop) {
+    ExportOutcome outcome;
+    outcome.failure = whyImpossible(sheet, file);
+    if (outcome.failure) return outcome;
+    NewFile device(path);
+    outcome.failure = device.failure();
+    if (outcome.failure) return outcome;
+    SheetPainter painter(sheet, progress, stop);
+    {
+        const auto writer = pictureWriter(file, device, formatOf(sheet));
+        outcome.stopped = !writeBands(sheet, *writer, painter, outcome);
     }
-    const bool whole = SheetPainter(sheet, drawn.image).paint(progress, stop);
-    if (!whole) drawn.image = {};
-    return drawn;
+    if (device.failure())
+        outcome.failure = device.failure();
+    else if (!outcome.failure && !outcome.stopped)
+        outcome.failure = device.commit();
+    return outcome;
+}
+
+ExportOutcome exportSheetPdf(const ContactSheet& sheet, const QPageSize& page, const QString& path,
+                             const Progress& progress, const std::stop_token& stop) {
+    ExportOutcome outcome;
+    const SteadyOrder steady;
+    SheetPainter sheetPainter(sheet, progress, stop);
+    const Layout& layout = sheetPainter.layout();
+    QBuffer pdf;
+    pdf.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&pdf);
+    writer.setTitle(sheet.title);
+    writer.setCreator(QStringLiteral("Barycage"));
+    writer.setPageSize(page);
+    writer.setPageMargins({});
+    QPainter painter(&writer);
+    const double scale = double(writer.width()) / layout.width();
+    const double pageHeight = writer.height() / scale;
+    double y = pageHeight; // none is begun
+    bool isFirst = true;
+    for (const std::vector<Band>& block : blocksOf(bandsOf(sheet, layout))) {
+        if (block.empty()) continue;
+        if (y + heightOf(block) > pageHeight - layout.margin) {
+            if (!isFirst) writer.newPage();
+            isFirst = false;
+            painter.resetTransform();
+            painter.scale(scale, scale);
+            painter.fillRect(QRectF(0, 0, layout.width(), pageHeight), sheetPainter.paper());
+            y = layout.margin;
+        }
+        for (const Band& band : block) {
+            painter.save();
+            painter.translate(0, y);
+            outcome.stopped = !sheetPainter.paint(painter, band);
+            painter.restore();
+            if (outcome.stopped) return outcome;
+            y += band.height;
+        }
+    }
+    painter.end();
+    QByteArray bytes = pdf.data();
+    forgetTime(bytes);
+    outcome.failure = saveFile(path, bytes);
+    return outcome;
 }
 
 } // namespace io

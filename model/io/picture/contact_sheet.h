@@ -4,8 +4,8 @@
 #include "document/fractal.h"
 #include "io/picture/png_export.h"
 
-#include <QImage>
 #include <QList>
+#include <QPageSize>
 #include <QSize>
 #include <QString>
 
@@ -31,12 +31,17 @@ struct ContactSheet {
     int threads = 1;
 };
 
-struct DrawnSheet {
-    QImage image;    // null when stopped or after a failure
-    Failure failure; // too large
-};
-QSize sizeOf(const ContactSheet& sheet);
-DrawnSheet drawSheet(const ContactSheet& sheet, const Progress& progress = {},
-                     const std::stop_token& stop = {});
+QSize sizeOf(const ContactSheet& sheet); // pixels
+
+// Draws and writes the sheet, a row of pictures at a time; `path` appears whole or not at all. What the kind
+// of file cannot hold is refused before anything is drawn.
+ExportOutcome exportSheet(const ContactSheet& sheet, PictureFile file, const QString& path,
+                          const Progress& progress = {}, const std::stop_token& stop = {});
+Failure whyImpossible(const ContactSheet& sheet, PictureFile file);
+
+// The same on pages as wide as the sheet, as many as it takes; no row of pictures is divided and no heading
+// stands alone. The letters are text, the pictures have the pixels of a tile.
+ExportOutcome exportSheetPdf(const ContactSheet& sheet, const QPageSize& page, const QString& path,
+                             const Progress& progress = {}, const std::stop_token& stop = {});
 
 } // namespace io

@@ -2,30 +2,41 @@
 #include "io/picture/picture_strip.h"
 
 #include "io/fractint/entry_writer.h"
+#include "io/picture/picture_writers.h"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 
 namespace io {
 
 namespace {
 
-struct Strip {
-    std::vector<QImage> images;
-    int width = 0;
-    int height = 0;
-};
+PictureFormat formatOf(const std::vector<PngExport>& pictures) {
+    const PngExport& first = pictures.front();
+    PictureFormat format;
+    for (const PngExport& picture : pictures)
+        format.width += picture.request.camera.width;
+    format.height = first.request.camera.height;
+    const bool isOpaque = first.request.appearance.background.alpha == 255;
+    format.pixels = isOpaque ? PictureFormat::Pixels::Opaque : PictureFormat::Pixels::Transparent;
+    format.dotsPerInch = first.dotsPerInch;
+    format.systemText = writeEntry(first.fractal);
+    format.quality = first.quality;
+    return format;
+}
 
-void writeRows(PngWriter& writer, const Strip& strip, ExportOutcome& outcome, const std::stop_token& stop) {
+void writeRows(PictureWriter& writer, const std::vector<QImage>& images, int width, ExportOutcome& outcome,
+               const std::stop_token& stop) {
     std::vector<std::uint32_t> row;
-    row.reserve(std::size_t(strip.width));
-    for (int y = 0; y < strip.height && !outcome.failure; ++y) {
+    row.reserve(std::size_t(width));
+    for (int y = 0; y < images.front().height() && !outcome.failure; ++y) {
         if (stop.stop_requested()) {
             outcome.stopped = true;
             return;
         }
         row.clear();
-        for (const QImage& image : strip.images) {
+        for (const QImage& image : images) {
             const auto* pixels = reinterpret_cast<const std::uint32_t*>(image.constScanLine(y));
             row.insert(row.end(), pixels, pixels + image.width());
         }
@@ -39,32 +50,27 @@ void writeRows(PngWriter& writer, const Strip& strip, ExportOutcome& outcome, co
 ExportOutcome exportStrip(const std::vector<PngExport>& pictures, const QString& path,
                           const Progress& progress, std::stop_token stop) {
     ExportOutcome outcome;
+    const PictureFile kind = pictures.front().file;
+    const PictureFormat format = formatOf(pictures);
+    outcome.failure = whyImpossible(kind, format);
+    if (outcome.failure) return outcome;
     NewFile file(path);
     outcome.failure = file.failure();
     if (outcome.failure) return outcome;
-    Strip strip;
+    std::vector<QImage> images;
     for (const PngExport& picture : pictures) {
         const auto share = [&](double fraction) {
-            if (progress) progress((double(strip.images.size()) + fraction) / double(pictures.size()));
+            if (progress) progress((double(images.size()) + fraction) / double(pictures.size()));
         };
         Picture drawn = drawPicture(picture, share, stop);
         outcome.stopped = stop.stop_requested();
         if (outcome.stopped) return outcome;
         if (drawn.image.isNull()) throw std::bad_alloc();
-        strip.width += drawn.image.width();
-        strip.height = drawn.image.height();
         outcome.note = std::max(outcome.note, drawn.note);
-        strip.images.push_back(std::move(drawn.image));
+        images.push_back(std::move(drawn.image));
     }
-    PngFormat format;
-    format.width = strip.width;
-    format.height = strip.height;
-    const bool isOpaque = pictures.front().request.appearance.background.alpha == 255;
-    format.pixels = isOpaque ? PngFormat::Pixels::Opaque : PngFormat::Pixels::Transparent;
-    format.dotsPerInch = pictures.front().dotsPerInch;
-    format.systemText = writeEntry(pictures.front().fractal);
-    PngWriter writer(file, format);
-    writeRows(writer, strip, outcome, stop);
+    const std::unique_ptr<PictureWriter> writer = pictureWriter(kind, file, format);
+    writeRows(*writer, images, format.width, outcome, stop);
     if (file.failure())
         outcome.failure = file.failure();
     else if (!outcome.failure && !outcome.stopped)

@@ -7,8 +7,8 @@
 
 namespace io {
 
-// Pictures of one height side by side in one PNG, from left to right, 8 bits a channel. The system and the
-// resolution embedded are those of the first. The pictures are in memory until all are drawn.
+// Pictures of one height side by side in one, from left to right, 8 bits a channel. The kind of file, the
+// system and the resolution are those of the first. The pictures are in memory until all are drawn.
 ExportOutcome exportStrip(const std::vector<PngExport>& pictures, const QString& path,
                           const Progress& progress = {}, std::stop_token stop = {});
 

@@ -2,8 +2,11 @@
 #include "io/picture/png_export.h"
 
 #include "io/fractint/entry_writer.h"
+#include "io/overlay/map_legend.h"
+#include "io/picture/picture_writers.h"
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <thread>
 #include <vector>
@@ -28,6 +31,10 @@ QImage imageOver(std::span<Rgba16> pixels, int width) {
             qsizetype(width) * 8, QImage::Format_RGBA64};
 }
 
+const document::Fractal& explained(const PngExport& picture) {
+    return picture.explained ? *picture.explained : picture.fractal;
+}
+
 // Band after band, from the top: into what room(first row, rows) gives, then take(pixels).
 template <class Pixel, class Room, class Take>
 Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& progress,
@@ -38,6 +45,8 @@ Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& 
     if (!picture.moments.empty()) rendering.openShutter(picture.moments);
     if (picture.exposure) rendering.useExposure(*picture.exposure);
     note = rendering.note();
+    std::optional<OverlayShapes> overlay;
+    if (picture.overlay != PictureOverlay()) overlay.emplace(explained(picture), camera, picture.overlay);
     const int most = attractor::BandedRendering::rowsWithin(picture.request, picture.bandBytes);
     for (int first = 0; first < camera.height; first += most) {
         const int rows = std::min(most, camera.height - first);
@@ -51,6 +60,10 @@ Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& 
             QImage image = imageOver(pixels, camera.width);
             paintCage(image, picture.fractal, camera, first);
         }
+        if (overlay) {
+            QImage image = imageOver(pixels, camera.width);
+            overlay->paint(image, first);
+        }
         const auto writing = [&](double fraction) { told(shareOfDrawing + (1 - shareOfDrawing) * fraction); };
         const Drawn taken = take(pixels, writing);
         if (taken != Drawn::All) return taken;
@@ -58,26 +71,54 @@ Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& 
     return Drawn::All;
 }
 
-PngFormat formatOf(const PngExport& picture) {
-    PngFormat format;
-    format.width = picture.request.camera.width;
+PictureFormat formatOf(const PngExport& picture, const QImage& legend = {}) {
+    PictureFormat format;
+    format.width = picture.request.camera.width + legend.width();
     format.height = picture.request.camera.height;
-    format.pixels = picture.request.appearance.background.alpha == 255 ? PngFormat::Pixels::Opaque
-                                                                       : PngFormat::Pixels::Transparent;
+    format.pixels = picture.request.appearance.background.alpha == 255 ? PictureFormat::Pixels::Opaque
+                                                                       : PictureFormat::Pixels::Transparent;
     format.depth = picture.depth;
     format.dotsPerInch = picture.dotsPerInch;
     format.systemText = writeEntry(picture.fractal);
     format.texts = picture.texts;
+    format.quality = picture.quality;
     return format;
+}
+
+QImage legendOf(const PngExport& picture, QImage::Format format) {
+    if (!picture.withLegend) return {};
+    return mapLegend(explained(picture), picture.request.camera.height).convertToFormat(format);
+}
+
+template <class Pixel>
+constexpr QImage::Format imageFormat = sizeof(Pixel) == sizeof(Rgba16) ? QImage::Format_RGBA64
+                                                                       : QImage::Format_ARGB32_Premultiplied;
+
+// Rows of the picture, the first of which is `row`, with those of the legend.
+template <class Pixel>
+std::span<const Pixel> withLegend(std::span<const Pixel> pixels, std::size_t width, const QImage& legend,
+                                  int row, std::vector<Pixel>& memory) {
+    if (legend.isNull()) return pixels;
+    memory.clear();
+    for (std::size_t at = 0; at < pixels.size(); at += width, ++row) {
+        const std::span<const Pixel> left = pixels.subspan(at, width);
+        const auto* right = reinterpret_cast<const Pixel*>(legend.constScanLine(row));
+        memory.insert(memory.end(), left.begin(), left.end());
+        memory.insert(memory.end(), right, right + legend.width());
+    }
+    return memory;
 }
 
 template <class Pixel>
 ExportOutcome drawInto(QIODevice& file, const PngExport& picture, const Progress& progress,
                        const std::stop_token& stop) {
     ExportOutcome outcome;
-    PngWriter writer(file, formatOf(picture));
+    const QImage legend = legendOf(picture, imageFormat<Pixel>);
+    const std::unique_ptr<PictureWriter> writer =
+        pictureWriter(picture.file, file, formatOf(picture, legend));
     const auto width = std::size_t(picture.request.camera.width);
-    std::vector<Pixel> memory;
+    std::vector<Pixel> memory, whole;
+    int row = 0;
     const auto room = [&](int, int rows) {
         memory.resize(width * std::size_t(rows));
         return std::span(memory);
@@ -86,7 +127,9 @@ ExportOutcome drawInto(QIODevice& file, const PngExport& picture, const Progress
         constexpr std::size_t few = 16; // rows between two looks at the stop token
         for (std::size_t at = 0; at < pixels.size(); at += few * width) {
             if (stop.stop_requested()) return Drawn::Stopped;
-            outcome.failure = writer.writeRows(pixels.subspan(at, std::min(few * width, pixels.size() - at)));
+            const auto rows = pixels.subspan(at, std::min(few * width, pixels.size() - at));
+            outcome.failure = writer->writeRows(withLegend<Pixel>(rows, width, legend, row, whole));
+            row += int(rows.size() / width);
             if (outcome.failure) return Drawn::Refused;
             writing(double(at) / double(pixels.size()));
         }
@@ -94,7 +137,7 @@ ExportOutcome drawInto(QIODevice& file, const PngExport& picture, const Progress
     };
     const Drawn drawn = drawBands<Pixel>(picture, room, take, progress, stop, outcome.note);
     outcome.stopped = drawn == Drawn::Stopped;
-    if (drawn == Drawn::All) outcome.failure = writer.finish();
+    if (drawn == Drawn::All) outcome.failure = writer->finish();
     return outcome;
 }
 
@@ -117,6 +160,8 @@ Picture drawPicture(const PngExport& picture, const Progress& progress, std::sto
 ExportOutcome exportPng(const PngExport& picture, const QString& path, const Progress& progress,
                         std::stop_token stop) {
     ExportOutcome outcome;
+    outcome.failure = whyImpossible(picture);
+    if (outcome.failure) return outcome;
     NewFile file(path);
     outcome.failure = file.failure();
     if (outcome.failure) return outcome;
@@ -130,13 +175,21 @@ ExportOutcome exportPng(const PngExport& picture, const QString& path, const Pro
     return outcome;
 }
 
+Failure whyImpossible(const PngExport& picture) {
+    return whyImpossible(picture.file, formatOf(picture, legendOf(picture, QImage::Format_RGB32)));
+}
+
 std::uint64_t memoryFor(const PngExport& picture) {
     const std::size_t pixel =
         picture.depth == PngFormat::Depth::Bits16 ? sizeof(Rgba16) : sizeof(std::uint32_t);
     const auto rows =
         std::uint64_t(attractor::BandedRendering::rowsWithin(picture.request, picture.bandBytes));
-    return rows * (attractor::BandedRendering::bytesPerRow(picture.request) +
-                   std::uint64_t(std::max(1, picture.request.camera.width)) * pixel);
+    const auto width = std::uint64_t(std::max(1, picture.request.camera.width));
+    const std::uint64_t whole = // WebP keeps the picture, and its encoder as much again
+        picture.file == PictureFile::WebP
+            ? 3 * width * std::uint64_t(std::max(1, picture.request.camera.height)) * sizeof(std::uint32_t)
+            : 0;
+    return whole + rows * (attractor::BandedRendering::bytesPerRow(picture.request) + width * pixel);
 }
 
 int threadsOfThisMachine() {

@@ -3,7 +3,8 @@
 
 #include "attractor/render/banded_rendering.h"
 #include "document/fractal.h"
-#include "io/picture/cage_overlay.h"
+#include "io/overlay/cage_overlay.h"
+#include "io/overlay/picture_overlay.h"
 #include "io/picture/png_writer.h"
 
 #include <QImage>
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 
@@ -29,6 +31,11 @@ struct PngExport {
     // What a shutter sees in place of the request's moment; see BandedRendering::openShutter().
     std::vector<attractor::RenderRequest> moments{};
     std::optional<attractor::Exposure> exposure{}; // mean density included; else that of the picture itself
+    PictureFile file = PictureFile::Png;           // a kind of file that takes this depth
+    std::optional<int> quality{};                  // as in PictureFormat
+    PictureOverlay overlay{};
+    bool withLegend = false; // the table of maps to the right, which makes the picture wider: mapLegend()
+    std::shared_ptr<const document::Fractal> explained{}; // by these two; null: the fractal
     std::size_t bandBytes = 256U << 20; // for the cells of the rows that are drawn at a time; same picture
 };
 
@@ -38,11 +45,15 @@ struct ExportOutcome {
     attractor::RenderNote note = attractor::RenderNote::None;
 };
 
-// Draws and writes the picture, some rows at a time; `path` appears whole or not at all.
+// Draws and writes the picture, of whatever kind of file, some rows at a time; `path` appears whole or not at
+// all.
 ExportOutcome exportPng(const PngExport& picture, const QString& path, const Progress& progress = {},
                         std::stop_token stop = {});
 
-// The same picture in memory, 8 bits a channel; null when stopped.
+// Why the kind of file cannot hold the picture, before it is drawn.
+Failure whyImpossible(const PngExport& picture);
+
+// The same picture in memory, without the legend, 8 bits a channel; null when stopped.
 struct Picture {
     QImage image;
     attractor::RenderNote note = attractor::RenderNote::None;

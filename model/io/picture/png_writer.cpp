@@ -2,9 +2,9 @@
 #include "io/picture/png_writer.h"
 
 #include "io/picture/png_system.h"
+#include "io/raster/pixel_rows.h"
 
 #include <QCoreApplication>
-#include <QRgb>
 
 #include <png.h>
 
@@ -104,14 +104,7 @@ bool PngWriter::State::writeHeader() {
 }
 
 void PngWriter::State::encode(const std::uint32_t* pixels) {
-    png_byte* to = row.data();
-    for (int x = 0; x < format.width; ++x) {
-        const QRgb colour = qUnpremultiply(pixels[x]);
-        *to++ = png_byte(qRed(colour));
-        *to++ = png_byte(qGreen(colour));
-        *to++ = png_byte(qBlue(colour));
-        if (transparent()) *to++ = png_byte(qAlpha(colour));
-    }
+    putBytes(pixels, format.width, transparent(), row.data());
 }
 
 void PngWriter::State::encode(const attractor::Rgba16* pixels) {

@@ -109,7 +109,7 @@ std::uint64_t memoryFor(const SolidPicture& picture) {
     return width * height * sizeof(std::uint32_t) + 2 * width * side * bandRows * sizeof(Rgba16);
 }
 
-ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const Progress& progress,
+ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, const Progress& progress,
                          const std::stop_token& stop) {
     const auto take = [&writer](auto rows) { return writer.writeRows(rows); };
     ExportOutcome outcome = picture.depth == PngFormat::Depth::Bits16

@@ -5,12 +5,14 @@
 #include "attractor/render/cloud_rendering.h"
 #include "attractor/render/solid_rendering.h"
 #include "io/fractint/entry_writer.h"
+#include "io/picture/picture_writers.h"
 #include "io/picture/solid_picture.h"
 #include "io/text/number.h"
 
 #include <QBuffer>
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,18 +23,24 @@ namespace {
 constexpr double shareOfDrawing = 0.8;   // of the progress; the rest is compression
 constexpr std::size_t rowsTogether = 16; // between two looks at the stop token
 
-PngFormat formatOf(const SpaceExport& picture) {
-    PngFormat format;
+PictureFormat formatOf(const SpaceExport& picture) {
+    using enum PictureFormat::Pixels;
+    PictureFormat format;
+    const attractor::Rgba background =
+        picture.look == SpaceLook::Solid ? picture.solid.background : picture.request.appearance.background;
+    format.pixels = picture.look == SpaceLook::Depth ? Grey : background.alpha == 255 ? Opaque : Transparent;
+    format.depth = picture.look == SpaceLook::Depth ? PictureFormat::Depth::Bits16 : picture.depth;
     format.width = picture.request.camera.size.width;
     format.height = picture.request.camera.size.height;
     format.dotsPerInch = picture.dotsPerInch;
     format.systemText = writeEntry(picture.fractal);
     format.texts = picture.texts;
+    format.quality = picture.quality;
     return format;
 }
 
-template <class Pixel>
-void write(PngWriter& writer, const std::vector<Pixel>& pixels, int width, ExportOutcome& outcome,
+template <class Writer, class Pixel>
+void write(Writer& writer, const std::vector<Pixel>& pixels, int width, ExportOutcome& outcome,
            const Progress& progress, const std::stop_token& stop) {
     const std::size_t together = rowsTogether * std::size_t(width);
     for (std::size_t at = 0; at < pixels.size() && !outcome.failure; at += together) {
@@ -62,9 +70,7 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
         return std::uint16_t((attractor::depthCode(key) * most + attractor::maxDepthCode / 2) /
                              attractor::maxDepthCode);
     });
-    PngFormat format = formatOf(picture);
-    format.pixels = PngFormat::Pixels::Grey;
-    format.depth = PngFormat::Depth::Bits16;
+    PictureFormat format = formatOf(picture);
     format.texts.emplace_back("barycage:near", formatNumber(raster.near));
     format.texts.emplace_back("barycage:far", formatNumber(raster.far));
     PngWriter writer(device, format);
@@ -144,37 +150,26 @@ ExportOutcome pixelsOf(const SpaceExport& picture, std::span<Pixel> pixels, cons
                                             : cloudPixels(picture, pixels, progress, stop);
 }
 
-PngFormat::Pixels pixelsOf(const SpaceExport& picture) {
-    const attractor::Rgba& background =
-        picture.look == SpaceLook::Solid ? picture.solid.background : picture.request.appearance.background;
-    return background.alpha == 255 ? PngFormat::Pixels::Opaque : PngFormat::Pixels::Transparent;
-}
-
 template <class Pixel>
 ExportOutcome drawPixels(const SpaceExport& picture, QIODevice& device, const Progress& progress,
                          const std::stop_token& stop) {
-    PngFormat format = formatOf(picture);
-    format.pixels = pixelsOf(picture);
-    format.depth = picture.depth;
+    const PictureFormat format = formatOf(picture);
     std::vector<Pixel> pixels(std::size_t(format.width) * std::size_t(format.height));
     const auto drawing = [&](double fraction) {
         if (progress) progress(shareOfDrawing * fraction);
     };
     ExportOutcome outcome = pixelsOf(picture, std::span<Pixel>(pixels), drawing, stop);
     if (outcome.stopped) return outcome;
-    PngWriter writer(device, format);
-    write(writer, pixels, format.width, outcome, progress, stop);
+    const std::unique_ptr<PictureWriter> writer = pictureWriter(picture.file, device, format);
+    write(*writer, pixels, format.width, outcome, progress, stop);
     return outcome;
 }
 
 // A single moment of a solid is written band by band.
-ExportOutcome writeSolidPng(const SpaceExport& picture, QIODevice& device, const Progress& progress,
-                            const std::stop_token& stop) {
-    PngFormat format = formatOf(picture);
-    format.pixels = pixelsOf(picture);
-    format.depth = picture.depth;
-    PngWriter writer(device, format);
-    return writeSolid(solidOf(picture), writer, progress, stop);
+ExportOutcome writeSolidRows(const SpaceExport& picture, QIODevice& device, const Progress& progress,
+                             const std::stop_token& stop) {
+    const std::unique_ptr<PictureWriter> writer = pictureWriter(picture.file, device, formatOf(picture));
+    return writeSolid(solidOf(picture), *writer, progress, stop);
 }
 
 } // namespace
@@ -192,13 +187,16 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
            (cell * side * side * std::uint64_t(picture.request.threads) + 2 * sizeof(attractor::Rgba16));
 }
 
-ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& png, const Progress& progress,
+ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
                            std::stop_token stop) {
-    QBuffer buffer(&png);
+    ExportOutcome refused;
+    refused.failure = whyImpossible(picture.file, formatOf(picture));
+    if (refused.failure) return refused;
+    QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (picture.look == SpaceLook::Depth) return drawDepths(picture, buffer, progress, stop);
     if (picture.look == SpaceLook::Solid && picture.moments.empty())
-        return writeSolidPng(picture, buffer, progress, stop);
+        return writeSolidRows(picture, buffer, progress, stop);
     return picture.depth == PngFormat::Depth::Bits16
                ? drawPixels<attractor::Rgba16>(picture, buffer, progress, stop)
                : drawPixels<std::uint32_t>(picture, buffer, progress, stop);

@@ -34,6 +34,8 @@ struct SpaceExport {
     // camera only. Not of depths.
     std::vector<attractor::SpaceRequest> moments{};
     std::optional<attractor::Exposure> exposure{}; // of a cloud, mean density included; else its own
+    PictureFile file = PictureFile::Png;           // of Depth: PNG
+    std::optional<int> quality{};                  // as in PictureFormat
 };
 
 // Memory that drawSpacePng() takes, in bytes, about.
@@ -42,7 +44,7 @@ std::uint64_t memoryFor(const SpaceExport& picture);
 // Draws the picture and encodes it. A picture of depths has two texts, barycage:near and barycage:far: depths
 // along the view from the plane of the target, away from the eye, in units of the system; a pixel v shows
 // depth near + (far − near)·v/65534, and 65535 shows nothing.
-ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& png, const Progress& progress = {},
+ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
                            std::stop_token stop = {});
 
 // The same picture in memory, 8 bits a channel, without texts; null when stopped. Not of depths.

@@ -2,6 +2,7 @@
 #include "io/picture/svg_writer.h"
 
 #include "document/fractal_geometry.h"
+#include "ifs/copies/copy_merging.h"
 #include "io/fractint/entry_writer.h"
 #include "io/picture/svg_shapes.h"
 #include "io/picture/svg_system.h"
@@ -10,8 +11,8 @@
 #include <QCoreApplication>
 #include <QXmlStreamWriter>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace io {
 
@@ -88,9 +89,10 @@ public:
 
     QByteArray structured(const ifs::CopyHierarchy& levels, int depth, CageVisibility cage) {
         return picture(cage, [&] {
-            writeDefinitions(levels, depth);
+            const ifs::MergedCopies merged(levels, depth);
+            writeDefinitions(levels, merged, depth);
             writeBackground();
-            writeAttractor(levels, depth);
+            writeAttractor(levels, merged);
         });
     }
 
@@ -179,46 +181,77 @@ private:
     // By the name that files have always given to it.
     static QString projectionId(std::size_t i) { return QStringLiteral("shadow-%1").arg(i + 1); }
 
-    // What the picture needs.
-    struct Used {
-        std::set<int> levels;
-        std::set<std::size_t> projections;
-    };
-    static Used usedIn(const ifs::CopyHierarchy& levels, int depth) {
-        Used used;
-        const auto use = [&](const std::vector<ifs::Copy>& copies) {
-            for (const ifs::Copy& copy : copies) {
-                if (copy.projection)
-                    used.projections.insert(*copy.projection);
-                else
-                    used.levels.insert(copy.level);
-            }
-        };
-        use(levels.picture(depth));
-        for (auto level = used.levels.rbegin(); level != used.levels.rend() && *level > 0; ++level)
-            use(levels.copies(*level, depth));
-        return used;
-    }
-
-    void writeDefinitions(const ifs::CopyHierarchy& levels, int depth) {
+    void writeDefinitions(const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged, int depth) {
         startElement("defs");
-        const Used used = usedIn(levels, depth);
-        for (const std::size_t i : used.projections)
+        for (const std::size_t i : merged.projections())
             writeProjection(i, *levels.projection(i));
-        for (const int level : used.levels) {
-            if (level == 0) {
+        const ifs::Polygon outline = levels.outline(depth);
+        for (const auto& [number, level] : merged.levels()) {
+            if (number == 0) {
                 m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
                 attribute("id", levelId(0));
-                attribute("points", pointList(levels.outline(depth)));
+                attribute("points", pointList(outline));
+            } else if (!level.pieces.empty()) {
+                m_xml.writeEmptyElement(svg, QStringLiteral("path"));
+                attribute("id", levelId(number));
+                attribute("d", pathOf(levels, outline, level.pieces));
             } else {
                 startElement("g");
-                attribute("id", levelId(level));
-                for (const ifs::Copy& copy : levels.copies(level, depth))
+                attribute("id", levelId(number));
+                for (const ifs::Copy& copy : level.copies)
                     writeCopy(copy);
                 m_xml.writeEndElement();
             }
         }
         m_xml.writeEndElement();
+    }
+
+    // All pieces in one path, all counter-clockwise: where two overlap, both are filled.
+    static QString pathOf(const ifs::CopyHierarchy& levels, const ifs::Polygon& outline,
+                          const std::vector<ifs::MergedCopies::Piece>& pieces) {
+        std::vector<ifs::Polygon> polygons;
+        for (const auto& [map, projection] : pieces) {
+            const auto add = [&](ifs::Polygon polygon) {
+                for (auto& corner : polygon)
+                    corner = map(corner);
+                if (map.linear.determinant() < 0) std::reverse(polygon.begin(), polygon.end());
+                polygons.push_back(std::move(polygon));
+            };
+            if (!projection)
+                add(outline);
+            else
+                std::ranges::for_each(levels.projection(*projection)->bars, add);
+        }
+        const int digits = digitsFor(polygons);
+        QString path;
+        for (const ifs::Polygon& polygon : polygons) {
+            QStringList corners;
+            for (const auto& corner : polygon)
+                corners << shortNumber(corner.x(), digits) + u' ' + shortNumber(corner.y(), digits);
+            path += QLatin1Char('M') + corners.join(QLatin1Char('L')) + QLatin1Char('z');
+        }
+        return path;
+    }
+
+    // Decimals that show a thousandth of the smallest polygon.
+    static int digitsFor(const std::vector<ifs::Polygon>& polygons) {
+        double smallest = 1;
+        for (const ifs::Polygon& polygon : polygons) {
+            double size = 0;
+            for (const auto& corner : polygon)
+                size = std::max(size, (corner - polygon.front()).cwiseAbs().maxCoeff());
+            smallest = std::min(smallest, size);
+        }
+        constexpr double least = 1e-12;
+        return int(std::ceil(3 - std::log10(std::max(smallest, least))));
+    }
+
+    static QString shortNumber(double value, int digits) {
+        QString number = QString::number(value, 'f', digits);
+        while (number.endsWith(u'0'))
+            number.chop(1);
+        if (number.endsWith(u'.')) number.chop(1);
+        return number == u"-0" ? QStringLiteral("0") : number;
     }
 
     void writeProjection(std::size_t i, const ifs::CopyProjection& projection) {
@@ -247,12 +280,12 @@ private:
         if (colour.alpha != 255) attribute("fill-opacity", text(colour.alpha / 255.0));
     }
 
-    void writeAttractor(const ifs::CopyHierarchy& levels, int depth) {
+    void writeAttractor(const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged) {
         startElement("g");
         attribute("id", QStringLiteral("attractor"));
         attribute("transform", text(levels.display()));
         attribute("fill", text(shapeColour(m_fractal.appearance)));
-        for (const ifs::Copy& copy : levels.picture(depth)) {
+        for (const ifs::Copy& copy : merged.picture()) {
             writeCopy(copy);
             if (const auto colour = shapeColour(m_fractal, levels, copy)) attribute("fill", text(*colour));
         }

@@ -4,7 +4,7 @@
 #include "attractor/request/camera.h"
 #include "document/fractal.h"
 #include "io/file/save_file.h"
-#include "io/picture/cage_overlay.h"
+#include "io/overlay/cage_overlay.h"
 
 #include <QByteArray>
 

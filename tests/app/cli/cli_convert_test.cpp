@@ -303,8 +303,7 @@ void CliConvertTest::cagesThatCannotBeBaked() {
     write("caged.ifs", entry("bent", {"0 0", "1 0", "1 1", "0 1"}, {"0 0", "1 0", "2 2", "0 1"}) +
                            entry("flat", {"0 0", "1 0", "0 1"}, {"1 1", "2 2", "3 3"}));
     const Result points = run("convert caged.ifs bent.csv --entry bent --points 4");
-    QCOMPARE(points.status, 1);
-    QVERIFY2(points.err.contains("bends") && !QFile::exists(path("bent.csv")), points.err.constData());
+    QVERIFY2(points.status == 0 && read("bent.csv").count('\n') == 5, points.err.constData());
     const Result baked = run("convert caged.ifs baked-cages.ifs --bake");
     QCOMPARE(baked.status, 1);
     QVERIFY2(baked.err.contains("“bent” was omitted: its cage bends"), baked.err.constData());

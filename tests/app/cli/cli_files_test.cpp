@@ -157,7 +157,8 @@ void CliFilesTest::whatAFormatDropsIsSaid_data() {
                                      << QByteArray("“e” is written without its palette.");
     QTest::newRow("gamma") << QByteArray("; barycage: gamma 3\n") << QByteArray("csv")
                            << QByteArray("“e” is written without its other colour settings.");
-    QTest::newRow("strict") << cage << QByteArray("fractint --strict") << QByteArray("without its cage");
+    QTest::newRow("strict") << cage << QByteArray("fractint --strict")
+                            << QByteArray(": warning: “e” is written without its cage");
 }
 
 void CliFilesTest::whatAFormatDropsIsSaid() {

@@ -91,7 +91,7 @@ void CliMannersTest::messagesAreOurs_data() {
     row("info systems.ifs --json --names", "--json and --names cannot be used together.");
     row("render systems.ifs -o x.png --size 9x9 --size 8x8", "--size can be given only once.");
     row("render systems.ifs -o x.png --size=", "The value of --size is empty.");
-    row("render systems.ifs -o x.png --bits many", "--bits “many” is not valid: it must be 8 or 16.");
+    row("render systems.ifs -o x.png --bits many", "--bits “many” is not valid: it must be 8, 16 or 32.");
     row("render systems.ifs -o x.svg --depth 1.5",
         "--depth “1.5” is not valid: it must be a whole number from 0 to 2147483647.");
     row("render systems.ifs -o x.png --algorithm chaosgame", "--algorithm “chaosgame” is not valid");
@@ -292,6 +292,10 @@ void CliMannersTest::severalPicturesInOneCall() {
     write("odd.ifs", "../odd {\n .5 0 0 .5 0 0 1\n}\n");
     QCOMPARE(run(render + "odd.ifs --entry all -o odd-%e.png").status, 0);
     QVERIFY(QFile::exists(path("odd-.._odd.png")));
+    // None is read in another order than it has.
+    write("turned.ifs", "a\u202Egnp.b {\n .5 0 0 .5 0 0 1\n}\n");
+    QCOMPARE(run(render + "turned.ifs --entry all -o %e.png").status, 0);
+    QVERIFY(QFile::exists(path("a_gnp.b.png")));
 }
 
 void CliMannersTest::outputsThatCollideAreRefused() {

@@ -202,7 +202,7 @@ void CliRenderTest::drawsAGallery() {
     };
     const int ink = inkIn(tall.rect());
     QVERIFY2(ink > 1000 && ink < 3 * 4000, qPrintable(QString::number(ink))); // light tiles
-    QCOMPARE(run("gallery systems.ifs -o sheet.jpg").status, 2);
+    QCOMPARE(run("gallery systems.ifs -o sheet.svg").status, 2);
     QCOMPARE(run("gallery absent.ifs -o none.png").status, 3);
     QVERIFY(!QFile::exists(path("none.png")));
 }

@@ -18,6 +18,7 @@ private slots:
     void everyPointIsTheImageOfThePointBefore();
     void plyHoldsTheSamePointsInColour();
     void pointsAreWhereTheyAreShown();
+    void pointsBendWithTheCage();
     void sameSeedSameBytes();
     void refusals();
     void stopsWithoutAFile();
@@ -105,6 +106,29 @@ void PointCloudTest::pointsAreWhereTheyAreShown() {
         QVERIFY(std::abs(moved[i].x - code[i].x - 10) < 1e-12);
         QVERIFY(std::abs(moved[i].y - code[i].y + 3) < 1e-12);
     }
+}
+
+// A square whose upper right corner is pulled out: what lies on its lower edge and its left edge stays.
+void PointCloudTest::pointsBendWithTheCage() {
+    document::Fractal fractal = document::sierpinskiTriangle();
+    const auto code = pointsIn(written({fractal, 400, 5, io::PointFormat::Csv}));
+    ifs::ControlCage<2> cage;
+    cage.rest = cage.current = {{-0.1, -0.1}, {1.1, -0.1}, {1.1, 1.1}, {-0.1, 1.1}};
+    document::plane(fractal)->cage = cage;
+    const auto still = pointsIn(written({fractal, 400, 5, io::PointFormat::Csv}));
+    document::plane(fractal)->cage->current[2] = {3, 2};
+    const auto bent = pointsIn(written({fractal, 400, 5, io::PointFormat::Csv}));
+    const ifs::Placement placement = document::placement(fractal);
+    QVERIFY(placement.bend() != nullptr);
+    QCOMPARE(bent.size(), code.size());
+    double farthest = 0;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        const ifs::Vector<2> x(code[i].x, code[i].y);
+        QVERIFY((ifs::Vector<2>(still[i].x, still[i].y) - x).norm() < 1e-9);
+        QVERIFY((ifs::Vector<2>(bent[i].x, bent[i].y) - placement(x)).norm() < 1e-12);
+        farthest = std::max(farthest, (placement(x) - x).norm());
+    }
+    QVERIFY2(farthest > 0.1, qPrintable(QString::number(farthest)));
 }
 
 void PointCloudTest::sameSeedSameBytes() {

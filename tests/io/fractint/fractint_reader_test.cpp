@@ -59,6 +59,7 @@ class FractintReaderTest : public QObject {
 private slots:
     void rules_data();
     void rules();
+    void whatEndsANameIsSaid();
     void coefficientsAndWeights();
     void threeDimensionalRowOrder();
     void commentsBelongToTheirEntry();
@@ -181,6 +182,17 @@ void FractintReaderTest::rules() {
     const FractalFile file = readChecked(bytes);
     QTEST(summary(file), "entries");
     QTEST(places(allProblems(file)), "problems");
+}
+
+void FractintReaderTest::whatEndsANameIsSaid() {
+    const auto said = [](const QByteArray& name) {
+        const FractalFile file = readChecked(name + " {\n.5 0 0 .5 0 0 1\n}\n");
+        const auto problems = allProblems(file);
+        return problems.isEmpty() ? QString() : problems.first().message;
+    };
+    QVERIFY(said("a b").contains(QStringLiteral("contains a space")));
+    QVERIFY(said(QByteArray("a\0b", 3)).contains(QStringLiteral("contains a control character")));
+    QVERIFY(said("ab").isEmpty());
 }
 
 void FractintReaderTest::coefficientsAndWeights() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/picture/cage_overlay.h"
+#include "io/overlay/cage_overlay.h"
 
 #include "document/fractal_geometry.h"
 

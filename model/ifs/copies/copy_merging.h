@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/copies/copy_hierarchy.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace ifs {
+
+// CopyHierarchy::picture(depth) and what it is made of, to be written down so that browsers show it without a
+// long wait. They make every copy of a copy anew, and take time for each and for how deep it is nested. Where
+// that would be too much, low levels are written as one path, and levels are made of copies some levels below
+// them instead of the next one: a level whose largest map hardly shrinks is otherwise nested a hundred times.
+// The shapes stay exactly the same. docs/decisions/0009-svg-in-browsers.md.
+class MergedCopies {
+public:
+    // A reader's time up to which nothing is merged, as effort() gives it: about three seconds in Chromium.
+    static constexpr double comfortable = 250'000;
+    static constexpr std::size_t maxCorners = 60'000; // of all paths, unless there are none
+    static constexpr std::size_t maxWritten = 4'000;  // copies, unless the levels as they are have more
+
+    // An image of the outline or of a projection.
+    struct Piece {
+        AffineMap<2> map;
+        std::optional<std::size_t> projection;
+    };
+    struct Level {
+        std::vector<Copy> copies;  // that it is made of, or …
+        std::vector<Piece> pieces; // … what its one path shows
+    };
+    using Levels = std::map<int, Level>;
+
+    MergedCopies(const CopyHierarchy& hierarchy, int depth);
+
+    const std::vector<Copy>& picture() const { return m_picture; }
+    const Levels& levels() const { return m_levels; } // those that are needed, from the lowest
+    const std::set<std::size_t>& projections() const { return m_projections; }
+
+    // The copies that a reader of the file makes, weighed by how deep each is nested.
+    double effort() const;
+
+private:
+    std::vector<Copy> m_picture;
+    Levels m_levels;
+    std::set<std::size_t> m_projections;
+};
+
+} // namespace ifs

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/light/tone_map16.h"
+#include "io/file/save_file.h"
+
+#include <QByteArray>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace io {
+
+// What a picture of pixels is written as.
+enum class PictureFile {
+    Png,
+    Jpeg,
+    WebP,
+    Tiff,
+    ExrHalf,  // OpenEXR: linear light, 16-bit floating point
+    ExrFloat, // the same with 32 bits
+};
+
+struct PictureFormat {
+    enum class Pixels { Opaque, Transparent, Grey }; // Grey: one channel, of numbers rather than light
+    enum class Depth { Bits8, Bits16 };              // a channel, as rows are given to the writer
+
+    int width = 0;
+    int height = 0;
+    Pixels pixels = Pixels::Opaque; // Opaque drops the alpha channel
+    Depth depth = Depth::Bits8;
+    std::optional<double> dotsPerInch;
+    QByteArray systemText; // UTF-8, embedded for readPictureSystem(); empty: nothing
+    // Further texts, Latin-1: keyword (1 to 79 characters) and value.
+    std::vector<std::pair<QByteArray, QByteArray>> texts{};
+    std::optional<int> quality{}; // 1 … 100; none: 92 of JPEG, and a WebP without loss
+};
+
+// Writes a picture row by row. Any failure is remembered, and the calls that follow return it at once.
+class PictureWriter {
+public:
+    PictureWriter() = default;
+    virtual ~PictureWriter() = default;
+    PictureWriter(const PictureWriter&) = delete;
+    PictureWriter& operator=(const PictureWriter&) = delete;
+
+    // Whole rows from the top on, 0xAARRGGBB premultiplied, into a picture of 8 bits a channel …
+    virtual Failure writeRows(std::span<const std::uint32_t> pixels) = 0;
+    // … or of 16.
+    virtual Failure writeRows(std::span<const attractor::Rgba16> pixels) = 0;
+    virtual Failure finish() = 0; // after the last row
+};
+
+} // namespace io

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/raster/picture_writer.h"
+
+#include <QIODevice>
+
+namespace io {
+
+// WebP of 8 bits a channel, without loss unless the format names a quality; at most 16,383 pixels along a
+// side. The whole picture is in memory until finish(). The system is in an XMP packet, in an element `system`
+// of xmpSystemNamespace().
+class WebPWriter final : public PictureWriter {
+public:
+    // The device is open for writing and outlives the writer.
+    WebPWriter(QIODevice& device, PictureFormat format);
+
+    Failure writeRows(std::span<const std::uint32_t> pixels) override;
+    Failure writeRows(std::span<const attractor::Rgba16> pixels) override; // never
+    Failure finish() override;
+
+private:
+    void fail(const QString& reason);
+
+    QIODevice& m_device;
+    PictureFormat m_format;
+    std::vector<std::uint8_t> m_bytes; // of the rows so far
+    Failure m_failure;
+};
+
+// The XMP packet that holds the system.
+QByteArray xmpPacket(const QByteArray& system);
+
+} // namespace io
