@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/tops/coupled_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace attractor {
+
+CoupledSystem::CoupledSystem(const ifs::SupportFunction<2>& attractor, std::vector<ifs::AffineMap<2>> maps,
+                             std::vector<double> weights)
+    : from(attractor.maps()),
+      to(std::move(maps)),
+      probabilities(std::move(weights)),
+      around(attractor),
+      fromTop(ifs::fixedPoint(from.front()).value_or(from.front().translation)),
+      toTop(ifs::fixedPoint(to.front()).value_or(to.front().translation)) {}
+
+double areaRatio(const ifs::Matrix<2>& to, const ifs::Matrix<2>& from) {
+    const double above = std::abs(ifs::determinant<2>(to)), below = std::abs(ifs::determinant<2>(from));
+    if (above > 0 && below > 0) return above / below;
+    const double whole = from.squaredNorm();
+    return whole > 0 ? to.squaredNorm() / whole : 0;
+}
+
+PixelBox boxOf(const ifs::AffineMap<2>& shown, const ifs::EnclosingPolygon& around) {
+    const ifs::Matrix<2>& a = shown.linear;
+    const ifs::Vector<2> first = around.corners.front();
+    double left = a(0, 0) * first.x() + a(0, 1) * first.y(), right = left;
+    double top = a(1, 0) * first.x() + a(1, 1) * first.y(), bottom = top;
+    for (const ifs::Vector<2>& corner : around.corners) {
+        const double x = a(0, 0) * corner.x() + a(0, 1) * corner.y();
+        const double y = a(1, 0) * corner.x() + a(1, 1) * corner.y();
+        left = std::min(left, x);
+        right = std::max(right, x);
+        top = std::min(top, y);
+        bottom = std::max(bottom, y);
+    }
+    return {left + shown.translation.x(), right + shown.translation.x(), top + shown.translation.y(),
+            bottom + shown.translation.y()};
+}
+
+} // namespace attractor
