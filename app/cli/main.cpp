@@ -75,6 +75,6 @@ int main(int argc, char** argv) {
     const std::vector<cli::Command> commands = {cli::infoCommand(program),    cli::renderCommand(program),
                                                 cli::convertCommand(program), cli::galleryCommand(program),
                                                 cli::animateCommand(program), cli::morphCommand(program),
-                                                cli::mergeCommand(program)};
+                                                cli::mergeCommand(program),   cli::stealCommand(program)};
     return int(run(program, commands, words));
 }
