@@ -12,8 +12,8 @@ namespace attractor {
 // Points of both attractors by the same maps, x_n = f_i(x_n−1) and y_n = g_i(y_n−1), in the order of their
 // addresses, the top one first: the rank of a sample is its index.
 struct CoupledSamples {
-    static constexpr int rankBits = 12;
-    static constexpr std::size_t most = std::size_t{1} << rankBits;
+    static constexpr std::size_t usual = 4096; // of them for a word, and more where there are few words
+    static constexpr std::size_t most = std::size_t{1} << 20;
     static constexpr std::size_t lanes = 16; // the arrays go on to a multiple of it with the last point
 
     std::size_t size = 0;

@@ -20,7 +20,7 @@ kernels::KeyWord keyWord(const TopWord& word, const CoupledSamples& samples, std
             float(linear(1, 1)),
             float(middle.x()),
             float(middle.y()),
-            static_cast<std::uint32_t>(rank << CoupledSamples::rankBits)};
+            static_cast<std::uint32_t>(rank * samples.size)};
 }
 
 } // namespace
@@ -29,9 +29,10 @@ KeyTops::KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_
                  const std::stop_token& stop)
     : m_width(camera.width) {
     const std::uint64_t wanted = std::clamp<std::uint64_t>(points, 1, maxPoints);
-    const auto size = std::size_t(std::min<std::uint64_t>(wanted, CoupledSamples::most));
-    const TopCut cut = topCut(system, camera, std::size_t(wanted / size), stop);
+    const auto words = std::size_t(std::max<std::uint64_t>(1, wanted / CoupledSamples::usual));
+    const TopCut cut = topCut(system, camera, words, stop);
     if (stop.stop_requested() || cut.words.empty()) return;
+    const std::size_t size = std::clamp<std::size_t>(wanted / cut.words.size(), 1, CoupledSamples::most);
     m_samples = coupledSamples(system, seed, size, 1 / std::max(1.0, cut.size));
     const double areaScale = camera.pixelsPerUnit * camera.pixelsPerUnit;
     constexpr double rounding = 1; // pixels, more than what single precision may do
@@ -61,8 +62,8 @@ bool KeyTops::draw(int firstRow, std::span<TopPoint> points, const std::stop_tok
 // v_σ(y_s)
 TopPoint KeyTops::pointOf(std::uint32_t key) const {
     if (key == kernels::noKey) return {};
-    const Piece& piece = m_pieces[key >> CoupledSamples::rankBits];
-    const CoupledSamples::Image& sample = m_samples.images[key & (CoupledSamples::most - 1)];
+    const Piece& piece = m_pieces[key / m_samples.size];
+    const CoupledSamples::Image& sample = m_samples.images[key % m_samples.size];
     const ifs::Vector<2> image = piece.to({sample.x, sample.y});
     return {image.x(), image.y(), piece.stretch * sample.stretch,
             piece.address + piece.step * sample.address};

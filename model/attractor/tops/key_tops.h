@@ -14,12 +14,12 @@
 
 namespace attractor {
 
-// Tops by samples: the minimum fold of the key rank(σ)·2ᵇ + rank(s) over the words σ of a cut and the samples
+// Tops by samples: the minimum fold of the key rank(σ)·S + rank(s) over the words σ of a cut and the samples
 // s of a set, an order of their addresses. It depends on neither threads nor bands. What a pixel shows is
 // found from its key afterwards. docs/mathematics.md, "Fractal tops".
 class KeyTops {
 public:
-    static constexpr std::uint64_t maxPoints = (std::uint64_t{1} << 32) - 2 * CoupledSamples::most;
+    static constexpr std::uint64_t maxPoints = (std::uint64_t{1} << 32) - 2 * CoupledSamples::usual;
 
     // About so many points, of which those outside the view are not drawn; 1 to maxPoints.
     KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_t points, std::uint64_t seed,

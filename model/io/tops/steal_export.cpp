@@ -6,6 +6,9 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <cmath>
+
 namespace io {
 
 namespace {
@@ -24,6 +27,16 @@ PngFormat formatOf(const StealExport& what) {
     return format;
 }
 
+// Beyond this, doubles have no digits left for a pixel.
+attractor::RenderNote noteOf(const StealExport& what) {
+    const attractor::Camera& camera = what.request.camera;
+    double farthest = camera.centre.cwiseAbs().maxCoeff();
+    for (const double height : what.system.around.heights)
+        farthest = std::max(farthest, std::abs(height));
+    return camera.pixelsPerUnit * farthest * 0x1p-50 > 0.5 ? attractor::RenderNote::TooDeep
+                                                           : attractor::RenderNote::None;
+}
+
 } // namespace
 
 attractor::Camera pictureCamera(int width, int height, const ifs::Vector<2>& min, const ifs::Vector<2>& max) {
@@ -36,7 +49,7 @@ attractor::Camera pictureCamera(int width, int height, const ifs::Vector<2>& min
 ExportOutcome exportStolen(const StealExport& what, const QString& path, const Progress& progress,
                            const std::stop_token& stop) {
     NewFile file(path);
-    ExportOutcome outcome{file.failure()};
+    ExportOutcome outcome{file.failure(), false, noteOf(what)};
     if (outcome.failure) return outcome;
     PngWriter writer(file, formatOf(what));
     const double pixels = double(what.request.camera.width) * double(what.request.camera.height);
