@@ -16,7 +16,7 @@ constexpr double leastBorder = 1e-6;       // pixels
 constexpr double relativeBorder = 4e-9;
 constexpr int blockColumns = 16;
 constexpr std::uint64_t looksBetween = 1024; // at the stop token
-constexpr std::uint64_t maxLooks = std::uint64_t{1} << 34;
+constexpr std::uint64_t maxLooks = std::uint64_t{1} << 31;
 
 // Which pixels are still empty, and how many of every 16 in a row.
 class EmptyPixels {
@@ -106,11 +106,13 @@ public:
     }
 
 private:
-    // What only touches a pixel, to the looseness of the polygon, is not in it.
+    // What only touches a pixel, to the looseness of the polygon, is not in it; what is flat and lies on the
+    // border of two is in the one that it is the beginning of.
     PixelBox trimmed(const PixelBox& box) const {
-        const double x = std::min(m_border, (box.right - box.left) / 2);
-        const double y = std::min(m_border, (box.bottom - box.top) / 2);
-        return {box.left + x, box.right - x, box.top + y, box.bottom - y};
+        PixelBox result{box.left + m_border, box.right - m_border, box.top + m_border, box.bottom - m_border};
+        if (result.left > result.right) result.left = result.right = (box.left + box.right) / 2 + m_border;
+        if (result.top > result.bottom) result.top = result.bottom = (box.top + box.bottom) / 2 + m_border;
+        return result;
     }
 
     struct Pixels {
