@@ -129,13 +129,19 @@ QSize sizeArgument(const std::string& option, const std::string& text) {
     return size;
 }
 
-std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std::string& text) {
+std::vector<ifs::Vector<2>> pointListArgument(const std::string& option, const std::string& text) {
     std::vector<ifs::Vector<2>> points;
     for (const QString& part : QString::fromStdString(text).simplified().split(u' ', Qt::SkipEmptyParts)) {
         const auto xy = numbers(part);
         if (xy.size() != 2) refuse(option, text, tr("it must be points, such as \"0,0 1,0 0.5,0.8\"."));
         points.emplace_back(xy[0], xy[1]);
     }
+    if (points.empty()) refuse(option, text, tr("it must be points, such as \"0,0 1,0 0.5,0.8\"."));
+    return points;
+}
+
+std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std::string& text) {
+    const std::vector<ifs::Vector<2>> points = pointListArgument(option, text);
     if (points.size() < 3)
         refuse(option, text, tr("it must be at least three points, such as \"0,0 1,0 0.5,0.8\"."));
     return points;

@@ -31,6 +31,8 @@ QSize sizeArgument(const std::string& option, const std::string& text); // "1200
 QSize pictureSizeArgument(const std::string& option, const std::string& text);
 constexpr int maxSide = 1'000'000;                                                              // pixels
 std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std::string& text); // "x,y x,y …"
+std::vector<ifs::Vector<2>> pointListArgument(const std::string& option,
+                                              const std::string& text); // at least one
 std::uint64_t wholeArgument(const std::string& option, const std::string& text);
 double positiveArgument(const std::string& option, const std::string& text);
 double secondsArgument(const std::string& option, const std::string& text); // above 0, at most 1e6

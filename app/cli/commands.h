@@ -25,6 +25,7 @@ Command mergeCommand(CLI::App& program);
 Command infoCommand(CLI::App& program);
 Command morphCommand(CLI::App& program);
 Command renderCommand(CLI::App& program);
+Command stealCommand(CLI::App& program);
 Command convertCommand(CLI::App& program);
 
 } // namespace cli

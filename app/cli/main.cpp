@@ -84,6 +84,6 @@ int main(int argc, char** argv) {
                                                 cli::convertCommand(program), cli::galleryCommand(program),
                                                 cli::animateCommand(program), cli::encodeCommand(program),
                                                 cli::morphCommand(program),   cli::mergeCommand(program),
-                                                cli::collageCommand(program)};
+                                                cli::collageCommand(program), cli::stealCommand(program)};
     return int(run(program, commands, words));
 }

@@ -101,7 +101,8 @@ bool isOptionWord(const std::string& word) {
 
 // Bytes that are no text make sense only as the name of a file.
 bool isFileName(const CLI::Option& option) {
-    return option.get_positional() || option.check_lname("output") || option.check_lname("palette");
+    return option.get_positional() || option.check_lname("output") || option.check_lname("palette") ||
+           option.check_lname("picture") || option.check_lname("from-file");
 }
 
 QString unknownOption(CLI::App& program, CLI::App* command, const std::string& name) {

@@ -76,6 +76,8 @@ Steps stepsOf(const std::string& text) {
     return steps;
 }
 
+} // namespace
+
 void selectInstructions(const std::string& name) {
     if (attractor::selectSimd(name)) return;
     QStringList here;
@@ -84,8 +86,6 @@ void selectInstructions(const std::string& name) {
     throw UsageError{tr("--simd “%1” is not available here; this machine has %2.")
                          .arg(QString::fromStdString(name), here.join(QStringLiteral(", ")))};
 }
-
-} // namespace
 
 void refuseIf(bool given, const char* option, const QString& reason) {
     if (given) throw UsageError{tr("%1 cannot be used here: %2").arg(QLatin1String(option), reason)};

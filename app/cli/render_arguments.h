@@ -68,6 +68,7 @@ void addFrameOptions(CLI::App& command, RenderArguments& arguments);
 // Looks at every value before a file is read, and reads the palette.
 Format checked(RenderArguments& arguments);
 
+void selectInstructions(const std::string& name); // --simd
 void refuseIf(bool given, const char* option, const QString& reason);
 attractor::Algorithm algorithmOf(const std::string& text);
 io::SvgFormat shapesOf(const RenderArguments& arguments);

@@ -130,6 +130,8 @@ _barycage_cli_options() {
     encode) options="--output --fps --progress --quiet --help" ;;
     collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --threads --progress --quiet --help" ;;
     morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
+    steal) options="--output --entry --from --from-file --order --map --tear --json --picture --picture-view --size --view --background --exact
+      --points --seed --threads --simd --progress --quiet --help" ;;
     merge) options="--output --threads --progress --quiet --help" ;;
     gallery) options="--output --entry --palette --colour --color --columns --tile --paper --page --title --progress --quiet --help" ;;
   esac
@@ -167,7 +169,7 @@ _barycage_cli_value() {
       [[ ${line[1]} == gallery ]] || _barycage_cli_offer "$2"{abcdefp,abecdfp,acbdefp,pabcdef}
       ;;
     --in-columns) _barycage_cli_offer "$2"{abcdefp,abecdfp,acbdefp,pabcdef} ;;
-    --resume | --report) compopt -o default ;;
+    --resume | --report | --picture | --from-file) compopt -o default ;;
     -o | --output)
       [[ $typed != - ]] || _barycage_cli_offer -
       compopt -o default
@@ -182,7 +184,7 @@ _barycage_cli_value() {
     --budget) _barycage_cli_offer "$2"{1,10,none} ;;
     --size | --points | --seed | --margin | --cage | --view | --orbit | --perspective | --light | --fog | --gamma | --brightness | --iterations | --part | --band | --threads | -j | \
       --depth | --dpi | --hull-tolerance | --tile | --title | --voxel | --resolution | --wall | --longest | --flatten | --frame | --frames | --chunk | --length | --pin | \
-      --threshold | --maps | --seconds | --starts | \
+      --threshold | --maps | --seconds | --starts | --picture-view | --order | --map | --tear | \
       --time-limit | --memory-limit) ;;
     *) return 1 ;;
   esac
@@ -204,9 +206,9 @@ _barycage_cli() {
   [[ -z $active && $typed == "$kept"* ]] || return 0
 
   if ((current == 1)); then
-    _barycage_cli_offer info render animate encode morph collage convert gallery merge help --version --help
+    _barycage_cli_offer info render animate encode morph collage convert gallery merge steal help --version --help
   elif ((current == 2)) && [[ ${line[1]} == help ]]; then
-    _barycage_cli_offer info render animate encode morph collage convert gallery merge
+    _barycage_cli_offer info render animate encode morph collage convert gallery merge steal
   elif [[ $typed == --*=* ]]; then
     _barycage_cli_value "${typed%%=*}" "${typed%%=*}="
   elif _barycage_cli_value "${line[current - 1]}"; then

@@ -200,7 +200,10 @@ QString looksLikeVideo(const QByteArray& bytes) {
     constexpr qsizetype sample = 64; // within which a WebM file says that it is one
     if (bytes.mid(4, 4) == "ftyp" && bytes.size() >= 16) return QStringLiteral("mp4");
     if (bytes.startsWith("GIF87a") || bytes.startsWith("GIF89a")) return QStringLiteral("gif");
-    if (bytes.startsWith("RIFF") && bytes.mid(8, 4) == "WEBP") return QStringLiteral("webp");
+    constexpr int isAnimated = 2; // in the flags of a WebP file
+    if (bytes.startsWith("RIFF") && bytes.mid(8, 8) == "WEBPVP8X" && bytes.size() > 20 &&
+        bytes[20] & isAnimated)
+        return QStringLiteral("webp");
     if (!bytes.startsWith("\x1a\x45\xdf\xa3")) return {};
     return bytes.left(sample).contains("webm") ? QStringLiteral("webm") : QStringLiteral("mkv");
 }

@@ -64,7 +64,7 @@ void CliMannersTest::wrongOptionsAreNamed_data() {
     row("--versoin", "unknown option --versoin; did you mean --version?");
     row("galery systems.ifs -o x.png", "There is no command “galery”; did you mean gallery?");
     row("draw systems.ifs", "There is no command “draw”; the commands are info, render, convert, gallery, "
-                            "animate, encode, morph, merge and collage.");
+                            "animate, encode, morph, merge, collage and steal.");
 }
 
 void CliMannersTest::wrongOptionsAreNamed() {
@@ -81,7 +81,7 @@ void CliMannersTest::messagesAreOurs_data() {
     const auto row = [](const char* arguments, const char* said) {
         QTest::newRow(arguments) << QByteArray(arguments) << QByteArray(said);
     };
-    row("", "Give a command: info, render, convert, gallery, animate, encode, morph, merge or collage.");
+    row("", "Give a command: info, render, convert, gallery, animate, encode, morph, merge, collage or steal.");
     row("render systems.ifs -o", "-o needs a value: -o OUT.");
     row("render systems.ifs", "-o OUT is missing. Usage: barycage-cli render FILE... -o OUT");
     row("render -o x.png", "FILE is missing. Usage: barycage-cli render");

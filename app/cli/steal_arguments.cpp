@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "steal_arguments.h"
+
+#include "arguments.h"
+#include "input.h"
+#include "output.h"
+#include "usage_error.h"
+
+#include "attractor/tops/key_tops.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+StealTask taskOf(const StealArguments& arguments) {
+    const int tasks =
+        int(arguments.picture.has_value()) + int(arguments.map.has_value()) + int(arguments.tear.has_value());
+    if (tasks != 1)
+        throw UsageError{tr("Give one of --picture PICTURE with -o OUT.png, --map \"x,y …\" or --tear EPS.")};
+    return arguments.picture ? StealTask::Picture : arguments.map ? StealTask::Map : StealTask::Tear;
+}
+
+void refuseForNumbers(const StealArguments& arguments) {
+    const QString reason = tr("--map and --tear draw no picture.");
+    refuseIf(arguments.output.has_value(), "-o", reason);
+    refuseIf(arguments.isExact, "--exact", reason);
+    refuseIf(arguments.pictureView.has_value(), "--picture-view", reason);
+    refuseIf(arguments.shown.view.has_value(), "--view", reason);
+    refuseIf(arguments.shown.points.has_value(), "--points", reason);
+    refuseIf(arguments.shown.background.has_value(), "--background", reason);
+}
+
+void checkPicture(const StealArguments& arguments) {
+    refuseIf(arguments.isJson, "--json", tr("it prints what --map and --tear find."));
+    if (!arguments.output) throw UsageError{tr("-o OUT.png is missing: it names the picture to write.")};
+    const QString output = fileNameOf(*arguments.output);
+    if (!isStandardOutput(output) && QFileInfo(output).suffix().toLower() != QStringLiteral("png"))
+        throw UsageError{tr("The picture is written as .png, and “%1” is named otherwise.").arg(output)};
+    refuseIf(arguments.isExact && arguments.shown.points, "--points", tr("--exact draws without samples."));
+    const bool isOpen = pictureSizeArgument("--size", arguments.shown.size).isEmpty();
+    if (arguments.shown.view) {
+        viewArgument("--view", *arguments.shown.view);
+        refuseIf(isOpen, "--size with one side", tr("--view has no proportions; give both sides."));
+    }
+    if (arguments.pictureView) viewArgument("--picture-view", *arguments.pictureView);
+    if (arguments.shown.points)
+        countArgument("--points", *arguments.shown.points, 1, attractor::KeyTops::maxPoints);
+    if (arguments.shown.background) colourArgument("--background", *arguments.shown.background);
+    wholeArgument("--seed", arguments.shown.seed);
+}
+
+} // namespace
+
+std::vector<std::size_t> orderOf(const StealArguments& arguments) {
+    std::vector<std::size_t> order;
+    if (!arguments.order) return order;
+    for (const QString& part : QString::fromStdString(*arguments.order).split(u',')) {
+        bool isNumber = false;
+        const int number = part.trimmed().toInt(&isNumber);
+        if (!isNumber || number < 1)
+            throw UsageError{
+                tr("--order “%1” is not valid: it must be the numbers of the maps, the one on top "
+                   "first, such as 2,1,3.")
+                    .arg(QString::fromStdString(*arguments.order))};
+        order.push_back(std::size_t(number - 1));
+    }
+    return order;
+}
+
+double epsilonOf(const StealArguments& arguments) {
+    return positiveArgument("--tear", *arguments.tear);
+}
+
+StealTask checked(const StealArguments& arguments) {
+    const StealTask task = taskOf(arguments);
+    if (arguments.file == "-" && arguments.fromFile == "-")
+        throw UsageError{tr("Only one of the files can be standard input.")};
+    orderOf(arguments);
+    if (task == StealTask::Picture)
+        checkPicture(arguments);
+    else
+        refuseForNumbers(arguments);
+    if (task == StealTask::Map) pointListArgument("--map", *arguments.map);
+    if (task == StealTask::Tear) epsilonOf(arguments);
+    if (arguments.shown.threads) integerArgument("--threads", *arguments.shown.threads, 1, 1024);
+    if (arguments.shown.simd) selectInstructions(*arguments.shown.simd);
+    return task;
+}
+
+namespace {
+
+struct OptionGroup {
+    CLI::App& command;
+    const char* name;
+
+    template <class Value>
+    CLI::Option* add(const char* names, const char* shown, Value& value, const char* description,
+                     const char* standard = "") const {
+        return command.add_option(names, value, description)
+            ->type_name(shown)
+            ->default_str(standard)
+            ->group(name);
+    }
+};
+
+void addPictureOptions(CLI::App& command, StealArguments& arguments) {
+    const OptionGroup group{command, "Picture"};
+    group.add("--picture", "PICTURE", arguments.picture,
+              "Picture on the second entry: PNG, JPEG or another format of pixels");
+    group.add("--picture-view", "CX,CY,HEIGHT", arguments.pictureView,
+              "What the picture shows of the second entry", "all of it, with a margin of 5 %");
+    group.add("--size", "WxH", arguments.shown.size,
+              "Width and height in pixels; 1200x or x900 keeps the proportions of the fractal", "1200x900");
+    group.add("--view", "CX,CY,HEIGHT", arguments.shown.view, "Centre and height of the view",
+              "all of the fractal");
+    group.add("--background", "COLOUR", arguments.shown.background,
+              "transparent, a name such as white, #rrggbb, or #rrggbbaa with opacity",
+              "stored in the entry, else #0d1017");
+    command
+        .add_flag("--exact", arguments.isExact,
+                  "Go through all addresses down to the pixels instead of drawing samples")
+        ->group("Picture");
+    group.add("--points", "N", arguments.shown.points, "Samples, up to 4.29e9, such as 250000, 1e9 or 2G",
+              "100 per pixel, at least 1M");
+    group.add("--seed", "S", arguments.shown.seed, "Seed of the random numbers", "1");
+    group.add("-j,--threads", "N", arguments.shown.threads, "Threads, 1 to 1024; never changes the picture",
+              "all cores");
+    group.add("--simd", "SET", arguments.shown.simd,
+              "Instruction set: scalar, sse4, avx2, avx512 or neon; never changes the picture",
+              "the fastest");
+}
+
+} // namespace
+
+void addStealOptions(CLI::App& command, StealArguments& arguments) {
+    const OptionGroup files{command, "Files"};
+    files.add("FILE", "FILE", arguments.file, "Collection with the entries; - for standard input")
+        ->required();
+    files.add("-o,--output", "OUT.png", arguments.output, "Picture to write; - for standard output");
+    files.add("--entry", "NAME", arguments.entry, "The entry that is drawn: its name, or #NUMBER",
+              "the first that can be read");
+    files.add("--from", "NAME", arguments.from, "The entry that colours are taken from")->required();
+    files.add("--from-file", "FILE2", arguments.fromFile, "Collection with that entry", "FILE");
+    const OptionGroup group{command, "Transformation"};
+    group.add("--order", "I,J,…", arguments.order, "Numbers of the maps, the one on top first", "1,2,…");
+    group.add("--map", "POINTS", arguments.map,
+              "Print where these points of the first entry go, and their addresses: \"x,y x,y …\"");
+    group.add("--tear", "EPS", arguments.tear,
+              "Print how far neighbouring points are torn apart, at the resolution EPS");
+    command.add_flag("--json", arguments.isJson, "Print JSON, one line for each point")
+        ->group("Transformation");
+    addPictureOptions(command, arguments);
+    addVerbosityOptions(command, arguments.shown.verbosity);
+}
+
+} // namespace cli

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.h"
+#include "commands.h"
+#include "input.h"
+#include "interrupt.h"
+#include "messages.h"
+#include "output.h"
+#include "progress_bar.h"
+#include "render_note.h"
+#include "render_plane.h"
+#include "render_view.h"
+#include "steal_arguments.h"
+#include "usage_error.h"
+
+#include "document/addresses.h"
+#include "document/edits/coupled_entries.h"
+#include "ifs/tops/fractal_transformation.h"
+#include "ifs/tops/tear.h"
+#include "io/file/standard_output.h"
+#include "io/report/json_writer.h"
+#include "io/text/number.h"
+#include "io/tops/picture_reader.h"
+#include "io/tops/steal_export.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <memory>
+
+namespace cli {
+
+namespace {
+
+using Layout = io::JsonWriter::Layout;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+// The two entries, and the files that they are in.
+struct Sources {
+    std::optional<Input> file, fromFile;
+    const document::Entry* first = nullptr;
+    const document::Entry* second = nullptr;
+    ExitStatus status = ExitStatus::Done;
+
+    const Input& secondFile() const { return fromFile ? *fromFile : *file; }
+};
+
+const document::Entry* entryOf(const Input& input, const std::vector<std::string>& names,
+                               ExitStatus& status) {
+    const ToDraw found = entriesToDraw(input, names);
+    status = std::max(status, found.status);
+    if (found.entries.size() > 1)
+        throw UsageError{tr("--entry and --from each name one entry, not “%1”.")
+                             .arg(QString::fromStdString(names.front()))};
+    return found.entries.empty() ? nullptr : found.entries.front();
+}
+
+Sources readSources(const StealArguments& arguments) {
+    Sources sources;
+    sources.file = readInput(arguments.file);
+    if (arguments.fromFile && sources.file) sources.fromFile = readInput(*arguments.fromFile);
+    if (!sources.file || (arguments.fromFile && !sources.fromFile)) {
+        sources.status = ExitStatus::CannotReadOrWrite;
+        return sources;
+    }
+    const std::vector<std::string> names =
+        arguments.entry ? std::vector{*arguments.entry} : std::vector<std::string>{};
+    sources.first = entryOf(*sources.file, names, sources.status);
+    sources.second = entryOf(sources.secondFile(), {arguments.from}, sources.status);
+    return sources;
+}
+
+QString sentence(const document::CouplingOutcome& outcome, const QString& name) {
+    switch (outcome.flaw) {
+    case document::CouplingFlaw::NotInPlane:
+        return tr("“%1” is in space; colours are stolen between entries in the plane.").arg(name);
+    case document::CouplingFlaw::BentCage:
+        return tr("The cage of “%1” is flat or bends the picture; bake it or put it at rest first.")
+            .arg(name);
+    case document::CouplingFlaw::NoMaps:
+        return tr("“%1” has no active map, so there is nothing to draw.").arg(name);
+    case document::CouplingFlaw::NoAttractor:
+        return tr("“%1” has no attractor that could be proved, so its points have no addresses.").arg(name);
+    case document::CouplingFlaw::Order:
+        return tr("--order must list every map of “%1” that takes part once.").arg(name);
+    case document::CouplingFlaw::Counts:
+        break;
+    }
+    return {};
+}
+
+QString sentenceOfCounts(const document::CouplingOutcome& outcome, const Sources& sources) {
+    return tr("“%1” has %2 active maps and “%3” has %4; they must have as many. Divide maps into several "
+              "until they agree.")
+        .arg(printableLine(sources.first->fractal->name))
+        .arg(outcome.fromCount)
+        .arg(printableLine(sources.second->fractal->name))
+        .arg(outcome.toCount);
+}
+
+void warnOfMovedBranches(const document::Entry& entry, const QString& fileName) {
+    const auto* shape = document::plane(*entry.fractal);
+    if (shape != nullptr && !shape->moved.empty())
+        reportWarning(fileName, tr("The moved branches of “%1” are where they were: a fractal transformation "
+                                   "knows only the maps.")
+                                    .arg(printableLine(entry.fractal->name)));
+}
+
+std::optional<document::CoupledEntries> coupledEntries(const Sources& sources,
+                                                       const StealArguments& arguments) {
+    document::CouplingOutcome outcome =
+        document::coupled(*sources.first->fractal, *sources.second->fractal, orderOf(arguments));
+    if (outcome.entries) {
+        warnOfMovedBranches(*sources.first, sources.file->name);
+        warnOfMovedBranches(*sources.second, sources.secondFile().name);
+        return std::move(outcome.entries);
+    }
+    const auto& entry = outcome.isOfSecond ? sources.second : sources.first;
+    const QString& fileName = outcome.isOfSecond ? sources.secondFile().name : sources.file->name;
+    if (outcome.flaw == document::CouplingFlaw::Order)
+        throw UsageError{sentence(outcome, printableLine(entry->fractal->name))};
+    reportError(fileName, outcome.flaw == document::CouplingFlaw::Counts
+                              ? sentenceOfCounts(outcome, sources)
+                              : sentence(outcome, printableLine(entry->fractal->name)));
+    return std::nullopt;
+}
+
+ExitStatus printed(const QByteArray& text, const QString& fileName, ExitStatus status) {
+    if (print(text)) return status;
+    reportError(fileName, tr("The output cannot be written to standard output."));
+    return ExitStatus::CannotReadOrWrite;
+}
+
+void addPoint(io::JsonWriter& json, const ifs::Vector<2>& x) {
+    json.beginArray(Layout::Inline);
+    json.value(x.x());
+    json.value(x.y());
+    json.endArray();
+}
+
+QByteArray pointText(const ifs::Vector<2>& x) {
+    return '(' + io::formatNumber(x.x()) + ", " + io::formatNumber(x.y()) + ')';
+}
+
+// T at points.
+class PointTable {
+public:
+    PointTable(const document::CoupledEntries& entries, bool isJson, QString fileName)
+        : m_transformation(entries.fromAttractor, entries.toAttractor.maps()),
+          m_numbers(entries.numbers),
+          m_isJson(isJson),
+          m_fileName(std::move(fileName)) {}
+
+    void add(const ifs::Vector<2>& x) {
+        const auto answer = m_transformation.at(x);
+        if (!answer.top || !answer.image) {
+            m_status = ExitStatus::InputProblems;
+            const QString point = QString::fromLatin1(pointText(x));
+            reportError(
+                m_fileName,
+                answer.isCutShort
+                    ? tr("The address of the point %1 could not be found in reasonable time.").arg(point)
+                    : tr("The point %1 is not on the attractor.").arg(point));
+        }
+        const QString address = answer.top ? addressOf(*answer.top) : QString();
+        m_text += m_isJson ? jsonLine(x, answer, address) : textLine(x, answer, address);
+    }
+    const QByteArray& text() const { return m_text; }
+    ExitStatus status() const { return m_status; }
+
+private:
+    // Digits where there are at most nine maps, else numbers with spaces between them.
+    QString addressOf(const ifs::TopAddress& top) const {
+        constexpr std::size_t least = 40;
+        const std::size_t known = top.word.size();
+        ifs::Word word = ifs::symbols(top, top.period > 0 ? std::max(known, least) : known);
+        for (int& symbol : word)
+            symbol = int(m_numbers[std::size_t(symbol)]);
+        QString text = document::addressText(word, word.size());
+        if (*std::ranges::max_element(m_numbers) < 9) text.remove(u' ');
+        return text;
+    }
+
+    static QByteArray jsonLine(const ifs::Vector<2>& x, const ifs::FractalTransformation::Answer& answer,
+                               const QString& address) {
+        io::JsonWriter json;
+        json.beginObject(Layout::Inline);
+        json.key("point");
+        addPoint(json, x);
+        json.key("address");
+        answer.top ? json.value(address) : json.null();
+        json.key("image");
+        answer.image ? addPoint(json, *answer.image) : json.null();
+        json.endObject();
+        return json.text();
+    }
+
+    static QByteArray textLine(const ifs::Vector<2>& x, const ifs::FractalTransformation::Answer& answer,
+                               const QString& address) {
+        if (!answer.image) return pointText(x) + " -\n";
+        return pointText(x) + " -> " + pointText(*answer.image) + "  address " + address.toUtf8() + '\n';
+    }
+
+    ifs::FractalTransformation m_transformation;
+    std::vector<std::size_t> m_numbers;
+    bool m_isJson;
+    QString m_fileName;
+    QByteArray m_text;
+    ExitStatus m_status = ExitStatus::Done;
+};
+
+ExitStatus mapPoints(const document::CoupledEntries& entries, const StealArguments& arguments,
+                     const QString& fileName) {
+    PointTable table(entries, arguments.isJson, fileName);
+    for (const ifs::Vector<2>& x : pointListArgument("--map", *arguments.map))
+        table.add(x);
+    return printed(table.text(), fileName, table.status());
+}
+
+QByteArray tearJson(const ifs::Tear& torn, ifs::Homeomorphism verdict) {
+    io::JsonWriter json;
+    json.beginObject(Layout::Inline);
+    json.member("tear", torn.size);
+    json.key("at");
+    if (torn.place) {
+        json.beginArray(Layout::Inline);
+        for (const ifs::Vector<2>& x : *torn.place)
+            addPoint(json, x);
+        json.endArray();
+    } else {
+        json.null();
+    }
+    json.key("homeomorphism");
+    verdict == ifs::Homeomorphism::Unknown ? json.null() : json.value(verdict == ifs::Homeomorphism::Proved);
+    json.endObject();
+    return json.text();
+}
+
+QByteArray tearText(const ifs::Tear& torn, ifs::Homeomorphism verdict) {
+    QString place;
+    if (torn.place)
+        place = tr(", between %1 and %2")
+                    .arg(QString::fromLatin1(pointText(torn.place->front())),
+                         QString::fromLatin1(pointText(torn.place->back())));
+    const QString proof = verdict == ifs::Homeomorphism::Proved    ? tr("yes")
+                          : verdict == ifs::Homeomorphism::Refuted ? tr("no")
+                                                                   : tr("not known");
+    return tr("Tear: %1%2\nHomeomorphism: %3\n")
+        .arg(QString::fromLatin1(io::formatNumber(torn.size)), place, proof)
+        .toUtf8();
+}
+
+ExitStatus printTear(const document::CoupledEntries& entries, const StealArguments& arguments,
+                     const QString& fileName) {
+    const ifs::Tear torn = ifs::tear(entries.fromAttractor, entries.toAttractor, epsilonOf(arguments));
+    if (torn.isCutShort)
+        reportWarning(fileName, tr("There are too many pieces of that size; the tear is at most what is "
+                                   "printed, and may be less."));
+    const ifs::Homeomorphism verdict = ifs::homeomorphism(entries.fromAttractor, entries.toAttractor);
+    return printed(arguments.isJson ? tearJson(torn, verdict) : tearText(torn, verdict), fileName,
+                   ExitStatus::Done);
+}
+
+attractor::Camera cameraOfPicture(const attractor::MipPicture& picture,
+                                  const document::CoupledEntries& entries, const StealArguments& arguments) {
+    if (arguments.pictureView)
+        return attractor::cameraOf(viewArgument("--picture-view", *arguments.pictureView),
+                                   {picture.width(), picture.height()});
+    const ViewBox box = boxOfAttractor(entries.to);
+    return io::pictureCamera(picture.width(), picture.height(), box.min, box.max);
+}
+
+attractor::TheftRequest requestOf(const attractor::MipPicture& picture,
+                                  const document::CoupledEntries& entries, const StealArguments& arguments,
+                                  const QString& fileName) {
+    const RenderArguments& shown = arguments.shown;
+    attractor::TheftRequest request;
+    request.camera = cameraOf(Shown{entries.from, entries.from}, shown, fileName);
+    request.pictureCamera = cameraOfPicture(picture, entries, arguments);
+    request.isExact = arguments.isExact;
+    const auto pixels = std::uint64_t(request.camera.width) * std::uint64_t(request.camera.height);
+    request.points = shown.points
+                         ? countArgument("--points", *shown.points, 1, attractor::KeyTops::maxPoints)
+                         : std::clamp<std::uint64_t>(100 * pixels, 1'000'000, attractor::KeyTops::maxPoints);
+    request.seed = wholeArgument("--seed", shown.seed);
+    request.threads =
+        shown.threads ? integerArgument("--threads", *shown.threads, 1, 1024) : io::threadsOfThisMachine();
+    request.background = shown.background ? colourArgument("--background", *shown.background)
+                                          : entries.from.appearance.background;
+    return request;
+}
+
+ExitStatus stealPicture(const document::CoupledEntries& entries, const StealArguments& arguments,
+                        const document::Fractal& embedded, const QString& fileName) {
+    const ProgressMode mode = applied(arguments.shown.verbosity);
+    const Interrupt interrupt;
+    const QString path = fileNameOf(*arguments.picture), output = fileNameOf(*arguments.output);
+    io::ReadPicture read = io::readPicture(path);
+    if (read.failure) {
+        reportError(path, *read.failure);
+        return ExitStatus::CannotReadOrWrite;
+    }
+    const attractor::TheftRequest request = requestOf(read.picture, entries, arguments, fileName);
+    const io::StealExport what{embedded, entries.system(), std::move(read.picture), request};
+    ProgressBar bar(mode);
+    const io::ExportOutcome outcome = io::exportStolen(
+        what, isStandardOutput(output) ? io::standardOutputPath() : output,
+        [&](double fraction) { bar.show(fraction); }, interrupt.token());
+    bar.clear();
+    if (outcome.stopped) return interrupt.status();
+    if (outcome.failure) {
+        reportError(output, *outcome.failure);
+        return ExitStatus::CannotReadOrWrite;
+    }
+    reportNote(outcome.note, fileName);
+    return ExitStatus::Done;
+}
+
+ExitStatus steal(const StealArguments& arguments) {
+    applied(arguments.shown.verbosity);
+    const StealTask task = checked(arguments);
+    const Sources sources = readSources(arguments);
+    if (!sources.file || sources.status == ExitStatus::CannotReadOrWrite) return sources.status;
+    if (sources.first == nullptr || sources.second == nullptr) return ExitStatus::InputProblems;
+    const auto entries = coupledEntries(sources, arguments);
+    if (!entries) return ExitStatus::InputProblems;
+    const QString& fileName = sources.file->name;
+    const ExitStatus status = task == StealTask::Map ? mapPoints(*entries, arguments, fileName)
+                              : task == StealTask::Tear
+                                  ? printTear(*entries, arguments, fileName)
+                                  : stealPicture(*entries, arguments, *sources.first->fractal, fileName);
+    return std::max(sources.status, status);
+}
+
+} // namespace
+
+Command stealCommand(CLI::App& program) {
+    auto arguments = std::make_shared<StealArguments>();
+    CLI::App* command =
+        program.add_subcommand("steal", "Paint an entry with the colours of a picture on another entry");
+    command->footer("steal FILE --entry F --from G --picture PICTURE -o OUT.png [OPTION]...");
+    addStealOptions(*command, *arguments);
+    return {command, [arguments] { return steal(*arguments); }};
+}
+
+} // namespace cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/tops/coupled_system.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace attractor {
+
+// Points of both attractors by the same maps, x_n = f_i(x_n−1) and y_n = g_i(y_n−1), in the order of their
+// addresses, the top one first: the rank of a sample is its index.
+struct CoupledSamples {
+    static constexpr std::size_t usual = 4096; // of them for a word, and more where there are few words
+    static constexpr std::size_t most = std::size_t{1} << 20;
+    static constexpr std::size_t lanes = 16; // the arrays go on to a multiple of it with the last point
+
+    std::size_t size = 0;
+    std::vector<float> x, y; // relative to `centre`, in units of `scale`
+    ifs::Vector<2> centre;
+    double scale = 1;
+    struct Image {
+        double x, y;    // of the point in G
+        double address; // Σ σ_k N^−k
+        // Of the shortest beginning of the address whose piece is at most `pieceSize` times as large as the
+        // attractor.
+        double stretch;
+    };
+    std::vector<Image> images;
+};
+
+// `size` of at most CoupledSamples::most samples, from the point that repeats the first map on.
+CoupledSamples coupledSamples(const CoupledSystem& system, std::uint64_t seed, std::size_t size,
+                              double pieceSize);
+
+} // namespace attractor

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/tops/key_tops.h"
+
+#include "attractor/tops/top_cut.h"
+
+#include <algorithm>
+
+namespace attractor {
+
+namespace {
+
+constexpr std::size_t wordsBetween = 64; // two looks at the stop token
+
+kernels::KeyWord keyWord(const TopWord& word, const CoupledSamples& samples, std::size_t rank) {
+    const ifs::Matrix<2> linear = word.shown.linear * samples.scale;
+    const ifs::Vector<2> middle = word.shown(samples.centre);
+    return {float(linear(0, 0)),
+            float(linear(0, 1)),
+            float(linear(1, 0)),
+            float(linear(1, 1)),
+            float(middle.x()),
+            float(middle.y()),
+            static_cast<std::uint32_t>(rank * samples.size)};
+}
+
+} // namespace
+
+KeyTops::KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_t points, std::uint64_t seed,
+                 const std::stop_token& stop)
+    : m_width(camera.width) {
+    const std::uint64_t wanted = std::clamp<std::uint64_t>(points, 1, maxPoints);
+    const auto words = std::size_t(std::max<std::uint64_t>(1, wanted / CoupledSamples::usual));
+    const TopCut cut = topCut(system, camera, words, stop);
+    if (stop.stop_requested() || cut.words.empty()) return;
+    const std::size_t size = std::clamp<std::size_t>(wanted / cut.words.size(), 1, CoupledSamples::most);
+    m_samples = coupledSamples(system, seed, size, 1 / std::max(1.0, cut.size));
+    constexpr double rounding = 1; // pixels, more than what single precision may do
+    for (const TopWord& word : cut.words) {
+        m_rows.push_back({float(word.box.top - rounding), float(word.box.bottom + rounding)});
+        // Without the camera.
+        const ifs::Matrix<2> from = word.shown.linear / camera.pixelsPerUnit;
+        m_pieces.push_back(
+            {word.to, stretchOf(word.areaRatio, word.to.linear, from), word.address, word.step});
+        m_words.push_back(keyWord(word, m_samples, m_words.size()));
+    }
+}
+
+bool KeyTops::draw(int firstRow, std::span<TopPoint> points, const std::stop_token& stop) const {
+    const int endRow = firstRow + int(points.size() / std::size_t(m_width));
+    kernels::KeyRows keys;
+    keys.reset(m_width, firstRow, endRow);
+    std::size_t drawn = 0;
+    for (std::size_t k = 0; k < m_words.size(); ++k) {
+        if (m_rows[k].bottom < float(firstRow) || m_rows[k].top >= float(endRow)) continue;
+        if (drawn++ % wordsBetween == 0 && stop.stop_requested()) return false;
+        kernels::addKeys(m_words[k], m_samples.x.data(), m_samples.y.data(), m_samples.size, keys);
+    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+        points[k] = pointOf(keys.keys[k]);
+    return !stop.stop_requested();
+}
+
+// v_σ(y_s)
+TopPoint KeyTops::pointOf(std::uint32_t key) const {
+    if (key == kernels::noKey) return {};
+    const Piece& piece = m_pieces[key / m_samples.size];
+    const CoupledSamples::Image& sample = m_samples.images[key % m_samples.size];
+    const ifs::Vector<2> image = piece.to({sample.x, sample.y});
+    return {image.x(), image.y(), piece.stretch * sample.stretch,
+            piece.address + piece.step * sample.address};
+}
+
+} // namespace attractor

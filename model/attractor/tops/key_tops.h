@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/key_splat.h"
+#include "attractor/request/camera.h"
+#include "attractor/tops/coupled_samples.h"
+#include "attractor/tops/coupled_system.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace attractor {
+
+// Tops by samples: the minimum fold of the key rank(σ)·S + rank(s) over the words σ of a cut and the samples
+// s of a set, an order of their addresses. It depends on neither threads nor bands. What a pixel shows is
+// found from its key afterwards. docs/mathematics.md, "Fractal tops".
+class KeyTops {
+public:
+    static constexpr std::uint64_t maxPoints = (std::uint64_t{1} << 32) - 2 * CoupledSamples::usual;
+
+    // About so many points, of which those outside the view are not drawn; 1 to maxPoints.
+    KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_t points, std::uint64_t seed,
+            const std::stop_token& stop);
+
+    // Rows of the picture from `firstRow` on, as many as there are points. False when stopped.
+    bool draw(int firstRow, std::span<TopPoint> points, const std::stop_token& stop) const;
+
+private:
+    TopPoint pointOf(std::uint32_t key) const;
+
+    // What a key is decoded by.
+    struct Piece {
+        ifs::AffineMap<2> to;
+        double stretch; // |det v_σ / det w_σ|
+        double address, step;
+    };
+    struct RowRange {
+        float top, bottom;
+    };
+
+    int m_width;
+    CoupledSamples m_samples;
+    // By rank:
+    std::vector<kernels::KeyWord> m_words;
+    std::vector<RowRange> m_rows;
+    std::vector<Piece> m_pieces;
+};
+
+} // namespace attractor

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "attractor/tops/coupled_system.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+namespace attractor {
+
+// One word of a cut, shown and in G.
+struct TopWord {
+    ifs::AffineMap<2> shown; // from coordinates of F to pixels
+    ifs::AffineMap<2> to;    // from coordinates of G to coordinates of G
+    double address = 0, step = 1;
+    double areaRatio = 1; // the product of those of its maps
+    PixelBox box{};
+};
+
+// Words of the address tree of which no two begin alike, in the order of their addresses, that are at most
+// `size` pixels large and meet the picture: the rank of a word is its index.
+struct TopCut {
+    std::vector<TopWord> words;
+    double size = 0;
+};
+
+// The finest cut, in steps of √2, of at most so many words; the empty word is always one.
+TopCut topCut(const CoupledSystem& system, const Camera& camera, std::size_t maxWords,
+              const std::stop_token& stop);
+
+} // namespace attractor

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/tops/coupled_system.h"
+#include "document/fractal.h"
+#include "ifs/extent/support_function.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace document {
+
+// Two entries whose maps correspond, for a fractal transformation from the first to the second: of the maps
+// that take part, the k-th of one goes with the k-th of the other.
+struct CoupledEntries {
+    Fractal from, to; // as their cages place them, without cages and moved branches
+    ifs::SupportFunction<2> fromAttractor, toAttractor; // of the maps that take part, the one on top first
+    std::vector<double> probabilities;                  // of those of `from`
+    std::vector<std::size_t> numbers;                   // their indices in the entry `from`
+
+    attractor::CoupledSystem system() const { return {fromAttractor, toAttractor.maps(), probabilities}; }
+};
+
+// Why there is no transformation; of the first or the second entry, where it is one of them.
+enum class CouplingFlaw {
+    NotInPlane,
+    BentCage, // flat or bent: what is shown is not that of any code
+    NoMaps,
+    NoAttractor, // none is proved
+    Counts,      // different numbers of maps take part
+    Order,       // does not name every map of the first entry that takes part, each once
+};
+struct CouplingOutcome {
+    std::optional<CoupledEntries> entries;
+    CouplingFlaw flaw = CouplingFlaw::Counts; // where there are none
+    bool isOfSecond = false;
+    std::size_t fromCount = 0, toCount = 0; // of maps that take part
+};
+
+// `order` lists the maps of the first entry by their indices, the one on top first; empty: as they are.
+CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order);
+
+} // namespace document

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/extent/support_function.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+// How continuous a fractal transformation is. docs/mathematics.md, "Fractal tops".
+namespace ifs {
+
+// Of words σ, ω that differ in their first symbol, the shortest whose pieces of F have diameters of at most ε
+// and lie within ε of each other: the largest diameter of v_σ(A_G) ∪ v_ω(A_G). No jump of T_FG between such
+// pieces is larger.
+struct Tear {
+    double size = 0;
+    std::optional<std::array<Vector<2>, 2>>
+        place;               // a point of F in each piece; none where no pieces are near
+    bool isCutShort = false; // of pieces that are larger than ε: a bound all the same
+};
+
+// As many maps in both, which correspond by their indices. ε > 0. About `maxPairs` pairs are kept at most.
+Tear tear(const SupportFunction<2>& from, const SupportFunction<2>& to, double epsilon,
+          std::size_t maxPairs = 1U << 20);
+
+// Whether T_FG takes the attractor of F to that of G without tearing or gluing.
+enum class Homeomorphism { Unknown, Proved, Refuted };
+Homeomorphism homeomorphism(const SupportFunction<2>& from, const SupportFunction<2>& to);
+
+} // namespace ifs

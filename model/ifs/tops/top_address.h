@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/extent/support_function.h"
+#include "ifs/system/branch.h"
+#include "ifs/tops/enclosing_polygon.h"
+
+#include <cstddef>
+#include <optional>
+
+// Fractal tops. Of the addresses of a point, the top one comes first in the lexicographic order in which the
+// first map of the list comes before the others. docs/mathematics.md, "Fractal tops".
+namespace ifs {
+
+struct TopAddress {
+    Word word;              // as many symbols as doubles carry
+    std::size_t period = 0; // > 0: the last so many symbols repeat without end; else the first map does
+    Vector<2> point;        // w_word of the point that repeats, on the attractor
+};
+
+// The first `count` symbols of the address without end.
+Word symbols(const TopAddress& top, std::size_t count);
+
+// φ of the address under other maps, as many as there are; nullopt where no single point repeats.
+std::optional<Vector<2>> pointOf(const TopAddress& top, std::span<const AffineMap<2>> maps);
+
+// Finds top addresses in one attractor. A point means all that doubles cannot tell from it: on the boundary
+// of two pieces, it has the address of the upper one.
+class TopSearch {
+public:
+    explicit TopSearch(SupportFunction<2> attractor);
+
+    // `isCutShort`: the search was given up, and nothing is known.
+    struct Answer {
+        std::optional<TopAddress> top; // none: x is farther than reach() from the attractor
+        bool isCutShort = false;
+    };
+    // Of x, or of the point of the attractor nearest to it.
+    Answer at(const Vector<2>& x) const;
+
+    double reach() const { return 1e-9 * m_size; }   // of the attractor's size, the diagonal of its box
+    double tolerance() const { return m_tolerance; } // within which points count as the same
+    const SupportFunction<2>& attractor() const { return m_attractor; }
+
+private:
+    struct Found {
+        Word word;
+        bool isFound = false;
+        bool isCutShort = false;
+    };
+    Found firstWithin(const Vector<2>& x) const;
+    bool isNear(const AffineMap<2>& map, const Vector<2>& x) const;
+    bool isOutside(const AffineMap<2>& map, const Vector<2>& x) const;
+    Word settled(const Word& word) const;
+    TopAddress completed(const Word& settled, const Vector<2>& x) const;
+    std::optional<TopAddress> repeating(const Word& settled, std::size_t carried, const Vector<2>& x) const;
+
+    SupportFunction<2> m_attractor;
+    EnclosingPolygon m_polygon;
+    double m_size = 0;
+    double m_tolerance = 0;
+};
+
+} // namespace ifs

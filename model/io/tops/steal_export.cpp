@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "io/tops/steal_export.h"
+
+#include "io/fractint/entry_writer.h"
+#include "io/picture/png_writer.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(StealExport)
+};
+
+PngFormat formatOf(const StealExport& what) {
+    PngFormat format;
+    format.width = what.request.camera.width;
+    format.height = what.request.camera.height;
+    format.pixels =
+        what.request.background.alpha == 255 ? PngFormat::Pixels::Opaque : PngFormat::Pixels::Transparent;
+    format.systemText = writeEntry(what.fractal);
+    return format;
+}
+
+// Beyond this, doubles have no digits left for a pixel.
+attractor::RenderNote noteOf(const StealExport& what) {
+    const attractor::Camera& camera = what.request.camera;
+    double farthest = camera.centre.cwiseAbs().maxCoeff();
+    for (const double height : what.system.around.heights)
+        farthest = std::max(farthest, std::abs(height));
+    return camera.pixelsPerUnit * farthest * 0x1p-50 > 0.5 ? attractor::RenderNote::TooDeep
+                                                           : attractor::RenderNote::None;
+}
+
+} // namespace
+
+attractor::Camera pictureCamera(int width, int height, const ifs::Vector<2>& min, const ifs::Vector<2>& max) {
+    attractor::Camera camera;
+    camera.width = width;
+    camera.height = height;
+    return fitted(camera, min, max);
+}
+
+ExportOutcome exportStolen(const StealExport& what, const QString& path, const Progress& progress,
+                           const std::stop_token& stop) {
+    NewFile file(path);
+    ExportOutcome outcome{file.failure(), false, noteOf(what)};
+    if (outcome.failure) return outcome;
+    PngWriter writer(file, formatOf(what));
+    const double pixels = double(what.request.camera.width) * double(what.request.camera.height);
+    double written = 0;
+    const auto take = [&](std::span<const std::uint32_t> rows) {
+        outcome.failure = writer.writeRows(rows);
+        written += double(rows.size());
+        if (progress) progress(written / pixels);
+        return !outcome.failure;
+    };
+    switch (attractor::steal(what.system, what.picture, what.request, take, stop)) {
+    case attractor::TheftOutcome::Stopped:
+        outcome.stopped = true;
+        return outcome;
+    case attractor::TheftOutcome::CutShort:
+        outcome.failure =
+            Text::tr("An exact picture of this system would take too long. Draw it with samples.");
+        return outcome;
+    default:
+        break;
+    }
+    if (!outcome.failure) outcome.failure = writer.finish();
+    if (!outcome.failure) outcome.failure = file.commit();
+    return outcome;
+}
+
+} // namespace io

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "io/tops/picture_reader.h"
+
+#include "attractor/colour/srgb_transfer.h"
+
+#include <QBuffer>
+#include <QColorSpace>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+// Pictures that colours are taken from.
+class PictureReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void keepsColours();
+    void convertsColourSpaces();
+    void refusesWhatIsTooLarge();
+    void namesTheFile();
+    void survivesDamage();
+};
+
+namespace {
+
+QByteArray png(const QImage& image) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes;
+}
+
+QImage colours() {
+    QImage image(7, 5, QImage::Format_ARGB32);
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 7; ++x)
+            image.setPixel(x, y, qRgba(40 * x, 60 * y, 99, 255));
+    return image;
+}
+
+} // namespace
+
+void PictureReaderTest::keepsColours() {
+    const io::ReadPicture read = io::decodePicture(png(colours()), QStringLiteral("p.png"));
+    QVERIFY(!read.failure);
+    QCOMPARE(read.picture.width(), 7);
+    QCOMPARE(read.picture.height(), 5);
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 7; ++x) {
+            const auto c = read.picture.at(x + .5, y + .5, 1);
+            QCOMPARE(int(attractor::encoded(c.red)), 40 * x);
+            QCOMPARE(int(attractor::encoded(c.green)), 60 * y);
+        }
+}
+
+void PictureReaderTest::convertsColourSpaces() {
+    QImage linear = colours();
+    linear.setColorSpace(QColorSpace(QColorSpace::SRgbLinear));
+    const io::ReadPicture read = io::decodePicture(png(linear), QString());
+    QVERIFY(!read.failure);
+    const double green = read.picture.at(3.5, 2.5, 1).green; // 120 of 255 in linear light
+    QVERIFY(std::abs(green - 120 / 255.0) < .01);
+}
+
+void PictureReaderTest::refusesWhatIsTooLarge() {
+    const io::ReadPicture read = io::decodePicture("P6\n8001 8000\n255\n", QStringLiteral("large.ppm"));
+    QVERIFY(read.failure);
+    QCOMPARE(*read.failure,
+             QStringLiteral("“large.ppm” has 8001 × 8000 pixels, and the limit is 64 million; make "
+                            "it smaller first."));
+}
+
+void PictureReaderTest::namesTheFile() {
+    const QTemporaryDir folder;
+    const QString absent = folder.filePath(QStringLiteral("absent.png"));
+    const io::ReadPicture read = io::readPicture(absent);
+    QVERIFY(read.failure && read.failure->contains(absent));
+    QVERIFY(io::readPicture(folder.path()).failure); // a folder
+}
+
+// Cut anywhere or with a byte changed: a picture or a sentence.
+void PictureReaderTest::survivesDamage() {
+    const QByteArray whole = png(colours());
+    int failures = 0;
+    for (qsizetype k = 0; k < whole.size(); ++k) {
+        QByteArray damaged = whole;
+        damaged[k] = char(damaged[k] ^ 0x55);
+        for (const QByteArray& bytes : {whole.left(k), damaged}) {
+            const io::ReadPicture read = io::decodePicture(bytes, QStringLiteral("d"));
+            QVERIFY(read.failure ? read.failure->endsWith(u'.') : read.picture.width() > 0);
+            failures += read.failure ? 1 : 0;
+        }
+    }
+    QVERIFY(failures > whole.size());
+}
+
+QTEST_GUILESS_MAIN(PictureReaderTest)
+#include "picture_reader_test.moc"
