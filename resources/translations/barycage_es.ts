@@ -1802,6 +1802,21 @@
     </message>
 </context>
 <context>
+    <name>PictureReader</name>
+    <message>
+        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
+        <translation>«%1» no es una imagen que se pueda leer; PNG y JPEG siempre se pueden.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
+        <translation>«%1» tiene %2 × %3 píxeles y el límite es de 64 millones; redúzcala primero.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged: %2.</source>
+        <translation>«%1» está dañada: %2.</translation>
+    </message>
+</context>
+<context>
     <name>PictureWriter</name>
     <message>
         <source>A %1 picture has at most %2 pixels along a side.</source>
@@ -1845,6 +1860,18 @@
     <message>
         <source>The picture carries too much text: the limit is 40 MB in all.</source>
         <translation>La imagen lleva demasiado texto: el límite es de 40 MB en total.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>No se puede abrir la imagen.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>El archivo no es una imagen PNG.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>La imagen está dañada o incompleta. Dibújela de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -2025,6 +2052,13 @@
     <message>
         <source>  across %1</source>
         <translation>  perpendicular a %1</translation>
+    </message>
+</context>
+<context>
+    <name>StealExport</name>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Una imagen exacta de este sistema tardaría demasiado. Dibújela con muestras.</translation>
     </message>
 </context>
 <context>
@@ -3135,6 +3169,34 @@
         <source>The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller tiles or fewer columns.</source>
         <translation>La lámina tendría %1 por %2 píxeles; el ancho máximo es de %3 píxeles. Elija recuadros más pequeños o menos columnas.</translation>
     </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. Each side needs at least %3 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB or grey levels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is animated. Save one of its frames as a picture of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is too long and thin to be traced.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3225,6 +3287,64 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>VideoSystem</name>
+    <message>
+        <source>The file is not a video.</source>
+        <translation>El archivo no es un vídeo.</translation>
+    </message>
+    <message>
+        <source>The video contains no system: it was not written by Barycage, it is damaged, or another program removed the text that holds it.</source>
+        <translation>El vídeo no contiene ningún sistema: no lo escribió Barycage, está dañado, u otro programa eliminó el texto que lo contiene.</translation>
+    </message>
+    <message>
+        <source>The system in the video is larger than 8 MB.</source>
+        <translation>El sistema del vídeo ocupa más de 8 MB.</translation>
+    </message>
+</context>
+<context>
+    <name>VideoWriter</name>
+    <message>
+        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <translation>En la carpeta de archivos temporales no hay espacio para los fotogramas: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Las bibliotecas de FFmpeg de este equipo no pueden escribir archivos %1: falta el codificador %2. Elija otro formato.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>No se puede escribir el vídeo: %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a frame of the video.</source>
+        <translation>No hay memoria suficiente para un fotograma del vídeo.</translation>
+    </message>
+    <message>
+        <source>The palette of the GIF cannot be made.</source>
+        <translation>No se puede crear la paleta del GIF.</translation>
+    </message>
+    <message>
+        <source>A frame of the GIF cannot be made.</source>
+        <translation>No se puede crear un fotograma del GIF.</translation>
+    </message>
+    <message>
+        <source>The animation cannot be stored in the video.</source>
+        <translation>No se puede guardar la animación en el vídeo.</translation>
+    </message>
+    <message>
+        <source>A side of %1 pixels is too long for this format; the limit is %2.</source>
+        <translation>Un lado de %1 píxeles es demasiado largo para este formato; el límite es %2.</translation>
+    </message>
+    <message>
+        <source>This format shows at most %1 frames per second. Choose a lower rate.</source>
+        <translation>Este formato muestra como máximo %1 fotogramas por segundo. Elija una frecuencia menor.</translation>
+    </message>
+    <message>
+        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <translation>Este Barycage se compiló sin las bibliotecas de FFmpeg y no escribe vídeos. Escriba los fotogramas como imágenes PNG.</translation>
     </message>
 </context>
 <context>

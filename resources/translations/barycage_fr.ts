@@ -1802,6 +1802,21 @@
     </message>
 </context>
 <context>
+    <name>PictureReader</name>
+    <message>
+        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
+        <translation>« %1 » n’est pas une image lisible ; les formats PNG et JPEG le sont toujours.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
+        <translation>« %1 » compte %2 × %3 pixels, et la limite est de 64 millions ; réduisez d’abord l’image.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged: %2.</source>
+        <translation>« %1 » est endommagée : %2.</translation>
+    </message>
+</context>
+<context>
     <name>PictureWriter</name>
     <message>
         <source>A %1 picture has at most %2 pixels along a side.</source>
@@ -1845,6 +1860,18 @@
     <message>
         <source>The picture carries too much text: the limit is 40 MB in all.</source>
         <translation>L’image contient trop de texte&#x202f;: la limite est de 40 Mo en tout.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>L’image ne peut pas être ouverte.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>Le fichier n’est pas une image PNG.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>L’image est endommagée ou incomplète. Dessinez-la à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -2025,6 +2052,13 @@
     <message>
         <source>  across %1</source>
         <translation>  en travers de %1</translation>
+    </message>
+</context>
+<context>
+    <name>StealExport</name>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Une image exacte de ce système prendrait trop de temps. Dessinez-la par échantillons.</translation>
     </message>
 </context>
 <context>
@@ -3135,6 +3169,34 @@
         <source>The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller tiles or fewer columns.</source>
         <translation>La planche aurait %1 sur %2 pixels&#x202f;; la largeur maximale est de %3 pixels. Prenez des vignettes plus petites ou moins de colonnes.</translation>
     </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. Each side needs at least %3 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB or grey levels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is animated. Save one of its frames as a picture of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is too long and thin to be traced.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3225,6 +3287,64 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>VideoSystem</name>
+    <message>
+        <source>The file is not a video.</source>
+        <translation>Le fichier n’est pas une vidéo.</translation>
+    </message>
+    <message>
+        <source>The video contains no system: it was not written by Barycage, it is damaged, or another program removed the text that holds it.</source>
+        <translation>La vidéo ne contient pas de système : elle n’a pas été écrite par Barycage, elle est endommagée, ou un autre programme a retiré le texte qui le contient.</translation>
+    </message>
+    <message>
+        <source>The system in the video is larger than 8 MB.</source>
+        <translation>Le système de la vidéo dépasse 8 Mo.</translation>
+    </message>
+</context>
+<context>
+    <name>VideoWriter</name>
+    <message>
+        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <translation>Le dossier des fichiers temporaires n’a pas assez de place pour les images : %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Les bibliothèques de FFmpeg de cette machine ne peuvent pas écrire de fichiers %1 : l’encodeur %2 manque. Choisissez un autre format.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>La vidéo ne peut pas être écrite : %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a frame of the video.</source>
+        <translation>La mémoire ne suffit pas pour une image de la vidéo.</translation>
+    </message>
+    <message>
+        <source>The palette of the GIF cannot be made.</source>
+        <translation>La palette du GIF ne peut pas être créée.</translation>
+    </message>
+    <message>
+        <source>A frame of the GIF cannot be made.</source>
+        <translation>Une image du GIF ne peut pas être créée.</translation>
+    </message>
+    <message>
+        <source>The animation cannot be stored in the video.</source>
+        <translation>L’animation ne peut pas être enregistrée dans la vidéo.</translation>
+    </message>
+    <message>
+        <source>A side of %1 pixels is too long for this format; the limit is %2.</source>
+        <translation>Un côté de %1 pixels est trop long pour ce format ; la limite est %2.</translation>
+    </message>
+    <message>
+        <source>This format shows at most %1 frames per second. Choose a lower rate.</source>
+        <translation>Ce format montre au plus %1 images par seconde. Choisissez une cadence plus basse.</translation>
+    </message>
+    <message>
+        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <translation>Ce Barycage a été compilé sans les bibliothèques de FFmpeg et n’écrit pas de vidéos. Écrivez plutôt les images en PNG.</translation>
     </message>
 </context>
 <context>

@@ -1807,6 +1807,21 @@
     </message>
 </context>
 <context>
+    <name>PictureReader</name>
+    <message>
+        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
+        <translation>„%1“ не е слика што може да се прочита; PNG и JPEG секогаш можат.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
+        <translation>„%1“ има %2 × %3 пиксели, а границата е 64 милиони; прво намалете ја сликата.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged: %2.</source>
+        <translation>„%1“ е оштетена: %2.</translation>
+    </message>
+</context>
+<context>
     <name>PictureWriter</name>
     <message>
         <source>A %1 picture has at most %2 pixels along a side.</source>
@@ -1850,6 +1865,18 @@
     <message>
         <source>The picture carries too much text: the limit is 40 MB in all.</source>
         <translation>Сликата носи премногу текст: границата е вкупно 40 MB.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>Сликата не може да се отвори.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>Датотеката не е PNG-слика.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>Сликата е оштетена или нецелосна. Нацртајте ја повторно.</translation>
     </message>
 </context>
 <context>
@@ -2030,6 +2057,13 @@
     <message>
         <source>  across %1</source>
         <translation>  напречно на %1</translation>
+    </message>
+</context>
+<context>
+    <name>StealExport</name>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Точна слика на овој систем би траела предолго. Нацртајте ја со примероци.</translation>
     </message>
 </context>
 <context>
@@ -3141,6 +3175,34 @@
         <source>The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller tiles or fewer columns.</source>
         <translation>Листот би имал %1 на %2 пиксели; најголемата ширина е %3 пиксели. Користете помали плочки или помалку колони.</translation>
     </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. Each side needs at least %3 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB or grey levels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is animated. Save one of its frames as a picture of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture is too long and thin to be traced.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3231,6 +3293,64 @@
     <message>
         <source>Close</source>
         <translation>Затвори</translation>
+    </message>
+</context>
+<context>
+    <name>VideoSystem</name>
+    <message>
+        <source>The file is not a video.</source>
+        <translation>Датотеката не е видео.</translation>
+    </message>
+    <message>
+        <source>The video contains no system: it was not written by Barycage, it is damaged, or another program removed the text that holds it.</source>
+        <translation>Видеото не содржи систем: не го запишал Barycage, оштетено е или друга програма го отстранила текстот што го содржи.</translation>
+    </message>
+    <message>
+        <source>The system in the video is larger than 8 MB.</source>
+        <translation>Системот во видеото е поголем од 8 MB.</translation>
+    </message>
+</context>
+<context>
+    <name>VideoWriter</name>
+    <message>
+        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <translation>Во папката за привремени датотеки нема место за кадрите: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Библиотеките на FFmpeg на овој компјутер не можат да запишуваат датотеки %1: недостасува кодерот %2. Изберете друг формат.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>Видеото не може да се запише: %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a frame of the video.</source>
+        <translation>Нема доволно меморија за кадар од видеото.</translation>
+    </message>
+    <message>
+        <source>The palette of the GIF cannot be made.</source>
+        <translation>Палетата на GIF-от не може да се направи.</translation>
+    </message>
+    <message>
+        <source>A frame of the GIF cannot be made.</source>
+        <translation>Кадар од GIF-от не може да се направи.</translation>
+    </message>
+    <message>
+        <source>The animation cannot be stored in the video.</source>
+        <translation>Анимацијата не може да се зачува во видеото.</translation>
+    </message>
+    <message>
+        <source>A side of %1 pixels is too long for this format; the limit is %2.</source>
+        <translation>Страна од %1 пиксели е предолга за овој формат; границата е %2.</translation>
+    </message>
+    <message>
+        <source>This format shows at most %1 frames per second. Choose a lower rate.</source>
+        <translation>Овој формат прикажува најмногу %1 кадри во секунда. Изберете помала брзина.</translation>
+    </message>
+    <message>
+        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <translation>Овој Barycage е изграден без библиотеките на FFmpeg и не запишува видеа. Запишете ги кадрите како PNG-слики.</translation>
     </message>
 </context>
 <context>
