@@ -70,6 +70,8 @@ QByteArray requestHash(const document::Fractal& entry, int frame, const RenderAr
     request.addText("look", options.look);
     request.addNumbers("light", options.light);
     request.addNumbers("fog", options.fog);
+    request.addNumbers("slice", options.slice);
+    request.addText("stereo", options.stereo);
     request.add("entry", io::writeEntry(entry));
     return QCryptographicHash::hash(request.text(), QCryptographicHash::Sha256).toHex();
 }

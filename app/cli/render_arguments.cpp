@@ -319,11 +319,18 @@ void addSpaceOptions(CLI::App& command, RenderArguments& arguments) {
               "Azimuth, elevation and roll of the camera, in degrees", "30,20");
     group.add("--perspective", "FOV", arguments.perspective, "Vertical angle of view, in degrees",
               "orthographic");
-    group.add("--look", "NAME", arguments.look,
-              "stone, ink (on white), cloud (density), depth (16-bit grey) or normals", "stone");
+    group.add(
+        "--look", "NAME", arguments.look,
+        "stone, ink (on white), cloud (density), x-ray (coloured by mean depth), depth (16-bit grey) or "
+        "normals",
+        "that of the entry");
     group.add("--light", "AZ,EL", arguments.light,
               "Azimuth and elevation of the key light from the line of sight, in degrees", "-40,40");
     group.add("--fog", "F", arguments.fog, "How fast colours fade with depth, 0 to 100", "0");
+    group.add("--slice", "NX,NY,NZ,T,W", arguments.slice,
+              "Keep only the points x with |n·x - T| <= W; without W, those with n·x <= T");
+    group.add("--stereo", "NAME", arguments.stereo,
+              "side-by-side (left picture for the left eye) or anaglyph (red and cyan)");
 }
 
 } // namespace

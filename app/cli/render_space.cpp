@@ -9,7 +9,9 @@
 #include "usage_error.h"
 
 #include "attractor/samples/prepared_space.h"
+#include "document/space_geometry.h"
 #include "ifs/extent/extent.h"
+#include "io/fractint/space_comments.h"
 #include "io/picture/space_export.h"
 #include "io/text/number.h"
 
@@ -23,6 +25,7 @@ namespace cli {
 
 namespace {
 
+using attractor::LookInSpace;
 using Corners = std::vector<ifs::Vector<3>>;
 
 constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
@@ -35,24 +38,42 @@ QString quoted(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-io::SpaceLook lookOf(const RenderArguments& options) {
-    const std::string look = options.look.value_or("stone");
-    if (solidLook(look)) return io::SpaceLook::Solid;
-    if (look == "cloud") return io::SpaceLook::Cloud;
-    if (look == "depth") return io::SpaceLook::Depth;
-    throw UsageError{tr("--look must be stone, ink, cloud, depth or normals, not “%1”.").arg(quoted(look))};
+LookInSpace lookOf(const document::Fractal& fractal, const RenderArguments& options) {
+    if (!options.look) return fractal.inSpace.look;
+    if (const auto look = io::lookInSpaceNamed(QByteArray::fromStdString(*options.look))) return *look;
+    throw UsageError{tr("--look must be stone, ink, cloud, x-ray, depth or normals, not “%1”.")
+                         .arg(quoted(*options.look))};
 }
 
-void refuseUnsupported(const RenderArguments& options, io::SpaceLook look) {
-    const QString plane = tr("it applies only to entries in the plane.");
-    refuseIf(options.yDown, "--y-down", plane);
-    refuseIf(options.algorithm != "density", "--algorithm", plane);
-    refuseIf(options.iterations.has_value(), "--iterations", plane);
-    refuseIf(options.svg.has_value(), "--svg", plane);
-    refuseIf(options.depth.has_value(), "--depth", plane);
-    if (look == io::SpaceLook::Solid) return;
-    refuseLight(options, tr("it applies only to solids: --look stone or ink."));
-    if (look != io::SpaceLook::Depth) return;
+io::Stereo stereoOf(const RenderArguments& options) {
+    if (!options.stereo) return io::Stereo::None;
+    return choiceArgument("--stereo", *options.stereo, {"side-by-side", "anaglyph"}) == "anaglyph"
+               ? io::Stereo::Anaglyph
+               : io::Stereo::SideBySide;
+}
+
+// |⟨n, x⟩ − t| ≤ w, or without w the half-space ⟨n, x⟩ ≤ t.
+std::optional<attractor::SpaceClip> clipOf(const document::Fractal& fractal, const RenderArguments& options) {
+    if (!options.slice) return fractal.inSpace.clip;
+    const auto given = numbers(quoted(*options.slice));
+    attractor::SpaceClip clip;
+    if (given.size() == 4 || given.size() == 5) {
+        clip.normal = {given[0], given[1], given[2]};
+        clip.highest = given[3];
+        if (given.size() == 5) {
+            clip.lowest = given[3] - given[4];
+            clip.highest = given[3] + given[4];
+        }
+        if (isUsable(clip)) return clip;
+    }
+    throw UsageError{
+        tr("--slice “%1” is not valid: it must be a normal that is not zero, an offset and a half "
+           "width of at least 0, such as 1,1,1,1.5,0.01; without the half width, everything up "
+           "to the offset is kept.")
+            .arg(quoted(*options.slice))};
+}
+
+void refuseNumbers(const RenderArguments& options) {
     const QString reason = tr("--look depth shows depths, without samples and colours.");
     refuseIf(options.points.has_value(), "--points", reason);
     refuseIf(options.palette.has_value(), "--palette", reason);
@@ -62,6 +83,22 @@ void refuseUnsupported(const RenderArguments& options, io::SpaceLook look) {
     refuseIf(options.background.has_value(), "--background", reason);
     refuseIf(options.supersample.has_value(), "--supersample", reason);
     refuseIf(options.bits && !is16Bit(options), "--bits", tr("--look depth has 16 bits."));
+}
+
+void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
+    const QString plane = tr("it applies only to entries in the plane.");
+    refuseIf(options.yDown, "--y-down", plane);
+    refuseIf(options.algorithm != "density", "--algorithm", plane);
+    refuseIf(options.iterations.has_value(), "--iterations", plane);
+    refuseIf(options.svg.has_value(), "--svg", plane);
+    refuseIf(options.depth.has_value(), "--depth", plane);
+    refuseIf(options.stereo && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--stereo",
+             tr("--look depth and normals show numbers, which are not for eyes."));
+    refuseIf(options.colour && look == LookInSpace::XRay, "--colour",
+             tr("--look x-ray shows the mean depth with the palette."));
+    if (look == LookInSpace::Depth || attractor::showsCloud(look))
+        refuseLight(options, tr("it applies only to solids: --look stone or ink."));
+    if (look == LookInSpace::Depth) refuseNumbers(options);
 }
 
 void requirePng(const RenderArguments& options) {
@@ -160,6 +197,11 @@ attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& o
     attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
     const QSize size = sizeArgument("--size", options.size);
     camera.size = {size.width(), size.height()};
+    if (stereoOf(options) == io::Stereo::SideBySide) {
+        if (size.width() % 2 != 0)
+            throw UsageError{tr("--stereo side-by-side needs an even width, for two pictures of one size.")};
+        camera.size.width /= 2;
+    }
     if (!shown.camera || options.orbit) camera.orientation = orientationOf(options);
     return animation::orbited(camera, shown.orbit);
 }
@@ -199,6 +241,24 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     return attractor::fitted(camera, ofBox, margin);
 }
 
+// What is drawn of an entry that the options have been put into.
+attractor::SpaceRequest requestOf(const Shown& shown, const document::Fractal& fractal,
+                                  const RenderArguments& options, const QString& fileName) {
+    attractor::SpaceRequest request = document::spaceRequest(fractal, {});
+    request.seed = wholeArgument("--seed", options.seed);
+    request.threads = options.threads ? integerArgument("--threads", *options.threads, 1, 1024)
+                                      : io::threadsOfThisMachine();
+    const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
+    const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
+    request.cage = cageOf(options, request.cage, support ? &*support : nullptr);
+    const ifs::AffineMap<3> cage = request.cage ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
+    request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, cage, fileName);
+    const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
+    request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
+                                     : std::max<std::uint64_t>(100 * pixels, 1'000'000);
+    return request;
+}
+
 } // namespace
 
 void refuseSpaceOptions(const RenderArguments& options) {
@@ -206,41 +266,32 @@ void refuseSpaceOptions(const RenderArguments& options) {
     refuseIf(options.orbit.has_value(), "--orbit", reason);
     refuseIf(options.perspective.has_value(), "--perspective", reason);
     refuseIf(options.look.has_value(), "--look", reason);
+    refuseIf(options.slice.has_value(), "--slice", reason);
+    refuseIf(options.stereo.has_value(), "--stereo", reason);
     refuseLight(options, reason);
 }
 
 io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options, const QString& fileName) {
     requirePng(options);
-    const document::Fractal& fractal = shown.fractal;
     io::SpaceExport picture;
-    picture.fractal = fractal;
-    picture.look = lookOf(options);
+    document::Fractal& fractal = picture.fractal;
+    fractal = shown.fractal;
+    picture.look = fractal.inSpace.look = lookOf(fractal, options);
+    fractal.inSpace.clip = clipOf(fractal, options);
+    picture.stereo = stereoOf(options);
     refuseUnsupported(options, picture.look);
-    if (const auto look = solidLook(options.look.value_or("stone"))) {
-        picture.solid = solidAppearance(*look, fractal, options);
+    if (picture.look == LookInSpace::Depth || attractor::showsCloud(picture.look)) {
+        applyAppearance(fractal.appearance, options);
+    } else {
+        applySolidOptions(fractal, options);
+        picture.solid = solidAppearance(fractal, options);
         if (options.supersample)
             picture.supersample = integerArgument("--supersample", *options.supersample, 1, 4);
-    } else {
-        applyAppearance(picture.fractal.appearance, options);
     }
     if (is16Bit(options)) picture.depth = io::PngFormat::Depth::Bits16;
     picture.dotsPerInch = dotsPerInch(options);
-    attractor::SpaceRequest& request = picture.request;
-    const document::Shape<3>& shape = *document::space(fractal);
-    request.system = shape.system;
-    request.appearance = picture.fractal.appearance;
-    request.seed = wholeArgument("--seed", options.seed);
-    request.threads = options.threads ? integerArgument("--threads", *options.threads, 1, 1024)
-                                      : io::threadsOfThisMachine();
-    const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
-    const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
-    request.cage = cageOf(options, shape.cage, support ? &*support : nullptr);
-    const ifs::AffineMap<3> cage = request.cage ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
-    request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, cage, fileName);
-    if (options.frame) picture.fractal = shown.entry;
-    const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
-    request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
-                                     : std::max<std::uint64_t>(100 * pixels, 1'000'000);
+    picture.request = requestOf(shown, fractal, options, fileName);
+    if (options.frame) fractal = shown.entry;
     if (io::memoryFor(picture) > maxBytes)
         throw UsageError{tr("--size %1 needs more than 4 GB of memory in space.").arg(quoted(options.size))};
     return picture;

@@ -17,14 +17,17 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_document(document),
       m_bridge(bridge),
       m_solid(new SolidItem),
+      m_outlines(new SpaceOutlinesItem),
       m_cageItem(new SpaceCageItem),
+      m_slice(new SliceItem),
       m_ball(new AxisBall),
       m_note(new NoteItem(NoteItem::Edge::Top)),
       m_navigation(document, bridge, viewport()),
-      m_input(document, m_navigation, *m_cageItem, *m_ball),
+      m_input(document, m_navigation, *m_cageItem, *m_slice, *m_ball),
       m_cage(document::spaceCage(document->fractal())) {
     setScene(new QGraphicsScene(this)); // owns the items
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{m_solid, m_cageItem, m_ball, m_note})
+    for (OverlayItem* item :
+         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_slice, m_ball, m_note})
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
@@ -100,6 +103,10 @@ void SpaceView::setOverlaysVisible(bool visible) {
     layOut();
 }
 
+void SpaceView::showOutlines(std::vector<document::SpaceOutline> shapes) {
+    m_outlines->setShapes(std::move(shapes));
+}
+
 QString SpaceView::note() const {
     return m_note->text();
 }
@@ -111,10 +118,15 @@ void SpaceView::layOut() {
     m_solid->setView(size, ratio);
     m_note->setView({QPointF(), size});
     const bool isShown = m_cage && m_overlays;
+    m_outlines->setVisible(isShown);
     m_cageItem->setVisible(isShown);
+    m_slice->setVisible(isShown);
     m_ball->setVisible(isShown);
     if (!isShown) return;
     m_ball->layOut(camera);
+    m_outlines->layOut(camera);
+    const auto& clip = m_document->fractal().inSpace.clip;
+    m_slice->layOut(camera, clip ? std::optional(slicePlane(*clip, m_cage->current)) : std::nullopt);
     const auto frame = m_bridge->isCurrent() ? m_bridge->frame() : nullptr;
     const double touching = 3 / pixelsPerUnit(camera); // a vertex on the surface is not behind it
     m_cageItem->layOut(camera, m_cage->current, [&](const attractor::ScreenPoint& seen) {
@@ -124,8 +136,9 @@ void SpaceView::layOut() {
 }
 
 void SpaceView::applyStyle() {
-    const OverlayStyle style = overlayStyle(m_document->fractal().appearance.background, palette());
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{m_solid, m_cageItem, m_ball, m_note})
+    const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
+    for (OverlayItem* item :
+         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_slice, m_ball, m_note})
         item->setStyle(style);
     m_note->setFont(font());
 }

@@ -39,9 +39,9 @@ std::pair<double, double> heights(const attractor::SpaceRequest& request) {
     return {request.camera.target.y() - half, request.camera.target.y() + half};
 }
 
-template <class Pixel>
+template <class Pixel, class Take>
 ExportOutcome writeLit(const attractor::DepthRaster& raster, const attractor::SolidLight& light, int side,
-                       PngWriter& writer, const Progress& progress, const std::stop_token& stop) {
+                       const Take& take, const Progress& progress, const std::stop_token& stop) {
     ExportOutcome outcome;
     const int width = raster.width / side, height = raster.height / side;
     std::vector<Pixel> fine(static_cast<std::size_t>(raster.width) *
@@ -57,10 +57,9 @@ ExportOutcome writeLit(const attractor::DepthRaster& raster, const attractor::So
         const std::span<Pixel> out(pixels.data(), count);
         light.apply(raster, row * side, end * side, std::span<Pixel>(fine));
         attractor::averagePixels(std::span<const Pixel>(fine), side, width, out);
-        outcome.failure = writer.writeRows(std::span<const Pixel>(out));
+        outcome.failure = take(std::span<const Pixel>(out));
         if (progress) progress(shareOfDrawing + (1 - shareOfDrawing) * end / height);
     }
-    if (!outcome.failure) outcome.failure = writer.finish();
     return outcome;
 }
 
@@ -76,6 +75,15 @@ std::uint64_t memoryFor(const SolidPicture& picture) {
 
 ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const Progress& progress,
                          const std::stop_token& stop) {
+    const RowSink sink{[&](std::span<const std::uint32_t> rows) { return writer.writeRows(rows); },
+                       [&](std::span<const Rgba16> rows) { return writer.writeRows(rows); }};
+    ExportOutcome outcome = drawSolid(picture, sink, progress, stop);
+    if (!outcome.failure && !outcome.stopped) outcome.failure = writer.finish();
+    return outcome;
+}
+
+ExportOutcome drawSolid(const SolidPicture& picture, const RowSink& sink, const Progress& progress,
+                        const std::stop_token& stop) {
     const int side = sideOf(picture);
     attractor::SpaceRequest request = picture.request;
     request.camera.size.width *= side;
@@ -90,11 +98,12 @@ ExportOutcome writeSolid(const SolidPicture& picture, PngWriter& writer, const P
     const attractor::RenderNote note = rendering.note();
     const attractor::DepthRaster raster = rendering.takeRaster();
     const auto [lowest, highest] = heights(request);
-    const attractor::SolidLight light(picture.appearance,
-                                      attractor::solidView(request.camera, lowest, highest));
+    attractor::SolidView view = attractor::solidView(request.camera, lowest, highest);
+    view.eyeShift = request.eyeShift;
+    const attractor::SolidLight light(picture.appearance, view);
     outcome = picture.depth == PngFormat::Depth::Bits16
-                  ? writeLit<Rgba16>(raster, light, side, writer, progress, stop)
-                  : writeLit<std::uint32_t>(raster, light, side, writer, progress, stop);
+                  ? writeLit<Rgba16>(raster, light, side, sink.wide, progress, stop)
+                  : writeLit<std::uint32_t>(raster, light, side, sink.narrow, progress, stop);
     outcome.note = note;
     return outcome;
 }

@@ -10,6 +10,7 @@
 #include <QBuffer>
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 namespace io {
@@ -21,7 +22,7 @@ constexpr std::size_t rowsTogether = 16; // between two looks at the stop token
 
 PngFormat formatOf(const SpaceExport& picture) {
     PngFormat format;
-    format.width = picture.request.camera.size.width;
+    format.width = picture.request.camera.size.width * (picture.stereo == Stereo::SideBySide ? 2 : 1);
     format.height = picture.request.camera.size.height;
     format.dotsPerInch = picture.dotsPerInch;
     format.systemText = writeEntry(picture.fractal);
@@ -70,9 +71,24 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
     return outcome;
 }
 
+PngFormat colourFormat(const SpaceExport& picture) {
+    const attractor::Rgba& background = attractor::showsCloud(picture.look)
+                                            ? picture.request.appearance.background
+                                            : picture.solid.background;
+    PngFormat format = formatOf(picture);
+    format.pixels = background.alpha == 255 ? PngFormat::Pixels::Opaque : PngFormat::Pixels::Transparent;
+    format.depth = picture.depth;
+    return format;
+}
+
+SolidPicture solidOf(const SpaceExport& picture) {
+    return {picture.request, picture.solid, picture.depth, picture.supersample};
+}
+
+// Into `pixels`, as many as the picture has.
 template <class Pixel>
-ExportOutcome drawCloud(const SpaceExport& picture, QIODevice& device, const Progress& progress,
-                        const std::stop_token& stop) {
+ExportOutcome cloudPixels(const SpaceExport& picture, std::vector<Pixel>& pixels, const Progress& progress,
+                          const std::stop_token& stop) {
     constexpr std::uint64_t slice = std::uint64_t{1} << 26; // whole sample sets
     const std::uint64_t samples = picture.request.samples;
     attractor::SpaceRequest request = picture.request;
@@ -80,34 +96,76 @@ ExportOutcome drawCloud(const SpaceExport& picture, QIODevice& device, const Pro
     attractor::CloudRendering rendering(request);
     ExportOutcome outcome;
     outcome.note = rendering.note();
-    PngFormat format = formatOf(picture);
-    format.pixels = request.appearance.background.alpha == 255 ? PngFormat::Pixels::Opaque
-                                                               : PngFormat::Pixels::Transparent;
-    format.depth = picture.depth;
     for (std::uint64_t done = 0; done < samples && !outcome.stopped; done += slice) {
         if (progress) progress(shareOfDrawing * double(done) / double(samples));
         outcome.stopped = !rendering.refine(stop, std::min(slice, samples - done));
     }
-    std::vector<Pixel> pixels(std::size_t(format.width) * std::size_t(format.height));
+    const attractor::RasterSize& size = request.camera.size;
+    pixels.resize(std::size_t(size.width) * std::size_t(size.height));
     outcome.stopped = outcome.stopped || !rendering.tone(pixels, stop);
-    if (outcome.stopped) return outcome;
-    PngWriter writer(device, format);
-    write(writer, pixels, format.width, outcome, progress, stop);
     return outcome;
 }
 
-SolidPicture solidOf(const SpaceExport& picture) {
-    return {picture.request, picture.solid, picture.depth, picture.supersample};
+template <class Pixel>
+ExportOutcome solidPixels(const SpaceExport& picture, std::vector<Pixel>& pixels, const Progress& progress,
+                          const std::stop_token& stop) {
+    pixels.clear();
+    const auto keep = [&](std::span<const Pixel> rows) {
+        pixels.insert(pixels.end(), rows.begin(), rows.end());
+        return Failure();
+    };
+    RowSink sink;
+    if constexpr (std::is_same_v<Pixel, std::uint32_t>)
+        sink.narrow = keep;
+    else
+        sink.wide = keep;
+    return drawSolid(solidOf(picture), sink, progress, stop);
 }
 
-ExportOutcome drawSolid(const SpaceExport& picture, QIODevice& device, const Progress& progress,
-                        const std::stop_token& stop) {
-    PngFormat format = formatOf(picture);
-    format.pixels =
-        picture.solid.background.alpha == 255 ? PngFormat::Pixels::Opaque : PngFormat::Pixels::Transparent;
-    format.depth = picture.depth;
+// What one eye sees.
+template <class Pixel>
+ExportOutcome pixelsOf(const SpaceExport& picture, std::vector<Pixel>& pixels, const Progress& progress,
+                       const std::stop_token& stop) {
+    return attractor::showsCloud(picture.look) ? cloudPixels(picture, pixels, progress, stop)
+                                               : solidPixels(picture, pixels, progress, stop);
+}
+
+template <class Pixel>
+ExportOutcome drawStereo(const SpaceExport& picture, std::vector<Pixel>& pixels, const Progress& progress,
+                         const std::stop_token& stop) {
+    std::vector<Pixel> left, right;
+    SpaceExport eye = picture;
+    eye.request.eyeShift = -attractor::stereoEye;
+    const auto half = [&](double done) {
+        return [&progress, done](double fraction) {
+            if (progress) progress(done + fraction / 2);
+        };
+    };
+    ExportOutcome outcome = pixelsOf(eye, left, half(0), stop);
+    if (outcome.failure || outcome.stopped) return outcome;
+    eye.request.eyeShift = attractor::stereoEye;
+    outcome = pixelsOf(eye, right, half(0.5), stop);
+    if (outcome.failure || outcome.stopped) return outcome;
+    pixels = joined(picture.stereo, left, right, picture.request.camera.size.width);
+    return outcome;
+}
+
+template <class Pixel>
+ExportOutcome drawColours(const SpaceExport& picture, QIODevice& device, const Progress& progress,
+                          const std::stop_token& stop) {
+    const bool isStereo = picture.stereo != Stereo::None;
+    const PngFormat format = colourFormat(picture);
+    if (!isStereo && !attractor::showsCloud(picture.look)) {
+        PngWriter writer(device, format);
+        return writeSolid(solidOf(picture), writer, progress, stop);
+    }
+    std::vector<Pixel> pixels;
+    ExportOutcome outcome =
+        isStereo ? drawStereo(picture, pixels, progress, stop) : cloudPixels(picture, pixels, progress, stop);
+    if (outcome.failure || outcome.stopped) return outcome;
     PngWriter writer(device, format);
-    return writeSolid(solidOf(picture), writer, progress, stop);
+    write(writer, pixels, format.width, outcome, progress, stop);
+    return outcome;
 }
 
 } // namespace
@@ -115,25 +173,27 @@ ExportOutcome drawSolid(const SpaceExport& picture, QIODevice& device, const Pro
 std::uint64_t memoryFor(const SpaceExport& picture) {
     const auto pixels = std::uint64_t(std::max(1, picture.request.camera.size.width)) *
                         std::uint64_t(std::max(1, picture.request.camera.size.height));
-    if (picture.look == SpaceLook::Depth) return pixels * (sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t));
-    if (picture.look == SpaceLook::Solid) return memoryFor(solidOf(picture));
+    if (picture.look == attractor::LookInSpace::Depth)
+        return pixels * (sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t));
+    const std::uint64_t stereo = picture.stereo == Stereo::None ? 0 : 4 * pixels * sizeof(attractor::Rgba16);
+    if (!attractor::showsCloud(picture.look)) return stereo + memoryFor(solidOf(picture));
     const auto side = std::uint64_t(picture.request.appearance.supersample);
-    const std::uint64_t cell = attractor::coloursSamples(picture.request.appearance.colourBy)
+    const std::uint64_t cell = picture.look == attractor::LookInSpace::XRay ||
+                                       attractor::coloursSamples(picture.request.appearance.colourBy)
                                    ? sizeof(attractor::ColourCell)
                                    : sizeof(std::uint32_t);
-    return pixels *
-           (cell * side * side * std::uint64_t(picture.request.threads) + 2 * sizeof(attractor::Rgba16));
+    return stereo + pixels * (cell * side * side * std::uint64_t(picture.request.threads) +
+                              2 * sizeof(attractor::Rgba16));
 }
 
 ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& png, const Progress& progress,
                            std::stop_token stop) {
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
-    if (picture.look == SpaceLook::Depth) return drawDepths(picture, buffer, progress, stop);
-    if (picture.look == SpaceLook::Solid) return drawSolid(picture, buffer, progress, stop);
+    if (picture.look == attractor::LookInSpace::Depth) return drawDepths(picture, buffer, progress, stop);
     return picture.depth == PngFormat::Depth::Bits16
-               ? drawCloud<attractor::Rgba16>(picture, buffer, progress, stop)
-               : drawCloud<std::uint32_t>(picture, buffer, progress, stop);
+               ? drawColours<attractor::Rgba16>(picture, buffer, progress, stop)
+               : drawColours<std::uint32_t>(picture, buffer, progress, stop);
 }
 
 } // namespace io
