@@ -298,6 +298,7 @@ void AppearancePanel::showUses() {
         widget->setEnabled(used.palette);
     m_plain->setEnabled(used.plain);
     m_plainLabel->setEnabled(used.plain);
+    m_form->invalidate(); // else new rows get no height
 }
 
 void AppearancePanel::showMapColours() {

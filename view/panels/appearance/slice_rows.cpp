@@ -90,6 +90,8 @@ void SliceRows::makeRows(QFormLayout* form, QWidget* parent) {
 void SliceRows::makeNormal(QFormLayout* form, QWidget* parent) {
     m_direction = new QComboBox(parent);
     m_direction->setAccessibleName(tr("Direction of the plane"));
+    m_direction->setWhatsThis(
+        tr("Lays the plane across an axis or the diagonal; the fields below take any normal."));
     const QString names[] = {tr("Across X"), tr("Across Y"), tr("Across Z"), tr("Across the diagonal")};
     for (const QString& name : names)
         m_direction->addItem(name);
@@ -186,6 +188,7 @@ void SliceRows::follow(bool isLive) {
     m_form->setRowVisible(m_normalBox, isSpace && clip);
     m_form->setRowVisible(m_offset, isSpace && clip);
     m_form->setRowVisible(m_thickness, isSpace && kind == Kind::Slice);
+    if (std::exchange(m_shownKind, kind) != kind) m_form->invalidate(); // else new rows get no height
     m_kind->setCurrentIndex(m_kind->findData(int(kind)));
     if (!isSpace || !clip) return;
     if (!isLive) showExtent();
