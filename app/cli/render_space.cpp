@@ -149,18 +149,37 @@ Corners boxAround(const ifs::SupportFunction<3>& support) {
     return corners;
 }
 
+// The smallest regular octahedron with its corners on the axes through the middle of the box.
+Corners octahedronAround(const ifs::SupportFunction<3>& support) {
+    const ifs::BoundingBox<3> box = ifs::boundingBox(support);
+    const ifs::Vector<3> middle = (box.min + box.max) / 2;
+    double reach = 0;
+    for (int k = 0; k < 8; ++k) {
+        const ifs::Vector<3> across((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
+        const auto value = support(across);
+        reach = std::max(reach, value.value + value.error - across.dot(middle));
+    }
+    Corners corners;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-reach, reach})
+            corners.emplace_back(middle + side * ifs::Vector<3>::Unit(axis));
+    return corners;
+}
+
 Corners restOf(const RenderArguments& options, const ifs::SupportFunction<3>* support) {
     const std::string text = options.restCage.value_or("canonical");
-    if (text != "canonical" && text != "box") {
+    if (text != "canonical" && text != "box" && text != "octahedron") {
         if (text == "hull" || text.starts_with("hull:"))
             throw UsageError{
-                tr("--rest-cage in space must be canonical, box or points, not “%1”.").arg(quoted(text))};
+                tr("--rest-cage in space must be canonical, box, octahedron or points, not “%1”.")
+                    .arg(quoted(text))};
         return cornersArgument("--rest-cage", text);
     }
     if (support == nullptr)
         throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
                              .arg(quoted(text))};
     if (text == "box") return boxAround(*support);
+    if (text == "octahedron") return octahedronAround(*support);
     const auto simplex = ifs::minimalCanonicalSimplex(*support);
     return {simplex.vertices.begin(), simplex.vertices.end()};
 }

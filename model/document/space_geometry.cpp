@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace document {
@@ -53,8 +54,12 @@ std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal) {
     if (shape->cage) return shape->cage;
     const auto support = spaceSupport(fractal);
     if (!support) return ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    return ifs::cageAtRest<3>(
-        ifs::minimalCanonicalSimplex(*support, relativeTolerance * support->radius()).vertices);
+    auto simplex = ifs::minimalCanonicalSimplex(*support, relativeTolerance * support->radius());
+    constexpr double rounding = 1e-14; // numbers that should be none are no sight in a table
+    for (ifs::Vector<3>& vertex : simplex.vertices)
+        vertex =
+            vertex.unaryExpr([&](double x) { return std::abs(x) <= rounding * support->radius() ? 0 : x; });
+    return ifs::cageAtRest<3>(simplex.vertices);
 }
 
 Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u) {

@@ -126,6 +126,11 @@ void CliSpaceTest::theCageMovesThePicture() {
     QVERIFY(std::abs(moved.at(40, 30) + 0.75) < 2.0 / 60);
     const Depths box = depths("--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,2 --rest-cage box");
     QVERIFY(std::abs(box.at(40, 30) + 0.5) < 2.0 / 60);
+    // Around the cube its corners are one and a half sides from the middle; here it moves back by a quarter.
+    const Depths octahedron =
+        depths("--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,2 --rest-cage octahedron --cage \"-1,0.5,0.25 "
+               "2,0.5,0.25 0.5,-1,0.25 0.5,2,0.25 0.5,0.5,-1.25 0.5,0.5,1.75\"");
+    QVERIFY(std::abs(octahedron.at(40, 30) + 0.25) < 2.0 / 60);
 }
 
 // A tetrahedron pressed into a plane has a picture all the same, and its opposite has the first one's bytes.
