@@ -120,7 +120,7 @@ bool SpaceComments::read(const QByteArray& key, const QByteArrayList& values) {
     }
     const bool isRange = key == "clip-range";
     if (!isRange && key != "clip-normal") return false;
-    std::vector<double>& into = isRange ? m_range : m_normal;
+    std::vector<double> into = isRange ? m_range : m_normal; // all of the line, or nothing
     const std::size_t most = isRange ? 2 : 3;
     for (const QByteArray& value : values) {
         const bool isOpen = isRange && value == open;
@@ -128,6 +128,7 @@ bool SpaceComments::read(const QByteArray& key, const QByteArrayList& values) {
         if (!read || into.size() == most) return false;
         into.push_back(*read);
     }
+    (isRange ? m_range : m_normal) = into;
     return true;
 }
 

@@ -101,6 +101,7 @@ private slots:
                     QVERIFY2(comments.read(QByteArrayView(line).sliced(1)), line.constData());
                 }
                 Fractal back = inSpace();
+                document::space(back)->moved.clear();
                 QVERIFY(comments.applyTo(back).sentences.isEmpty());
                 QVERIFY(back.inSpace == shown);
             }
@@ -114,6 +115,12 @@ private slots:
             io::MetadataComments comments;
             QVERIFY2(!comments.read(line), line);
         }
+        io::MetadataComments broken;
+        QVERIFY(broken.read(" barycage: clip-normal 0 0 1"));
+        QVERIFY(!broken.read(" barycage: clip-range - 1.5 x")); // all of the line, or nothing
+        Fractal whole = inSpace();
+        broken.applyTo(whole);
+        QVERIFY(!whole.inSpace.clip);
         io::MetadataComments flat; // understood, but it cuts nothing
         QVERIFY(flat.read(" barycage: clip-normal 0 0 0") && flat.read(" barycage: clip-range 0 1"));
         Fractal fractal = inSpace();

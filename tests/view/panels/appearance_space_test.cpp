@@ -109,6 +109,8 @@ private slots:
         choose(rows->kind(), int(view::SliceRows::Kind::Half));
         QVERIFY(inSpace().clip && std::isinf(inSpace().clip->lowest));
         QVERIFY(rows->offset()->isVisible() && !rows->thickness()->isVisible());
+        QTRY_VERIFY(rows->offset()->height() >= rows->offset()->minimumSizeHint().height());
+        QTRY_VERIFY(rows->offset()->y() > rows->direction()->y());
         choose(rows->kind(), int(view::SliceRows::Kind::Slice));
         QVERIFY(std::isfinite(inSpace().clip->lowest) && inSpace().clip->lowest < inSpace().clip->highest);
         QVERIFY(rows->thickness()->isVisible());

@@ -258,6 +258,22 @@ void AppearancePanel::follow(const document::Change& change) {
     showUses();
     m_reset->setEnabled(!(appearance == Appearance{}) || !(fractal.inSpace == attractor::SpaceAppearance{}));
     showMapColours();
+    layOutRows();
+}
+
+// A form gives rows that appear no height before it is laid out once more.
+void AppearancePanel::layOutRows() {
+    std::vector<bool> shown;
+    for (int row = 0; row < m_form->rowCount(); ++row)
+        shown.push_back(m_form->isRowVisible(row));
+    if (std::exchange(m_shownRows, shown) == shown) return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            layout()->invalidate();
+            layout()->activate();
+        },
+        Qt::QueuedConnection);
 }
 
 AppearancePanel::Uses AppearancePanel::uses() const {
@@ -298,7 +314,6 @@ void AppearancePanel::showUses() {
         widget->setEnabled(used.palette);
     m_plain->setEnabled(used.plain);
     m_plainLabel->setEnabled(used.plain);
-    m_form->invalidate(); // else new rows get no height
 }
 
 void AppearancePanel::showMapColours() {

@@ -188,7 +188,6 @@ void SliceRows::follow(bool isLive) {
     m_form->setRowVisible(m_normalBox, isSpace && clip);
     m_form->setRowVisible(m_offset, isSpace && clip);
     m_form->setRowVisible(m_thickness, isSpace && kind == Kind::Slice);
-    if (std::exchange(m_shownKind, kind) != kind) m_form->invalidate(); // else new rows get no height
     m_kind->setCurrentIndex(m_kind->findData(int(kind)));
     if (!isSpace || !clip) return;
     if (!isLive) showExtent();

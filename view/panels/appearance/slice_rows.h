@@ -51,7 +51,6 @@ private:
     std::array<NumberField*, 3> m_normal{};
     AppearanceSlider* m_offset = nullptr;
     AppearanceSlider* m_thickness = nullptr;
-    Kind m_shownKind = Kind::Whole;
     bool m_isShown = true;
 };
 

@@ -122,8 +122,6 @@ void SpaceRows::follow() {
     m_form->setRowVisible(m_colourBy, isLit);
     m_form->setRowVisible(m_light, isSpace && inSpace.look == LookInSpace::Stone); // ink has the eye's alone
     m_form->setRowVisible(m_fog, isLit);
-    if (std::exchange(m_shownLook, inSpace.look) != inSpace.look)
-        m_form->invalidate(); // else new rows get no height
     m_look->setCurrentIndex(m_look->findData(static_cast<int>(inSpace.look)));
     m_colourBy->setCurrentIndex(m_colourBy->findData(static_cast<int>(document::solidColour(fractal))));
     m_light->setDirection(inSpace.lightAzimuth, inSpace.lightElevation);

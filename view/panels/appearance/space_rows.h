@@ -45,7 +45,6 @@ private:
     QComboBox* m_colourBy = nullptr;
     LightBall* m_light = nullptr;
     AppearanceSlider* m_fog = nullptr;
-    attractor::LookInSpace m_shownLook = attractor::LookInSpace::Stone;
     bool m_isShown = true;
 };
 
