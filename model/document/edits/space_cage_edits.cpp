@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/space_cage_edits.h"
 
-#include "document/edits/cage_edits.h"
 #include "document/space_geometry.h"
 
 #include <QCoreApplication>
@@ -39,6 +38,11 @@ void dropRounding(System3& system) {
     }
 }
 
+bool rests(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    return !shape || !shape->cage || shape->cage->rest == shape->cage->current;
+}
+
 // The code takes up its cage; branches that are shown elsewhere go with it.
 std::optional<Fractal> withCageBaked(const Fractal& fractal) {
     const Shape<3>* shape = space(fractal);
@@ -62,8 +66,8 @@ std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector
     if (!present) return std::nullopt;
     Fractal after = fractal;
     auto& cage = space(after)->cage;
-    cage = isAtRest(fractal) ? std::optional(ifs::polygonAtRest<3>(vertices))
-                             : ifs::redefine<3>(*present, vertices);
+    cage = rests(fractal) ? std::optional(ifs::polygonAtRest<3>(vertices))
+                          : ifs::redefine<3>(*present, vertices);
     return cage && ifs::isValid(*cage) ? std::optional(after) : std::nullopt;
 }
 
@@ -84,7 +88,7 @@ Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage, CageMode m
 
 QString spaceBakeObstacle(const Fractal& fractal) {
     if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
-    if (isAtRest(fractal))
+    if (rests(fractal))
         return sentence(
             QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is at rest: the picture shows the code."));
     if (!ifs::isInvertible(*space(fractal)->cage))
@@ -101,7 +105,7 @@ std::optional<Fractal> spaceBaked(const Fractal& fractal) {
 QString spaceUnbakeObstacle(const Fractal& fractal) {
     if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (space(fractal)->system.maps.empty()) return noMap();
-    if (!isAtRest(fractal))
+    if (!rests(fractal))
         return sentence(
             QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is not at rest: it already holds a placement."));
     if (const auto& cage = space(fractal)->cage; cage && cage->rest.size() != 4)
@@ -125,7 +129,7 @@ QString spaceFitObstacle(const Fractal& fractal) {
     if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     const Shape<3>& shape = *space(fractal);
     if (ifs::activeMaps(shape.system).maps.empty()) return noMap();
-    if (shape.cage && !isAtRest(fractal) && !ifs::isInvertible(*shape.cage))
+    if (shape.cage && !rests(fractal) && !ifs::isInvertible(*shape.cage))
         return sentence(
             QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is flat. First open or reset the tetrahedron."));
     if (!spaceSupport(fractal))
@@ -146,7 +150,7 @@ std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
     const ifs::CanonicalSimplex<3> simplex = orientation
                                                  ? ifs::canonicalSimplex<3>(*support, *orientation, tolerance)
                                                  : ifs::minimalCanonicalSimplex(*support, tolerance);
-    if (!orientation && isAtRest(fractal)) {
+    if (!orientation && rests(fractal)) {
         Fractal after = fractal;
         space(after)->cage.reset(); // it then follows the code
         return after;

@@ -90,7 +90,7 @@ private slots:
                 shown.fog += 1.0 / 3;
                 shown.lightAzimuth = -1234567.8901234567;
                 shown.clip = attractor::SpaceClip{
-                    {-1.2345678901234567e-100, 0.1, 1e200 / 3}, -HUGE_VAL, 0.1234567890123456789 * int(look)};
+                    {-1.2345678901234567e-100, 0.1, 1e100 / 3}, -HUGE_VAL, 0.1234567890123456789 * int(look)};
                 if (colour == attractor::SolidColour::Map)
                     shown.clip->lowest = -9.87654321098765432e-12 - shown.fog;
                 Fractal fractal = inSpace();

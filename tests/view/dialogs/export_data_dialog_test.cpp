@@ -104,6 +104,7 @@ void ExportDataDialogTest::systemsInSpaceGiveWhatFormatsHold() {
     QVERIFY(!isOffered());
     format->setCurrentIndex(format->count() - 1);
     QVERIFY(isOffered());
+    dialog.findChild<QSpinBox*>()->setValue(2000);
     const QByteArray points = written(dialog);
     QVERIFY(points.startsWith("ply"));
     QVERIFY(points.contains("property float z") || points.contains("property double z"));
