@@ -153,7 +153,6 @@ bool SolidThread::State::showCloud(const Job& job, int step, SolidFrame frame, c
         if (!cloud->tone(next.pixels, stop)) return false;
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
         next.milliseconds = time.count();
-        next.isFinal = pass == passes;
         publish(std::move(next), stop);
     }
     return true;

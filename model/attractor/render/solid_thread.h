@@ -21,7 +21,6 @@ struct SolidFrame {
     std::vector<std::uint32_t> pixels; // 0xAARRGGBB, premultiplied, as many as the raster has
     RenderNote note = RenderNote::None;
     double milliseconds = 0; // time it took
-    bool isFinal = true;     // no better picture of this request follows
 };
 
 // The depth of what a frame shows at a pixel of its request, in units of the system, 0 in the plane of the
