@@ -149,8 +149,8 @@ std::optional<QString> obstacle(document::Entry& entry, const Arguments& argumen
     if (const QString reason = dimensionObstacle(plan.format, fractal); !reason.isEmpty()) return reason;
     if (arguments.columns && !document::system2(fractal))
         return tr("“%1” was omitted: --columns applies only to systems in the plane.").arg(fractal.name);
-    if (arguments.bake && document::system2(fractal) && !document::isAtRest(fractal)) {
-        if (ifs::bends(*document::cage2(fractal)))
+    if (arguments.bake && !document::isAtRest(fractal)) {
+        if (const auto* cage = document::cage2(fractal); cage && ifs::bends(*cage))
             return tr("“%1” was omitted: its cage bends the picture, which no code can reproduce.")
                 .arg(fractal.name);
         auto baked = document::baked(fractal);
@@ -183,6 +183,9 @@ Content contentOf(const Input& input, const Arguments& arguments, const Plan& pl
             if (auto* shape = document::plane(written);
                 shape && arguments.bake && document::isAtRest(written))
                 shape->cage.reset(); // it has done its work
+            if (auto* shape = document::space(written);
+                shape && arguments.bake && document::isAtRest(written))
+                shape->cage.reset();
             if (const auto loss = text ? io::lossOf(*text, written) : std::nullopt)
                 reportWarning(input.name, *loss);
             content.file.entries << entry;

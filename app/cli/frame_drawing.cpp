@@ -27,8 +27,7 @@ QString tr(const char* text) {
 }
 
 bool showsNumbers(const io::SpaceExport& picture) {
-    return picture.look == io::SpaceLook::Depth || picture.solid.look == attractor::Look::Depth ||
-           picture.solid.look == attractor::Look::Normals;
+    return picture.look == attractor::LookInSpace::Depth || picture.look == attractor::LookInSpace::Normals;
 }
 
 } // namespace
@@ -97,7 +96,7 @@ io::SpaceExport FrameDrawing::spaceFrame(int frame, const std::stop_token& stop)
     if (m_shutter > 0 && showsNumbers(picture))
         throw UsageError{tr("--shutter cannot be used here: depths and normals are numbers, which do not add "
                             "up like light.")};
-    if (picture.look == io::SpaceLook::Cloud) picture.exposure = exposureAt(frame, stop);
+    if (attractor::showsCloud(picture.look)) picture.exposure = exposureAt(frame, stop);
     picture.moments = momentsOf<attractor::SpaceRequest>(frame, [&](const animation::Moment& moment) {
         attractor::SpaceRequest request = spaceAt(moment).request;
         request.appearance = picture.request.appearance;
@@ -149,7 +148,7 @@ io::Picture FrameDrawing::draw(int frame, const io::Progress& progress, const st
         picture = io::drawPicture(planeFrame(frame, stop), progress, stop);
     } else {
         const io::SpaceExport wanted = spaceFrame(frame, stop);
-        if (wanted.look == io::SpaceLook::Depth)
+        if (wanted.look == attractor::LookInSpace::Depth)
             throw UsageError{
                 tr("--look depth cannot be used here: depths are numbers of 16 bits, which a video "
                    "does not store. Write the frames as NAME.####.png.")};
@@ -163,8 +162,8 @@ bool FrameDrawing::isTransparent(int frame) const {
     const animation::Moment moment = animation::moment(frame);
     if (isPlane()) return m_frames.at(moment).fractal.appearance.background.alpha < 255;
     const io::SpaceExport picture = spaceAt(moment);
-    return (picture.look == io::SpaceLook::Solid ? picture.solid.background
-                                                 : picture.request.appearance.background)
+    return (attractor::showsCloud(picture.look) ? picture.request.appearance.background
+                                                : picture.solid.background)
                .alpha < 255;
 }
 

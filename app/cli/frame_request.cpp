@@ -75,6 +75,8 @@ QByteArray requestHash(const document::Fractal& entry, int frame, const RenderAr
         if (angle > 0) request.addCount("shutter", std::uint64_t(angle));
     }
     request.add("exposure", QByteArray::fromStdString(options.exposure));
+    request.addNumbers("slice", options.slice);
+    request.addText("stereo", options.stereo);
     request.add("entry", io::writeEntry(entry));
     return QCryptographicHash::hash(request.text(), QCryptographicHash::Sha256).toHex();
 }

@@ -380,8 +380,9 @@ void addCageOptions(CLI::App& command, RenderArguments& arguments) {
     const OptionGroup group{command, "View and cage"};
     group.add("--cage", "CORNERS", arguments.cage,
               "Current corners of the cage: \"x,y x,y x,y\", up to 64; more than three bend the picture");
-    group.add("--rest-cage", "CORNERS", arguments.restCage,
-              "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N");
+    group.add(
+        "--rest-cage", "CORNERS", arguments.restCage,
+        "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N; in space octahedron as well");
     group.add("--frame", "F", arguments.frame,
               "The moment of an animation in frames from 0 on, such as 12, 12.5 or 25/2; the view is that of "
               "all frames",
@@ -412,11 +413,18 @@ void addSpaceOptions(CLI::App& command, RenderArguments& arguments) {
               "Azimuth, elevation and roll of the camera, in degrees", "30,20");
     group.add("--perspective", "FOV", arguments.perspective, "Vertical angle of view, in degrees",
               "orthographic");
-    group.add("--look", "NAME", arguments.look,
-              "stone, ink (on white), cloud (density), depth (16-bit grey) or normals", "stone");
+    group.add(
+        "--look", "NAME", arguments.look,
+        "stone, ink (on white), cloud (density), x-ray (coloured by mean depth), depth (16-bit grey) or "
+        "normals",
+        "that of the entry");
     group.add("--light", "AZ,EL", arguments.light,
               "Azimuth and elevation of the key light from the line of sight, in degrees", "-40,40");
     group.add("--fog", "F", arguments.fog, "How fast colours fade with depth, 0 to 100", "0");
+    group.add("--slice", "NX,NY,NZ,T,W", arguments.slice,
+              "Keep only the points x with |n·x - T| <= W; without W, those with n·x <= T");
+    group.add("--stereo", "NAME", arguments.stereo,
+              "side-by-side (left picture for the left eye) or anaglyph (red and cyan)");
 }
 
 } // namespace

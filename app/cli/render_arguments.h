@@ -44,10 +44,10 @@ struct RenderArguments {
     std::string seed = "1";
     Text points, margin, cage, restCage, view, palette, colour, gamma, brightness, background, dpi, simd, svg;
     Text part, band, resume;
-    Text orbit, perspective, look, light, fog; // in space only
-    Text frame;                                // of an animation
-    Text shutter;                              // of its frames, in degrees
-    std::string exposure = "smooth";           // of its frames
+    Text orbit, perspective, look, light, fog, slice, stereo; // in space only
+    Text frame;                                               // of an animation
+    Text shutter;                                             // of its frames, in degrees
+    std::string exposure = "smooth";                          // of its frames
     std::string algorithm = "density";
     Text iterations, supersample, threads, depth, bits, quality;
     Text timeLimit, memoryLimit;

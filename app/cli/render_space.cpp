@@ -9,7 +9,9 @@
 #include "usage_error.h"
 
 #include "attractor/samples/prepared_space.h"
+#include "document/space_geometry.h"
 #include "ifs/extent/extent.h"
+#include "io/fractint/space_comments.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/space_export.h"
 #include "io/text/number.h"
@@ -24,6 +26,7 @@ namespace cli {
 
 namespace {
 
+using attractor::LookInSpace;
 using Corners = std::vector<ifs::Vector<3>>;
 
 constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
@@ -36,26 +39,42 @@ QString quoted(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-io::SpaceLook lookOf(const RenderArguments& options) {
-    const std::string look = options.look.value_or("stone");
-    if (solidLook(look)) return io::SpaceLook::Solid;
-    if (look == "cloud") return io::SpaceLook::Cloud;
-    if (look == "depth") return io::SpaceLook::Depth;
-    throw UsageError{tr("--look must be stone, ink, cloud, depth or normals, not “%1”.").arg(quoted(look))};
+LookInSpace lookOf(const document::Fractal& fractal, const RenderArguments& options) {
+    if (!options.look) return fractal.inSpace.look;
+    if (const auto look = io::lookInSpaceNamed(QByteArray::fromStdString(*options.look))) return *look;
+    throw UsageError{tr("--look must be stone, ink, cloud, x-ray, depth or normals, not “%1”.")
+                         .arg(quoted(*options.look))};
 }
 
-void refuseUnsupported(const RenderArguments& options, io::SpaceLook look) {
-    const QString plane = tr("it applies only to entries in the plane.");
-    refuseIf(options.yDown, "--y-down", plane);
-    refuseIf(options.algorithm != "density", "--algorithm", plane);
-    refuseIf(options.iterations.has_value(), "--iterations", plane);
-    refuseIf(options.svg.has_value(), "--svg", plane);
-    refuseIf(options.depth.has_value(), "--depth", plane);
-    refuseIf(options.overlay.has_value(), "--overlay", plane);
-    refuseIf(options.legend, "--legend", plane);
-    if (look == io::SpaceLook::Solid) return;
-    refuseLight(options, tr("it applies only to solids: --look stone or ink."));
-    if (look != io::SpaceLook::Depth) return;
+io::Stereo stereoOf(const RenderArguments& options) {
+    if (!options.stereo) return io::Stereo::None;
+    return choiceArgument("--stereo", *options.stereo, {"side-by-side", "anaglyph"}) == "anaglyph"
+               ? io::Stereo::Anaglyph
+               : io::Stereo::SideBySide;
+}
+
+// |⟨n, x⟩ − t| ≤ w, or without w the half-space ⟨n, x⟩ ≤ t.
+std::optional<attractor::SpaceClip> clipOf(const document::Fractal& fractal, const RenderArguments& options) {
+    if (!options.slice) return fractal.inSpace.clip;
+    const auto given = numbers(quoted(*options.slice));
+    attractor::SpaceClip clip;
+    if (given.size() == 4 || given.size() == 5) {
+        clip.normal = {given[0], given[1], given[2]};
+        clip.highest = given[3];
+        if (given.size() == 5) {
+            clip.lowest = given[3] - given[4];
+            clip.highest = given[3] + given[4];
+        }
+        if (isUsable(clip)) return clip;
+    }
+    throw UsageError{
+        tr("--slice “%1” is not valid: it must be a normal that is not zero, an offset and a half "
+           "width of at least 0, such as 1,1,1,1.5,0.01; without the half width, everything up "
+           "to the offset is kept.")
+            .arg(quoted(*options.slice))};
+}
+
+void refuseNumbers(const RenderArguments& options) {
     const QString reason = tr("--look depth shows depths, without samples and colours.");
     refuseIf(options.points.has_value(), "--points", reason);
     refuseIf(options.palette.has_value(), "--palette", reason);
@@ -67,7 +86,25 @@ void refuseUnsupported(const RenderArguments& options, io::SpaceLook look) {
     refuseIf(options.bits && !is16Bit(options), "--bits", tr("--look depth has 16 bits."));
 }
 
-void requirePixels(const RenderArguments& options, io::SpaceLook look) {
+void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
+    const QString plane = tr("it applies only to entries in the plane.");
+    refuseIf(options.yDown, "--y-down", plane);
+    refuseIf(options.algorithm != "density", "--algorithm", plane);
+    refuseIf(options.iterations.has_value(), "--iterations", plane);
+    refuseIf(options.svg.has_value(), "--svg", plane);
+    refuseIf(options.depth.has_value(), "--depth", plane);
+    refuseIf(options.overlay.has_value(), "--overlay", plane);
+    refuseIf(options.legend, "--legend", plane);
+    refuseIf(options.stereo && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--stereo",
+             tr("--look depth and normals show numbers, which are not for eyes."));
+    refuseIf(options.colour && look == LookInSpace::XRay, "--colour",
+             tr("--look x-ray shows the mean depth with the palette."));
+    if (look == LookInSpace::Depth || attractor::showsCloud(look))
+        refuseLight(options, tr("it applies only to solids: --look stone or ink."));
+    if (look == LookInSpace::Depth) refuseNumbers(options);
+}
+
+void requirePixels(const RenderArguments& options, LookInSpace look) {
     const QString output = fileNameOf(options.output);
     const QString suffix =
         options.format.empty() ? QFileInfo(output).suffix().toLower() : quoted(options.format);
@@ -77,7 +114,7 @@ void requirePixels(const RenderArguments& options, io::SpaceLook look) {
             tr("A system in space can be drawn only as .png, .jpg, .webp, .tiff or .exr, and “%1” "
                "is none of them.")
                 .arg(output)};
-    if (look == io::SpaceLook::Depth && file != io::PictureFile::Png)
+    if (look == LookInSpace::Depth && file != io::PictureFile::Png)
         throw UsageError{tr("--look depth can be drawn only as .png, and “%1” is not.").arg(output)};
 }
 
@@ -119,18 +156,37 @@ Corners boxAround(const ifs::SupportFunction<3>& support) {
     return corners;
 }
 
+// The smallest regular octahedron with its corners on the axes through the middle of the box.
+Corners octahedronAround(const ifs::SupportFunction<3>& support) {
+    const ifs::BoundingBox<3> box = ifs::boundingBox(support);
+    const ifs::Vector<3> middle = (box.min + box.max) / 2;
+    double reach = 0;
+    for (int k = 0; k < 8; ++k) {
+        const ifs::Vector<3> across((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
+        const auto value = support(across);
+        reach = std::max(reach, value.value + value.error - across.dot(middle));
+    }
+    Corners corners;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-reach, reach})
+            corners.emplace_back(middle + side * ifs::Vector<3>::Unit(axis));
+    return corners;
+}
+
 Corners restOf(const RenderArguments& options, const ifs::SupportFunction<3>* support) {
     const std::string text = options.restCage.value_or("canonical");
-    if (text != "canonical" && text != "box") {
+    if (text != "canonical" && text != "box" && text != "octahedron") {
         if (text == "hull" || text.starts_with("hull:"))
             throw UsageError{
-                tr("--rest-cage in space must be canonical, box or points, not “%1”.").arg(quoted(text))};
+                tr("--rest-cage in space must be canonical, box, octahedron or points, not “%1”.")
+                    .arg(quoted(text))};
         return cornersArgument("--rest-cage", text);
     }
     if (support == nullptr)
         throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
                              .arg(quoted(text))};
     if (text == "box") return boxAround(*support);
+    if (text == "octahedron") return octahedronAround(*support);
     const auto simplex = ifs::minimalCanonicalSimplex(*support);
     return {simplex.vertices.begin(), simplex.vertices.end()};
 }
@@ -167,6 +223,11 @@ attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& o
     attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
     const QSize size = sizeArgument("--size", options.size);
     camera.size = {size.width(), size.height()};
+    if (stereoOf(options) == io::Stereo::SideBySide) {
+        if (size.width() % 2 != 0)
+            throw UsageError{tr("--stereo side-by-side needs an even width, for two pictures of one size.")};
+        camera.size.width /= 2;
+    }
     if (!shown.camera || options.orbit) camera.orientation = orientationOf(options);
     return animation::orbited(camera, shown.orbit);
 }
@@ -206,6 +267,24 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     return attractor::fitted(camera, ofBox, margin);
 }
 
+// What is drawn of an entry that the options have been put into.
+attractor::SpaceRequest requestOf(const Shown& shown, const document::Fractal& fractal,
+                                  const RenderArguments& options, const QString& fileName) {
+    attractor::SpaceRequest request = document::spaceRequest(fractal, {});
+    request.seed = wholeArgument("--seed", options.seed);
+    request.threads = options.threads ? integerArgument("--threads", *options.threads, 1, 1024)
+                                      : io::threadsOfThisMachine();
+    const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
+    const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
+    request.cage = cageOf(options, request.cage, support ? &*support : nullptr);
+    const ifs::AffineMap<3> cage = request.cage ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
+    request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, cage, fileName);
+    const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
+    request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
+                                     : std::max<std::uint64_t>(100 * pixels, 1'000'000);
+    return request;
+}
+
 } // namespace
 
 void refuseSpaceOptions(const RenderArguments& options) {
@@ -213,43 +292,35 @@ void refuseSpaceOptions(const RenderArguments& options) {
     refuseIf(options.orbit.has_value(), "--orbit", reason);
     refuseIf(options.perspective.has_value(), "--perspective", reason);
     refuseIf(options.look.has_value(), "--look", reason);
+    refuseIf(options.slice.has_value(), "--slice", reason);
+    refuseIf(options.stereo.has_value(), "--stereo", reason);
     refuseLight(options, reason);
 }
 
 io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options, const QString& fileName) {
-    const document::Fractal& fractal = shown.fractal;
+
     io::SpaceExport picture;
-    picture.fractal = fractal;
-    picture.look = lookOf(options);
+    document::Fractal& fractal = picture.fractal;
+    fractal = shown.fractal;
+    picture.look = fractal.inSpace.look = lookOf(fractal, options);
+    fractal.inSpace.clip = clipOf(fractal, options);
     requirePixels(options, picture.look);
+    picture.stereo = stereoOf(options);
     refuseUnsupported(options, picture.look);
-    if (const auto look = solidLook(options.look.value_or("stone"))) {
-        picture.solid = solidAppearance(*look, fractal, options);
+    if (picture.look == LookInSpace::Depth || attractor::showsCloud(picture.look)) {
+        applyAppearance(fractal.appearance, options);
+    } else {
+        applySolidOptions(fractal, options);
+        picture.solid = solidAppearance(fractal, options);
         if (options.supersample)
             picture.supersample = integerArgument("--supersample", *options.supersample, 1, 4);
-    } else {
-        applyAppearance(picture.fractal.appearance, options);
     }
     picture.depth = depthOf(options);
     picture.file = pictureFileOf(options);
     picture.quality = qualityOf(options);
     picture.dotsPerInch = dotsPerInch(options);
-    attractor::SpaceRequest& request = picture.request;
-    const document::Shape<3>& shape = *document::space(fractal);
-    request.system = shape.system;
-    request.appearance = picture.fractal.appearance;
-    request.seed = wholeArgument("--seed", options.seed);
-    request.threads = options.threads ? integerArgument("--threads", *options.threads, 1, 1024)
-                                      : io::threadsOfThisMachine();
-    const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
-    const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
-    request.cage = cageOf(options, shape.cage, support ? &*support : nullptr);
-    const ifs::AffineMap<3> cage = request.cage ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
-    request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, cage, fileName);
-    if (options.frame) picture.fractal = shown.entry;
-    const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
-    request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
-                                     : std::max<std::uint64_t>(100 * pixels, 1'000'000);
+    picture.request = requestOf(shown, fractal, options, fileName);
+    if (options.frame) fractal = shown.entry;
     if (io::memoryFor(picture) > maxBytes)
         throw UsageError{tr("--size %1 needs more than 4 GB of memory in space.").arg(quoted(options.size))};
     return picture;

@@ -4,41 +4,46 @@
 #include "arguments.h"
 #include "usage_error.h"
 
+#include "document/space_geometry.h"
+#include "io/fractint/space_comments.h"
 #include "io/text/number.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 namespace cli {
 
 namespace {
 
-using attractor::Look;
+using attractor::LookInSpace;
 using attractor::SolidColour;
 
 QString tr(const char* text) {
     return QCoreApplication::translate("cli", text);
 }
 
-SolidColour colourOf(const RenderArguments& options) {
-    if (!options.colour) return options.palette ? SolidColour::Height : SolidColour::Plain;
-    if (*options.colour == "map") return SolidColour::Map;
-    if (*options.colour == "height") return SolidColour::Height;
-    if (*options.colour == "depth") return SolidColour::Depth;
-    if (*options.colour == "none") return SolidColour::Plain;
-    throw UsageError{tr("--colour of a solid must be map, height, depth or none, not “%1”.")
-                         .arg(QString::fromStdString(*options.colour))};
+bool usesPalette(SolidColour colour) {
+    return colour == SolidColour::Address || colour == SolidColour::Height || colour == SolidColour::Depth;
 }
 
-attractor::ViewVector lampOf(const std::string& text) {
-    const QStringList parts = QString::fromStdString(text).split(u',');
-    if (parts.size() == 2) {
-        const auto azimuth = io::parseNumber(parts[0]), elevation = io::parseNumber(parts[1]);
-        if (azimuth && elevation) return attractor::lampAt(*azimuth, *elevation);
+SolidColour colourOf(const document::Fractal& fractal, const RenderArguments& options) {
+    if (options.colour) {
+        if (const auto colour = io::solidColourNamed(QByteArray::fromStdString(*options.colour)))
+            return *colour;
+        throw UsageError{tr("--colour of a solid must be map, address, height, depth or none, not “%1”.")
+                             .arg(QString::fromStdString(*options.colour))};
     }
-    throw UsageError{tr("--light “%1” is not valid: it must be azimuth and elevation in degrees from the "
-                        "line of sight, such as -40,40.")
-                         .arg(QString::fromStdString(text))};
+    const SolidColour stored = document::solidColour(fractal);
+    return options.palette && !usesPalette(stored) ? SolidColour::Height : stored;
+}
+
+void applyLight(attractor::SpaceAppearance& appearance, const std::string& text) {
+    const std::vector<double> angles = numbers(QString::fromStdString(text));
+    if (angles.size() != 2)
+        throw UsageError{tr("--light “%1” is not valid: it must be azimuth and elevation in degrees from the "
+                            "line of sight, such as -40,40.")
+                             .arg(QString::fromStdString(text))};
+    appearance.lightAzimuth = angles[0];
+    appearance.lightElevation = angles[1];
 }
 
 double fogOf(const std::string& text) {
@@ -48,25 +53,16 @@ double fogOf(const std::string& text) {
         tr("--fog “%1” is not valid: it must be a number from 0 to 100.").arg(QString::fromStdString(text))};
 }
 
-std::vector<attractor::Rgba> mapColours(const document::Fractal& fractal) {
-    std::vector<attractor::Rgba> colours;
-    const auto& maps = document::system3(fractal)->maps;
-    for (std::size_t i = 0; i < maps.size(); ++i)
-        colours.push_back(attractor::mapColour(fractal.appearance, maps[i].id, i));
-    return colours;
-}
-
-void refuseUnlit(Look look, const RenderArguments& options) {
+void refuseUnlit(LookInSpace look, const document::Fractal& fractal, const RenderArguments& options) {
     const QString solid = tr("a solid is not made of samples.");
     refuseIf(options.points.has_value(), "--points", solid);
     refuseIf(options.gamma.has_value(), "--gamma", solid);
     refuseIf(options.brightness.has_value(), "--brightness", solid);
-    if (look == Look::Ink)
+    if (look == LookInSpace::Ink)
         refuseIf(options.light.has_value(), "--light", tr("ink has only the light of the eye."));
-    if (look != Look::Normals) {
-        const SolidColour colour = colourOf(options);
-        refuseIf(options.palette && colour != SolidColour::Height && colour != SolidColour::Depth,
-                 "--palette", tr("it needs --colour height or depth."));
+    if (look != LookInSpace::Normals) {
+        refuseIf(options.palette && !usesPalette(colourOf(fractal, options)), "--palette",
+                 tr("it needs --colour address, height or depth."));
         return;
     }
     const QString numbers = tr("--look normals shows directions, without light and colours.");
@@ -78,26 +74,21 @@ void refuseUnlit(Look look, const RenderArguments& options) {
 
 } // namespace
 
-std::optional<Look> solidLook(const std::string& name) {
-    if (name == "stone") return Look::Stone;
-    if (name == "ink") return Look::Ink;
-    if (name == "normals") return Look::Normals;
-    return std::nullopt;
+void applySolidOptions(document::Fractal& fractal, const RenderArguments& options) {
+    attractor::SpaceAppearance& inSpace = fractal.inSpace;
+    refuseUnlit(inSpace.look, fractal, options);
+    if (options.background)
+        fractal.appearance.background = colourArgument("--background", *options.background);
+    if (inSpace.look == LookInSpace::Normals) return;
+    if (options.colour || options.palette) inSpace.colourBy = colourOf(fractal, options);
+    if (options.readPalette) fractal.appearance.palette = *options.readPalette;
+    if (options.light) applyLight(inSpace, *options.light);
+    if (options.fog) inSpace.fog = fogOf(*options.fog);
 }
 
-attractor::SolidAppearance solidAppearance(Look look, const document::Fractal& fractal,
-                                           const RenderArguments& options) {
-    refuseUnlit(look, options);
-    attractor::SolidAppearance result = attractor::appearanceOf(look);
-    if (look == Look::Stone) result.background = fractal.appearance.background;
+attractor::SolidAppearance solidAppearance(const document::Fractal& fractal, const RenderArguments& options) {
+    attractor::SolidAppearance result = document::solidAppearance(fractal);
     if (options.background) result.background = colourArgument("--background", *options.background);
-    if (look == Look::Normals) return result;
-    result.colourBy = colourOf(options);
-    result.palette =
-        options.palette ? paletteArgument("--palette", *options.palette) : fractal.appearance.palette;
-    result.mapColours = mapColours(fractal);
-    if (options.light) result.keyLight = lampOf(*options.light);
-    if (options.fog) result.fog = fogOf(*options.fog);
     return result;
 }
 

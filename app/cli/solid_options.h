@@ -6,15 +6,14 @@
 #include "attractor/light/solid_appearance.h"
 #include "document/fractal.h"
 
-// `render` with the looks stone, ink and normals.
+// `render` with the looks of a solid.
 namespace cli {
 
-// nullopt for a name that is none of these.
-std::optional<attractor::Look> solidLook(const std::string& name);
+// Puts the options of a solid in the look of the entry into the entry. Throws UsageError.
+void applySolidOptions(document::Fractal& fractal, const RenderArguments& options);
 
-// What the options and the entry say of a solid. Throws UsageError.
-attractor::SolidAppearance solidAppearance(attractor::Look look, const document::Fractal& fractal,
-                                           const RenderArguments& options);
+// How the solid of such an entry is drawn.
+attractor::SolidAppearance solidAppearance(const document::Fractal& fractal, const RenderArguments& options);
 
 // Throws UsageError for options of a light that the look does not have.
 void refuseLight(const RenderArguments& options, const QString& reason);

@@ -81,7 +81,8 @@ QList<QAction*> CageMenu::addOperations() {
     disableWhen(reset, &document::resetObstacle);
     disableWhen(bake, &document::bakeObstacle);
     disableWhen(unbake, &document::unbakeObstacle);
-    for (QAction* action : {fitSimplex, regular, invariantForm})
+    disableWhen(fitSimplex, &document::cageObstacle);
+    for (QAction* action : {regular, invariantForm})
         disableWhen(action, &document::planeObstacle);
     return {fitSimplex, reset, bake};
 }

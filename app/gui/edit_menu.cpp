@@ -5,15 +5,34 @@
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/transform_dialog.h"
 #include "document/edits/cage_edits.h"
+#include "document/edits/dimension_edits.h"
 #include "panels/entries/entries_panel.h"
 #include "session.h"
 #include "widgets/icon.h"
 #include "widgets/tooltip_text.h"
 
+namespace {
+
+// The axis along which the shadow of a solid is a system: z, else y, else x.
+std::optional<ifs::Vector<3>> flatAxis(const document::Fractal& fractal) {
+    for (const int axis : {2, 1, 0}) {
+        const ifs::Vector<3> direction = ifs::Vector<3>::Unit(axis);
+        if (document::flattenObstacle(fractal, direction).isEmpty()) return direction;
+    }
+    return std::nullopt;
+}
+
+QString shadowObstacle(const document::Fractal& fractal) {
+    return flatAxis(fractal) ? QString() : document::flattenObstacle(fractal, ifs::Vector<3>::UnitZ());
+}
+
+} // namespace
+
 EditMenu::EditMenu(const MenuContext& context) : ActionMenu(context, tr("&Edit")) {
     addHistory();
     addSeparator();
     addFractals();
+    addDimensions();
     addSeparator();
     addToggle({nullptr,
                tr("Allow Systems &without an Attractor"),
@@ -67,6 +86,32 @@ void EditMenu::addFractals() {
     add({nullptr, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
          tr("Choose from a sheet of random fractals and add one to the file")},
         [this] { addRandom(); });
+}
+
+// To space and back. The window follows the dimension of the entry.
+void EditMenu::addDimensions() {
+    document::Document* document = context().document;
+    QAction* lift =
+        add({nullptr,
+             tr("&Lift to Space"),
+             {},
+             tr("Give every map a third direction; the picture lies in a plane until maps are moved")},
+            [document] {
+                if (auto lifted = document::lifted(document->fractal()))
+                    document->edit(tr("Lift to Space"), *std::move(lifted));
+            });
+    QAction* flatten = add({nullptr,
+                            tr("&Flatten to the Plane"),
+                            {},
+                            tr("Replace the solid by its shadow along the first axis that every map keeps")},
+                           [document] {
+                               const auto axis = flatAxis(document->fractal());
+                               auto shadow =
+                                   axis ? document::flattened(document->fractal(), *axis) : std::nullopt;
+                               if (shadow) document->edit(tr("Flatten to the Plane"), *std::move(shadow));
+                           });
+    disableWhen(lift, &document::liftObstacle);
+    disableWhen(flatten, &shadowObstacle);
 }
 
 void EditMenu::openTransform() {

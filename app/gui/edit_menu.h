@@ -15,6 +15,7 @@ public:
 private:
     void addHistory();
     void addFractals();
+    void addDimensions();
     void openTransform();
     void openMutate(view::MutateDialog::Source source);
     void showPreferences();

@@ -5,6 +5,7 @@
 #include "dialogs/export/export_data_dialog.h"
 #include "dialogs/export/export_dialog.h"
 #include "dialogs/export/print_fractal.h"
+#include "dialogs/export/space_export_dialog.h"
 #include "document/edits/cage_edits.h"
 #include "file_commands.h"
 #include "io/file/slow_disk.h"
@@ -14,7 +15,9 @@
 #include "stage.h"
 #include "widgets/tooltip_text.h"
 
+#include <QClipboard>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QPointer>
 
 FileMenu::FileMenu(const MenuContext& context, FileCommands* commands, const OpenFile* file,
@@ -60,7 +63,8 @@ void FileMenu::addSaving() {
 
 void FileMenu::addPictures() {
     m_export = add({"export", tr("&Export Picture…"), QKeySequence(tr("Ctrl+E")),
-                    tr("Export the picture as PNG, SVG or PDF, framed as on the screen")},
+                    tr("Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a "
+                       "body to print")},
                    [this] { exportPicture(); });
     add({nullptr, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
          tr("Export the maps or points as a flame, for IFStile, as a table or a point cloud")},
@@ -71,8 +75,9 @@ void FileMenu::addPictures() {
     QAction* print = add(
         {"print", tr("&Print…"), QKeySequence::Print, tr("Print the picture, its name and its coefficients")},
         [this] { view::printFractal(context().document, context().canvas->camera(), context().window); });
-    for (QAction* action : {m_export, copy, print})
-        disableWhen(action, &document::planeObstacle);
+    disableWhen(m_export, &document::cageObstacle);
+    disableWhen(copy, &document::cageObstacle);
+    disableWhen(print, &document::planeObstacle);
 }
 
 void FileMenu::fillRecent() {
@@ -90,6 +95,12 @@ void FileMenu::fillRecent() {
 }
 
 void FileMenu::exportPicture() {
+    if (context().stage->showsSpace()) {
+        auto* space = new view::SpaceExportDialog(
+            context().document, context().stage->space()->navigation().camera(), context().window);
+        space->setAttribute(Qt::WA_DeleteOnClose);
+        return space->show();
+    }
     auto* dialog = new view::ExportDialog(context().document, context().canvas->camera(), context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (context().canvas->navigation().isFitted()) dialog->setSection(view::ExportDialog::Section::Attractor);
@@ -106,6 +117,10 @@ void FileMenu::exportData() {
 }
 
 void FileMenu::copyPicture() {
+    if (context().stage->showsSpace()) {
+        QGuiApplication::clipboard()->setImage(context().stage->picture());
+        return context().messages->say(tr("The picture was copied to the clipboard."));
+    }
     const attractor::Camera camera = context().canvas->camera();
     const auto picture = context().stage->picture();
     const QPointer<FileMenu> self(this); // the window may be closed while the lines are written

@@ -351,6 +351,8 @@ void MainWindow::connectDocument() {
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
         m_canvas->showOutlines(analysis ? analysis->shapes : std::vector<document::OutlineShape>());
+        m_stage->space()->showOutlines(analysis ? analysis->shapesInSpace
+                                                : std::vector<document::SpaceOutline>());
     });
     m_status->showVerdict(m_document.fractal());
     updateTitle();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/analysis.h"
 #include "document/fractal_geometry.h"
+#include "document/space_outlines.h"
 
 #include "ifs/dimension/dimension.h"
 
@@ -107,7 +108,10 @@ Analysis Analyser::begunInSpace(const AnalysisRequest& request) {
     analysis.revision = request.revision;
     analysis.isOfCode = shape.cage && ifs::bends(*shape.cage);
     const bool isMoved = shape.cage && !analysis.isOfCode && shape.cage->rest != shape.cage->current;
-    analysis.solid = isMoved ? ifs::moved(ifs::displayMap(*shape.cage), *m_solidCode) : *m_solidCode;
+    const ifs::AffineMap<3> placed = isMoved ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
+    analysis.solid = isMoved ? ifs::moved(placed, *m_solidCode) : *m_solidCode;
+    if (!request.outlines.empty())
+        analysis.shapesInSpace = spaceOutlines({*m_solidCode, *analysis.solid, placed}, request);
     return analysis;
 }
 

@@ -6,6 +6,7 @@
 #include "ifs/extent/polygon.h"
 #include "ifs/facts.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -33,9 +34,17 @@ struct OutlineShape {
     std::optional<attractor::Rgba> colour; // of the map of a fixed point, of the first map of a cylinder
 };
 
+// One shape in space, in displayed coordinates: pairs of its points are joined; without any, points alone.
+struct SpaceOutline {
+    Outline kind;
+    std::vector<ifs::Vector<3>> points;
+    std::vector<std::array<int, 2>> edges;
+    std::optional<attractor::Rgba> colour; // as in OutlineShape
+};
+
 // What is known of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves
 // no system to analyse; then the facts are those of the code, and the shapes are bent with it. Of a system in
-// space only `solid` is known.
+// space only `solid` and its shapes are known.
 struct Analysis {
     std::uint64_t revision = 0; // of the request
     bool isOfCode = false;
@@ -45,6 +54,7 @@ struct Analysis {
     std::vector<std::size_t> fixedBy;        // whose they are: indices into the system
     std::optional<ifs::BoxCounting> boxCounting;
     std::vector<OutlineShape> shapes;
+    std::vector<SpaceOutline> shapesInSpace;
     bool isComplete = false; // false: the affinity dimension and the box counting are still under way
 };
 

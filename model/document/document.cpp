@@ -90,7 +90,7 @@ Change::Parts difference(const Fractal& a, const Fractal& b) {
     Change::Parts parts;
     parts.setFlag(Change::System, !isSameSystem(a, b));
     parts.setFlag(Change::Cage, !isHeldAlike(plane(a), plane(b)) || !isHeldAlike(space(a), space(b)));
-    parts.setFlag(Change::Appearance, !(a.appearance == b.appearance));
+    parts.setFlag(Change::Appearance, !(a.appearance == b.appearance) || !(a.inSpace == b.inSpace));
     parts.setFlag(Change::Name,
                   a.name != b.name || a.headerComment != b.headerComment || a.comments != b.comments);
     return parts;

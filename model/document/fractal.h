@@ -3,6 +3,7 @@
 
 #include "animation/animation.h"
 #include "attractor/request/appearance.h"
+#include "attractor/request/space_appearance.h"
 #include "document/support_cache.h"
 #include "ifs/cage/control_cage.h"
 #include "ifs/system/iterated_function_system.h"
@@ -41,7 +42,8 @@ struct Fractal {
     // monostate: the entry could not be read; its bytes are kept in its source.
     std::variant<std::monostate, Shape<2>, Shape<3>> shape;
     attractor::Appearance appearance;
-    SupportCache supports{}; // what functions of the fractal remember; takes no part in ==
+    attractor::SpaceAppearance inSpace{}; // of an entry in space; the fog is in its range, the clip usable
+    SupportCache supports{};              // what functions of the fractal remember; takes no part in ==
 
     friend bool operator==(const Fractal&, const Fractal&) = default;
 };

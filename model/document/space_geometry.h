@@ -23,14 +23,28 @@ std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fract
 // attractor, a unit tetrahedron. nullopt when the entry is not in space.
 std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal);
 
+// How far what is displayed of a fractal in space reaches along a unit vector: low ≤ ⟨u, x⟩ ≤ high. Without
+// an attractor, its cage.
+struct Extent {
+    double low = 0;
+    double high = 0;
+};
+Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u);
+
 // Shows what is displayed of a fractal in space, and its cage, as large as leaves a margin.
 attractor::OrbitCamera fittedTo(const Fractal& fractal, attractor::OrbitCamera camera, double margin);
 
 // The request that draws a fractal in space through the camera.
 attractor::SpaceRequest spaceRequest(const Fractal& fractal, const attractor::OrbitCamera& camera);
 
-// How its solid looks, as far as its appearance in the plane says.
+// What the colours of its solid show.
+attractor::SolidColour solidColour(const Fractal& fractal);
+
+// How its solid looks. Ink is on paper and numbers are on black until a background is chosen.
 attractor::SolidAppearance solidAppearance(const Fractal& fractal);
+
+// What is around the picture.
+attractor::Rgba backgroundInSpace(const Fractal& fractal);
 
 // A fractal in space with the current vertices of its cage there; the cage is stored from then on.
 Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage);

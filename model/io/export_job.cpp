@@ -30,6 +30,14 @@ ExportOutcome exportSvg(const SvgExport& what, const QString& path, const Progre
     return outcome;
 }
 
+ExportOutcome exportSpace(const SpaceExport& what, const QString& path, const Progress& progress,
+                          const std::stop_token& stop) {
+    QByteArray png;
+    ExportOutcome outcome = drawSpacePng(what, png, progress, stop);
+    if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, png);
+    return outcome;
+}
+
 } // namespace
 
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress,
@@ -42,6 +50,8 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
             return exportStrip(*strip, path, progress, stop);
         if (const auto* solid = std::get_if<SolidExport>(&what))
             return exportSolid(*solid, path, progress, stop);
+        if (const auto* space = std::get_if<SpaceExport>(&what))
+            return exportSpace(*space, path, progress, stop);
         return exportSvg(std::get<SvgExport>(what), path, progress, stop);
     } catch (const std::bad_alloc&) {
         ExportOutcome outcome;

@@ -5,6 +5,7 @@
 #include "io/picture/pdf_writer.h"
 #include "io/picture/picture_strip.h"
 #include "io/picture/png_export.h"
+#include "io/picture/space_export.h"
 #include "io/solid/solid_export.h"
 
 #include <QFuture>
@@ -24,7 +25,7 @@ struct SvgExport {
     ShapeFile file = ShapeFile::Svg;
 };
 using PictureStrip = std::vector<PngExport>; // side by side in one PNG
-using Export = std::variant<PngExport, SvgExport, PointCloud, PictureStrip, SolidExport>;
+using Export = std::variant<PngExport, SvgExport, PointCloud, PictureStrip, SolidExport, SpaceExport>;
 
 // Writes the picture in the calling thread; `path` appears whole or not at all.
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress = {},

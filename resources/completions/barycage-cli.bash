@@ -119,12 +119,12 @@ _barycage_cli_options() {
   local options=
   case ${line[1]} in
     info) options="--entry --frame --json --list --names --hull-tolerance --budget --no-dimension --progress --quiet --help" ;;
-    render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --orbit --perspective --look --light --fog --y-down --palette --list-palettes --colour --color
+    render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --orbit --perspective --look --light --fog --slice --stereo --y-down --palette --list-palettes --colour --color
       --gamma --brightness --background --algorithm --iterations --part --band --resume --time-limit --memory-limit --supersample --threads --svg --depth --bits --quality --dpi --overlay --legend --simd
       --to --progress --quiet --help" ;;
     convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --y-as-written
       --progress --quiet --help" ;;
-    animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --orbit --perspective --look --light --fog --y-down
+    animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --orbit --perspective --look --light --fog --slice --stereo --y-down
       --palette --colour --color --gamma --brightness --background --supersample --threads --bits --dpi --simd
       --progress --quiet --help" ;;
     encode) options="--output --fps --progress --quiet --help" ;;
@@ -144,7 +144,8 @@ _barycage_cli_value() {
     --entry | --from) _barycage_cli_names "$2" ;;
     --colour | --color) _barycage_cli_offer "$2"{density,map,address,height,depth,none} ;;
     --algorithm) _barycage_cli_offer "$2"{density,chaos-game,deterministic} ;;
-    --look) _barycage_cli_offer "$2"{stone,ink,cloud,depth,normals} ;;
+    --look) _barycage_cli_offer "$2"{stone,ink,cloud,x-ray,depth,normals} ;;
+    --stereo) _barycage_cli_offer "$2"{side-by-side,anaglyph} ;;
     --svg) _barycage_cli_offer "$2"{structured,outline,points} ;;
     --bits) _barycage_cli_offer "$2"{8,16,32} ;;
     --overlay) _barycage_cli_offer "$2"{maps,hull,cage,fixed-points,numbers} ;;
@@ -152,7 +153,7 @@ _barycage_cli_value() {
     --supersample) _barycage_cli_offer "$2"{1,2,3,4} ;;
     --simd) _barycage_cli_offer "$2"{scalar,sse4,avx2,avx512,neon} ;;
     --progress) _barycage_cli_offer "$2"{always,never,auto} ;;
-    --rest-cage) _barycage_cli_offer "$2"{canonical,box,hull,hull:8} ;;
+    --rest-cage) _barycage_cli_offer "$2"{canonical,box,octahedron,hull,hull:8} ;;
     --background) _barycage_cli_offer "$2"{transparent,black,white} ;;
     --to)
       if [[ ${line[1]} == morph ]]; then
@@ -182,7 +183,7 @@ _barycage_cli_value() {
       ;;
     --lift) _barycage_cli_offer "$2"auto ;;
     --budget) _barycage_cli_offer "$2"{1,10,none} ;;
-    --size | --points | --seed | --margin | --cage | --view | --orbit | --perspective | --light | --fog | --gamma | --brightness | --iterations | --part | --band | --threads | -j | \
+    --size | --points | --seed | --margin | --cage | --view | --orbit | --perspective | --light | --fog | --slice | --gamma | --brightness | --iterations | --part | --band | --threads | -j | \
       --depth | --dpi | --hull-tolerance | --tile | --title | --voxel | --resolution | --wall | --longest | --flatten | --frame | --frames | --chunk | --length | --pin | \
       --threshold | --maps | --seconds | --starts | --picture-view | --order | --map | --tear | \
       --time-limit | --memory-limit) ;;

@@ -122,11 +122,12 @@ set -l render "__fish_seen_subcommand_from render"
 complete -c barycage-cli -n $render -s o -l output -r -a - -d "Picture to write"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l colour -x -a "density map address height depth none" -d "What the colours show"
 complete -c barycage-cli -n $render -l algorithm -x -a "density chaos-game deterministic" -d "Drawing algorithm"
-complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l look -x -a "stone ink cloud depth normals" -d "Look of a system in space"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l look -x -a "stone ink cloud x-ray depth normals" -d "Look of a system in space"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l stereo -x -a "side-by-side anaglyph" -d "For both eyes"
 complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of vector graphics"
 complete -c barycage-cli -n $render -l to -x -a "png jpg webp tiff exr svg pdf" -d "Format"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l background -x -a "transparent black white" -d "Background"
-complete -c barycage-cli -n $render -l rest-cage -x -a "canonical box hull" -d "Corners at rest"
+complete -c barycage-cli -n $render -l rest-cage -x -a "canonical box octahedron hull" -d "Corners at rest"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l palette -r -a "(command barycage-cli render --list-palettes </dev/null 2>/dev/null)" -d "Palette by name or from a file"
 complete -c barycage-cli -n $render -l list-palettes -d "List the palettes"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l color -x -a "density map address none" -d "What the colours show"
@@ -136,10 +137,10 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l supe
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l simd -x -a "scalar sse4 avx2 avx512 neon" -d "Instruction set"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l y-down -d "The y axis points down"
-for option in size points seed margin cage view orbit perspective light fog gamma brightness iterations depth dpi
+for option in size points seed margin cage view orbit perspective light fog slice gamma brightness iterations depth dpi
   complete -c barycage-cli -n $render -l $option -x
 end
-for option in size points seed margin view orbit perspective light fog gamma brightness dpi
+for option in size points seed margin view orbit perspective light fog slice gamma brightness dpi
   complete -c barycage-cli -n $animate -l $option -x
 end
 complete -c barycage-cli -n $render -l quality -x -d "Quality of JPEG and WebP"

@@ -45,7 +45,7 @@ void SolidBridge::request(bool isLive) {
     attractor::SpaceRequest request = document::spaceRequest(fractal, m_camera);
     request.revision = m_requested;
     request.threads = attractor::hardwareThreads();
-    m_thread->submit({std::move(request), document::solidAppearance(fractal), isLive});
+    m_thread->submit({std::move(request), fractal.inSpace.look, document::solidAppearance(fractal), isLive});
 }
 
 void SolidBridge::takeFrame() {

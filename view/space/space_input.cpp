@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
 #include "widgets/arrow_keys.h"
 
@@ -36,8 +37,8 @@ double notches(const QWheelEvent& event) {
 } // namespace
 
 SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation, SpaceCageItem& cage,
-                       AxisBall& ball)
-    : m_document(document), m_navigation(navigation), m_cage(cage), m_ball(ball) {}
+                       SliceItem& slice, AxisBall& ball)
+    : m_document(document), m_navigation(navigation), m_cage(cage), m_slice(slice), m_ball(ball) {}
 
 void SpaceInput::press(const QMouseEvent& event) {
     if (!isIdle()) {
@@ -58,6 +59,9 @@ void SpaceInput::press(const QMouseEvent& event) {
         // Of two, the one that Tab has chosen.
         const bool isChosen = m_focused && std::ranges::find(handles, *m_focused) != handles.end();
         beginDrag(isChosen ? *m_focused : handles.front(), event);
+    } else if (event.button() == Qt::LeftButton && isOnSlice(m_pointer)) {
+        m_gesture.emplace<Slicing>(Slicing{m_document->beginGesture(tr("Move the Slice")),
+                                           m_navigation.camera(), *m_slice.plane(), toVector(m_pointer)});
     } else if (event.button() == Qt::LeftButton) {
         beginOrbit(event, std::nullopt);
     }
@@ -102,6 +106,8 @@ void SpaceInput::move(const QMouseEvent& event) {
         m_navigation.moveTo(attractor::panned(panning->before, toVector(m_pointer - panning->press)), true);
     } else if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
         follow(*dragging, event);
+    } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
+        follow(*slicing, m_pointer);
     } else {
         const auto handles = m_isEnabled ? m_cage.handlesAt(m_pointer) : std::vector<std::size_t>();
         m_hovered = handles.empty() ? std::nullopt : std::optional(handles.front());
@@ -121,6 +127,18 @@ void SpaceInput::follow(Orbiting& orbiting, const QPointF& position) {
     m_navigation.moveTo(attractor::orbited(orbiting.before, orbiting.pivot, -degreesPerPixel * delta.x(),
                                            degreesPerPixel * delta.y()),
                         true);
+}
+
+bool SpaceInput::isOnSlice(const QPointF& position) const {
+    return m_isEnabled && m_slice.isHandleAt(position);
+}
+
+void SpaceInput::follow(Slicing& slicing, const QPointF& position) {
+    document::Fractal moved = slicing.gesture.before();
+    if (!moved.inSpace.clip) return;
+    moved.inSpace.clip = slid(*moved.inSpace.clip,
+                              slideBetween(slicing.camera, slicing.plane, slicing.press, toVector(position)));
+    if (isUsable(*moved.inSpace.clip)) slicing.gesture.preview(moved);
 }
 
 void SpaceInput::follow(Dragging& dragging, const QMouseEvent& event) {
@@ -149,7 +167,8 @@ void SpaceInput::preview(Dragging& dragging) {
     if (cage->current == dragging.drag.vertices)
         dragging.gesture.preview(before); // where it began, to the bit
     else
-        dragging.gesture.preview(document::withSpaceCageMoved(before, *std::move(cage)));
+        dragging.gesture.preview(
+            document::withSpaceCageMoved(before, *std::move(cage), m_document->cageMode()));
     report(dragging);
 }
 
@@ -157,6 +176,9 @@ void SpaceInput::release(const QMouseEvent& event) {
     if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
         if (event.button() != Qt::LeftButton) return;
         dragging->gesture.commit();
+    } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
+        if (event.button() != Qt::LeftButton) return;
+        slicing->gesture.commit();
     } else if (const auto* orbiting = std::get_if<Orbiting>(&m_gesture)) {
         if (event.button() != orbiting->button) return;
         const Orbiting done = *orbiting;
@@ -280,8 +302,9 @@ void SpaceInput::nudge(const QPointF& pixels) {
     drag.vertices = cage->current;
     drag.held = *m_focused;
     cage->current = dragged(drag, {toVector(pixels), 0}, {});
-    m_document->edit(tr("Move Vertex %1").arg(*m_focused + 1),
-                     document::withSpaceCageMoved(m_document->fractal(), *std::move(cage)));
+    m_document->edit(
+        tr("Move Vertex %1").arg(*m_focused + 1),
+        document::withSpaceCageMoved(m_document->fractal(), *std::move(cage), m_document->cageMode()));
 }
 
 bool SpaceInput::cancelGesture() {
@@ -315,14 +338,17 @@ void SpaceInput::setEnabled(bool enabled) {
 void SpaceInput::showMarks(bool hasFocus) {
     std::optional<std::size_t> pressed;
     if (const auto* dragging = std::get_if<Dragging>(&m_gesture)) pressed = dragging->drag.held;
+    const bool isSlicing = std::holds_alternative<Slicing>(m_gesture);
+    m_slice.setHeld(isIdle() && !m_hovered && isOnSlice(m_pointer), isSlicing);
     m_cage.setMarks(m_hovered, pressed, hasFocus ? m_focused : std::nullopt);
     m_ball.setHovered(isIdle() ? m_ball.endAt(m_pointer) : std::nullopt);
 }
 
 Qt::CursorShape SpaceInput::cursor() const {
-    if (std::holds_alternative<Dragging>(m_gesture) || std::holds_alternative<Panning>(m_gesture))
+    if (std::holds_alternative<Dragging>(m_gesture) || std::holds_alternative<Panning>(m_gesture) ||
+        std::holds_alternative<Slicing>(m_gesture))
         return Qt::ClosedHandCursor;
-    if (isIdle() && (m_hovered || m_isSpaceHeld)) return Qt::OpenHandCursor;
+    if (isIdle() && (m_hovered || m_isSpaceHeld || isOnSlice(m_pointer))) return Qt::OpenHandCursor;
     if (isIdle() && m_isEnabled && m_ball.covers(m_pointer)) return Qt::PointingHandCursor;
     return Qt::CrossCursor;
 }

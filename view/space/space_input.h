@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/system/barycentric.h"
+#include "space/slice_item.h"
 #include "space/space_cage_item.h"
 #include "space/space_navigation.h"
 #include "space/spatial_drag.h"
@@ -33,7 +34,7 @@ class SpaceInput : public QObject {
 
 public:
     SpaceInput(document::Document* document, SpaceNavigation& navigation, SpaceCageItem& cage,
-               AxisBall& ball);
+               SliceItem& slice, AxisBall& ball);
 
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
@@ -72,6 +73,12 @@ private:
         attractor::OrbitCamera before;
         QPointF press;
     };
+    struct Slicing {
+        document::EditGesture gesture;
+        attractor::OrbitCamera camera;
+        SlicePlane plane;
+        ifs::Vector<2> press;
+    };
     struct Dragging {
         document::EditGesture gesture;
         SpatialDrag drag;
@@ -85,6 +92,8 @@ private:
     void beginDrag(std::size_t vertex, const QMouseEvent& event);
     void follow(Orbiting& orbiting, const QPointF& position);
     void follow(Dragging& dragging, const QMouseEvent& event);
+    void follow(Slicing& slicing, const QPointF& position);
+    bool isOnSlice(const QPointF& position) const;
     void preview(Dragging& dragging);
     void report(const Dragging& dragging);
     void nudge(const QPointF& pixels);
@@ -95,8 +104,9 @@ private:
     document::Document* m_document;
     SpaceNavigation& m_navigation;
     SpaceCageItem& m_cage;
+    SliceItem& m_slice;
     AxisBall& m_ball;
-    std::variant<std::monostate, Orbiting, Panning, Dragging> m_gesture;
+    std::variant<std::monostate, Orbiting, Panning, Dragging, Slicing> m_gesture;
     QPointF m_pointer;
     std::optional<std::size_t> m_hovered;
     std::optional<std::size_t> m_focused;

@@ -12,19 +12,41 @@
 
 namespace view {
 
+namespace {
+
+// Of the box around what is displayed, where it is cut.
+std::vector<ifs::Vector<3>> cornersOfCut(const document::Fractal& fractal) {
+    if (!document::space(fractal) || !fractal.inSpace.clip) return {};
+    std::array<document::Extent, 3> sides;
+    for (int axis = 0; axis < 3; ++axis)
+        sides[std::size_t(axis)] = document::extentAlong(fractal, ifs::Vector<3>::Unit(axis));
+    std::vector<ifs::Vector<3>> corners;
+    for (int k = 0; k < 8; ++k)
+        corners.emplace_back((k & 1) != 0 ? sides[0].high : sides[0].low,
+                             (k & 2) != 0 ? sides[1].high : sides[1].low,
+                             (k & 4) != 0 ? sides[2].high : sides[2].low);
+    return corners;
+}
+
+} // namespace
+
 SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget* parent)
     : QGraphicsView(parent),
       m_document(document),
       m_bridge(bridge),
       m_solid(new SolidItem),
+      m_outlines(new SpaceOutlinesItem),
       m_cageItem(new SpaceCageItem),
+      m_slice(new SliceItem),
       m_ball(new AxisBall),
       m_note(new NoteItem(NoteItem::Edge::Top)),
       m_navigation(document, bridge, viewport()),
-      m_input(document, m_navigation, *m_cageItem, *m_ball),
-      m_cage(document::spaceCage(document->fractal())) {
+      m_input(document, m_navigation, *m_cageItem, *m_slice, *m_ball),
+      m_cage(document::spaceCage(document->fractal())),
+      m_around(cornersOfCut(document->fractal())) {
     setScene(new QGraphicsScene(this)); // owns the items
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{m_solid, m_cageItem, m_ball, m_note})
+    for (OverlayItem* item :
+         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_slice, m_ball, m_note})
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
@@ -88,6 +110,7 @@ void SpaceView::followDocument(const document::Change& change) {
     const bool isAnother = change.parts & (Change::Current | Change::File);
     if (!isAnother && !(change.parts & (Change::System | Change::Cage | Change::Appearance))) return;
     m_cage = document::spaceCage(m_document->fractal());
+    if (!change.live) m_around = cornersOfCut(m_document->fractal());
     if (isAnother) m_input.forgetFocus();
     if (isAnother || change.parts & Change::Appearance) applyStyle();
     if (isAnother && m_cage && m_wasShown) m_navigation.fit();
@@ -98,6 +121,10 @@ void SpaceView::setOverlaysVisible(bool visible) {
     m_overlays = visible;
     m_input.setEnabled(visible);
     layOut();
+}
+
+void SpaceView::showOutlines(std::vector<document::SpaceOutline> shapes) {
+    m_outlines->setShapes(std::move(shapes));
 }
 
 QString SpaceView::note() const {
@@ -111,10 +138,14 @@ void SpaceView::layOut() {
     m_solid->setView(size, ratio);
     m_note->setView({QPointF(), size});
     const bool isShown = m_cage && m_overlays;
+    m_outlines->setVisible(isShown);
     m_cageItem->setVisible(isShown);
+    m_slice->setVisible(isShown);
     m_ball->setVisible(isShown);
     if (!isShown) return;
     m_ball->layOut(camera);
+    m_outlines->layOut(camera);
+    layOutSlice();
     const auto frame = m_bridge->isCurrent() ? m_bridge->frame() : nullptr;
     const double touching = 3 / pixelsPerUnit(camera); // a vertex on the surface is not behind it
     m_cageItem->layOut(camera, m_cage->current, [&](const attractor::ScreenPoint& seen) {
@@ -123,9 +154,16 @@ void SpaceView::layOut() {
     refreshMarks();
 }
 
+void SpaceView::layOutSlice() {
+    const auto& clip = m_document->fractal().inSpace.clip;
+    const bool isCut = clip && !m_around.empty();
+    m_slice->layOut(m_navigation.camera(), isCut ? std::optional(slicePlane(*clip, m_around)) : std::nullopt);
+}
+
 void SpaceView::applyStyle() {
-    const OverlayStyle style = overlayStyle(m_document->fractal().appearance.background, palette());
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{m_solid, m_cageItem, m_ball, m_note})
+    const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
+    for (OverlayItem* item :
+         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_slice, m_ball, m_note})
         item->setStyle(style);
     m_note->setFont(font());
 }

@@ -3,6 +3,7 @@
 
 #include "space/solid_item.h"
 #include "space/space_input.h"
+#include "space/space_outlines_item.h"
 
 #include <QGraphicsView>
 
@@ -25,7 +26,9 @@ public:
     void setOverlaysVisible(bool visible);
     bool cancelGesture() { return m_input.cancelGesture(); } // false when none was under way
     QImage picture() const { return m_solid->picture(); }    // in device pixels; null before one
+    void showOutlines(std::vector<document::SpaceOutline> shapes);
     const SpaceCageItem& cageItem() const { return *m_cageItem; }
+    const SliceItem& sliceItem() const { return *m_slice; }
     const AxisBall& ball() const { return *m_ball; }
     QString note() const; // about the picture, if there is one
 
@@ -55,6 +58,7 @@ private:
     void setUpWidget();
     void followDocument(const document::Change& change);
     void layOut();
+    void layOutSlice();
     void applyStyle();
     void refreshMarks();
     void describeFocus();
@@ -63,12 +67,15 @@ private:
     document::Document* m_document;
     SolidBridge* m_bridge;
     SolidItem* m_solid;
+    SpaceOutlinesItem* m_outlines;
     SpaceCageItem* m_cageItem;
+    SliceItem* m_slice;
     AxisBall* m_ball;
     NoteItem* m_note;
     SpaceNavigation m_navigation;
     SpaceInput m_input;
     std::optional<ifs::ControlCage<3>> m_cage; // in force; nullopt while the entry is not in space
+    std::vector<ifs::Vector<3>> m_around; // corners of the box of what is cut
     bool m_overlays = true;
     bool m_wasShown = false;
 };

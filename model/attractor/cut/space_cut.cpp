@@ -76,8 +76,10 @@ private:
     }
 
     bool isBent(const Node& node) const {
-        return m_followsBend && !(node.seen.miss <= maxBend && !node.seen.reachesEye);
+        return m_followsBend && (node.seen.isCut || !(node.seen.miss <= maxBend && !node.seen.reachesEye));
     }
+
+    bool isExact(const Node& node) const { return m_settings.exactness == Exactness::All || isBent(node); }
 
     bool isLeaf(const Node& node, double threshold) const {
         if (node.depth < m_settings.minDepth) return false;
@@ -125,10 +127,10 @@ private:
     SpaceCut words(const std::vector<Node>& nodes) const {
         SpaceCut result;
         for (const Node& node : nodes)
-            if (!isBent(node)) add(node, result);
+            if (!isExact(node)) add(node, result);
         result.firstExact = result.words.size();
         for (const Node& node : nodes)
-            if (isBent(node)) {
+            if (isExact(node)) {
                 add(node, result);
                 result.exact.push_back(node.word);
             }

@@ -22,8 +22,8 @@ struct SpaceWord {
 };
 
 // Words of the address tree that meet the view. From `firstExact` on, a perspective bends a word too much for
-// its share of the samples: they are taken through these maps, from box coordinates to those of
-// SpaceView::toPixels, and projected one by one.
+// its share of the samples, or the clip keeps a part of it only: they are taken through these maps, from box
+// coordinates to those of SpaceView::toPixels, and projected one by one.
 struct SpaceCut {
     std::vector<SpaceWord> words;
     std::size_t firstExact = 0;
@@ -32,10 +32,16 @@ struct SpaceCut {
     double probability = 0; // Σ p_σ
 };
 
+enum class Exactness {
+    WhereNeeded,
+    All, // of every word the samples are taken one by one, because their depths are asked for
+};
+
 struct SpaceCutSettings {
-    int words = 1024;       // no word has more than 1/words of the measure in view
-    int minDepth = 0;       // no word is shorter, so that its first maps are known
-    double samples = 0;     // in view; a word that gets fewer than 32 is not divided because it bends
+    int words = 1024;   // no word has more than 1/words of the measure in view
+    int minDepth = 0;   // no word is shorter, so that its first maps are known
+    double samples = 0; // in view; a word that gets fewer than 32 is not divided because it bends
+    Exactness exactness = Exactness::WhereNeeded;
     std::uint64_t seed = 1; // decides which words stand for others where there are too many
 };
 

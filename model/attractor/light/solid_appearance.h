@@ -3,6 +3,7 @@
 
 #include "attractor/colour/palette.h"
 #include "attractor/request/orbit_camera.h"
+#include "attractor/request/space_appearance.h"
 
 #include <limits>
 #include <vector>
@@ -14,13 +15,6 @@ enum class Look {
     Ink,     // dark creases on a light ground, for print
     Depth,   // near white, far black
     Normals, // red to the right, green up, blue towards the eye; (n + 1)/2 of the full scale
-};
-
-enum class SolidColour {
-    Plain,
-    Map,    // the colour of the key
-    Height, // the palette along the scene's upward direction
-    Depth,  // the palette from `near` to `far`
 };
 
 // A unit vector in the camera's axes: to the right, up, towards the eye.
@@ -39,7 +33,7 @@ ViewVector lampAt(double azimuth, double elevation);
 // How a solid becomes a picture.
 struct SolidAppearance {
     Look look = Look::Stone;
-    SolidColour colourBy = SolidColour::Plain;
+    SolidColour colourBy = SolidColour::Plain; // Map, Address: what the key of the raster is for
     Palette palette = builtInPalettes().front();
     std::vector<Rgba> mapColours;     // of map 0, 1, 2 …; the others take categoricalColour()
     Rgba plain{226, 214, 196, 255};   // alpha is ignored
@@ -58,6 +52,7 @@ struct SolidView {
     double unitsPerPixel = 1;                                     // at the target
     ViewVector upward{0, 1, 0};                                   // of the scene
     double eyeDistance = std::numeric_limits<double>::infinity(); // from the target; infinite: orthographic
+    double eyeShift = 0;                                          // as in SpaceRequest
     double lowest = -1; // heights over the target, in units of the system, between which the palette runs
     double highest = 1;
 };

@@ -130,7 +130,8 @@ void SolidLight::heightTints(const DepthRaster& raster, const SurfaceRow& row, i
         const double depth = raster.near + perCode * std::min<std::int32_t>(row.codes[at], maxDepthCode);
         const double right = (x + 0.5 - raster.width / 2.0) * m_view.unitsPerPixel;
         const double wider = 1 + depth / m_view.eyeDistance;
-        const double height = (right * upward.right + above * upward.up) * wider - depth * upward.towards;
+        const double unshifted = right - m_view.eyeShift * depth / wider;
+        const double height = (unshifted * upward.right + above * upward.up) * wider - depth * upward.towards;
         const double share = (height - m_view.lowest) / (m_view.highest - m_view.lowest);
         tints[at] = share > 0 ? static_cast<std::int32_t>(std::min(share, 1.0) * (tintCount - 1) + 0.5) : 0;
     }
@@ -145,6 +146,7 @@ void SolidLight::tints(const DepthRaster& raster, const SurfaceRow& row, int y,
     case SolidColour::Plain:
         break; // all are 0
     case SolidColour::Map:
+    case SolidColour::Address:
         for (std::size_t k = 0; k < count; ++k)
             tints[k] = colourIndex(keys[k]);
         break;

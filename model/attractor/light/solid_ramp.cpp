@@ -24,6 +24,7 @@ LinearColour tint(const SolidAppearance& appearance, int index) {
     case SolidColour::Map:
         return linearColour(at < appearance.mapColours.size() ? appearance.mapColours[at]
                                                               : categoricalColour(at));
+    case SolidColour::Address:
     case SolidColour::Height:
     case SolidColour::Depth:
         return linearColourAt(appearance.palette, index / (tintCount - 1.0));

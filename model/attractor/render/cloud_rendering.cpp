@@ -3,10 +3,12 @@
 
 #include "attractor/arithmetic/arithmetic.h"
 #include "attractor/cells/cell_sums.h"
+#include "attractor/colour/srgb_transfer.h"
 #include "attractor/cut/space_cut.h"
 #include "attractor/folds/sample_colours.h"
 #include "attractor/light/tone_map.h"
 #include "attractor/samples/space_samples.h"
+#include "attractor/solid/depth_range.h"
 #include "attractor/threads/job_shares.h"
 #include "attractor/threads/workers.h"
 
@@ -20,6 +22,7 @@ namespace attractor {
 namespace {
 
 constexpr std::uint64_t maxPerSampleSet = 1U << 24; // more samples are drawn from a fresh set
+constexpr int maxDepthLevel = 4095;                 // of a sample whose depth is counted
 constexpr std::size_t wordsPerJob = 64;             // between two looks at the stop token
 
 // Where a word is seen, with room for rounding; empty where it is not.
@@ -60,12 +63,15 @@ struct CloudRendering::State {
     std::uint64_t sampleSets = 0;
     std::uint64_t drawn = 0;
     std::uint64_t sinceCarry = 0;
+    DepthRange depths; // of CloudColour::MeanDepth, in cells; found when it is first needed
+    bool knowsDepths = false;
     double overAttractor = 0; // samples, as if those outside the view were drawn as well
     std::optional<Exposure> exposure;
     std::optional<double> firstProbability; // of the cut of the first pass
     bool isFollowing = false;
 
-    bool coloured() const { return coloursSamples(request.appearance.colourBy); }
+    bool showsDepth() const { return request.cloudColour == CloudColour::MeanDepth; }
+    bool coloured() const { return showsDepth() || coloursSamples(request.appearance.colourBy); }
     bool isDrawable() const { return !system.maps.empty() && isUsable(request.camera); }
     void start(SpaceRequest newRequest);
     void clear();
@@ -75,6 +81,8 @@ struct CloudRendering::State {
     void drawWord(std::size_t k, std::size_t thread);
     void plotExactly(std::size_t k, std::uint64_t count, const ColourCell* colour, std::size_t thread);
     bool pass(std::uint64_t samples, const std::stop_token& stop);
+    CellSums coloursOfDepth() const;
+    Appearance shownAppearance() const;
     ToneSettings toneSettings(const Exposure& shown) const;
     template <class Tones, class Pixel>
     bool toneRows(const Tones& tones, std::span<Pixel> pixels, const std::stop_token& stop) const;
@@ -91,7 +99,9 @@ void CloudRendering::State::start(SpaceRequest newRequest) {
     camera.size.height = std::max(0, camera.size.height) * side;
     const bool isPlaced = request.cage && ifs::isValid(*request.cage);
     const ifs::AffineMap<3> cage = isPlaced ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
-    view = spaceView(camera, cage);
+    SpaceRequest inCells = request;
+    inCells.camera = camera;
+    view = spaceView(inCells, cage);
     const ifs::Vector<3> stretch = ifs::singularValues<3>(cage.linear);
     note = system.note != RenderNote::None     ? system.note
            : !(stretch[2] > 1e-6 * stretch[0]) ? RenderNote::Degenerate
@@ -111,6 +121,7 @@ void CloudRendering::State::clear() {
                workers->size());
     sampleSets = drawn = sinceCarry = 0;
     overAttractor = 0;
+    knowsDepths = false;
     firstProbability.reset();
     isFollowing = false;
 }
@@ -129,8 +140,9 @@ bool CloudRendering::State::makeCut(std::uint64_t samples, const std::stop_token
     settings.words = static_cast<int>(std::clamp<std::uint64_t>(samples / SampleSet::size, 128, 4096));
     settings.samples = static_cast<double>(samples);
     settings.seed = sampleSets == 0 ? request.seed : mixed(request.seed) + sampleSets;
-    if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
-    if (request.appearance.colourBy == ColourBy::Address)
+    if (showsDepth()) settings.exactness = Exactness::All;
+    if (!showsDepth() && request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
+    if (!showsDepth() && request.appearance.colourBy == ColourBy::Address)
         for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
             ++settings.minDepth;
     cut = spaceCut(system, view, settings, stop);
@@ -161,21 +173,31 @@ void CloudRendering::State::plotExactly(std::size_t k, std::uint64_t count, cons
                                         std::size_t thread) {
     const ifs::AffineMap<3>& map = cut->exact[k - cut->firstExact];
     const CellWindow& window = sums.window();
+    const double perDepth = maxDepthLevel / std::max(depths.far - depths.near, 1e-300);
     for (std::uint64_t n = 0; n < count; ++n) {
         const std::size_t i = cut->words[k].offset + static_cast<std::size_t>(n % SampleSet::size);
         const ifs::Vector<3> at = map({sampleSet.x[i], sampleSet.y[i], sampleSet.z[i]});
+        if (view.clip && !view.clip->keeps(at)) continue;
         const double away = view.eyeDistance + at.z();
-        if (!(away >= nearestShare * view.eyeDistance)) continue;
-        const double column = view.size.width / 2.0 + at.x() * view.eyeDistance / away;
-        const double row = view.size.height / 2.0 + at.y() * view.eyeDistance / away;
+        if (view.isPerspective() && !(away >= nearestShare * view.eyeDistance)) continue;
+        const auto seenAt = [&](double x) { return view.isPerspective() ? x * view.eyeDistance / away : x; };
+        const double column = view.size.width / 2.0 + seenAt(at.x());
+        const double row = view.size.height / 2.0 + seenAt(at.y());
         if (!(column >= 0 && column < window.width && row >= 0 && row < window.endRow)) continue;
         const std::size_t cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(window.width) +
                                  static_cast<std::size_t>(column);
-        if (colour == nullptr) {
+        if (!coloured()) {
             ++sums.counts(thread)[cell];
             continue;
         }
         ColourCell& found = sums.colours(thread)[cell];
+        if (showsDepth()) {
+            ++found.samples;
+            found.red += static_cast<std::uint32_t>(
+                std::clamp((at.z() - depths.near) * perDepth, 0.0, double{maxDepthLevel}) + 0.5);
+            if ((found.samples | found.red) >> 31 != 0) sums.carryOverColours(thread);
+            continue;
+        }
         found.samples += colour->samples;
         found.red += colour->red;
         found.green += colour->green;
@@ -186,7 +208,8 @@ void CloudRendering::State::plotExactly(std::size_t k, std::uint64_t count, cons
 
 void CloudRendering::State::drawWord(std::size_t k, std::size_t thread) {
     const SpaceWord& word = cut->words[k];
-    const ColourCell* colour = coloured() ? &colours.of(word.firstMap, word.addressCoordinate) : nullptr;
+    const ColourCell* colour =
+        coloured() && !showsDepth() ? &colours.of(word.firstMap, word.addressCoordinate) : nullptr;
     if (k >= cut->firstExact) return plotExactly(k, counts[k], colour, thread);
     const CellWindow& window = sums.window();
     const CellRegion region = reachedCells(word, sampleSet.reach, window);
@@ -218,6 +241,10 @@ bool CloudRendering::State::pass(std::uint64_t samples, const std::stop_token& s
         if (!makeCut(std::min(samples, maxPerSampleSet), stop)) return false;
         samples = asDense(samples);
     }
+    if (showsDepth() && !knowsDepths) {
+        depths = depthRange(system, view, stop);
+        knowsDepths = !stop.stop_requested();
+    }
     while (samples > 0) {
         const std::uint64_t number = std::min(samples, maxPerSampleSet);
         if (!makeCut(number, stop)) return false;
@@ -244,23 +271,57 @@ bool CloudRendering::State::pass(std::uint64_t samples, const std::stop_token& s
 ToneSettings CloudRendering::State::toneSettings(const Exposure& shown) const {
     const int side = request.appearance.supersample;
     const double density = overAttractor > 0 ? side * side / (overAttractor * shown.meanDensity) : 0;
-    return {request.appearance, side, density, shown.whitePoint, shown.gain};
+    return {shownAppearance(), side, density, shown.whitePoint, shown.gain};
 }
 
 template <class Tones, class Pixel>
 bool CloudRendering::State::toneRows(const Tones& tones, std::span<Pixel> pixels,
                                      const std::stop_token& stop) const {
     constexpr int together = 16;
+    const CellSums ofDepth = showsDepth() ? coloursOfDepth() : CellSums();
+    const CellSums& shown = showsDepth() ? ofDepth : sums;
     const int rows = std::max(0, request.camera.size.height);
     std::atomic<int> next = 0;
     workers->run([&](std::size_t) {
         while (!stop.stop_requested()) {
             const int row = next.fetch_add(together);
             if (row >= rows) return;
-            tones.apply(sums, row, std::min(rows, row + together), pixels);
+            tones.apply(shown, row, std::min(rows, row + together), pixels);
         }
     });
     return !stop.stop_requested();
+}
+
+// With colours in the sums where they have some.
+Appearance CloudRendering::State::shownAppearance() const {
+    Appearance result = request.appearance;
+    if (showsDepth()) result.colourBy = ColourBy::Address;
+    return result;
+}
+
+// The sums with the colour of its mean depth in every cell.
+CellSums CloudRendering::State::coloursOfDepth() const {
+    std::vector<LinearColour> palette;
+    for (int level = 0; level <= maxDepthLevel; ++level)
+        palette.push_back(linearColourAt(request.appearance.palette, 1 - level / double{maxDepthLevel}));
+    CellSums result;
+    const CellWindow& window = sums.window();
+    result.reset(CellKind::Colour, window, 1);
+    std::vector<CellSums::Sum> row;
+    for (int y = window.firstRow; y < window.endRow; ++y) {
+        if (!sums.sumsOfRow(y, row)) continue;
+        for (CellSums::Sum& sum : row) {
+            if (sum.samples == 0) continue;
+            const LinearColour& colour =
+                palette[std::min<std::uint64_t>(maxDepthLevel, (sum.red + sum.samples / 2) / sum.samples)];
+            const auto channel = [&](double linear) {
+                return sum.samples * static_cast<std::uint64_t>(linear * maxDepthLevel + 0.5);
+            };
+            sum = {sum.samples, channel(colour.red), channel(colour.green), channel(colour.blue)};
+        }
+        result.addSums(y, 0, row);
+    }
+    return result;
 }
 
 CloudRendering::CloudRendering(SpaceRequest request) : m_state(std::make_unique<State>()) {
@@ -295,7 +356,7 @@ bool CloudRendering::refine(const std::stop_token& stop, std::uint64_t samples) 
 Exposure CloudRendering::exposure(const std::stop_token& stop) const {
     State& state = *m_state;
     if (!state.exposure)
-        state.exposure = measuredExposure(state.sums, state.request.appearance, state.overAttractor,
+        state.exposure = measuredExposure(state.sums, state.shownAppearance(), state.overAttractor,
                                           state.request.exposure, *state.workers, stop);
     return *state.exposure;
 }

@@ -89,7 +89,8 @@ void SolidRendering::restart(SpaceRequest request) {
     if (!sameSystem) state.scene.setSystem(preparedSpace(state.request.system));
     const auto& cage = state.request.cage;
     state.cage = cage && ifs::isValid(*cage) ? ifs::displayMap(*cage) : ifs::AffineMap<3>();
-    state.scene.setView(spaceView(state.request.camera, state.cage));
+    state.scene.setKey(state.request.key);
+    state.scene.setView(spaceView(state.request, state.cage));
     const auto threads = static_cast<std::size_t>(std::clamp(state.request.threads, 1, 256));
     if (!state.workers || state.workers->size() != threads)
         state.workers = std::make_unique<Workers>(threads);

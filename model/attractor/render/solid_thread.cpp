@@ -2,6 +2,7 @@
 #include "attractor/render/solid_thread.h"
 
 #include "attractor/light/solid_light.h"
+#include "attractor/render/cloud_rendering.h"
 #include "attractor/render/solid_rendering.h"
 #include "attractor/threads/mailbox.h"
 #include "attractor/threads/workers.h"
@@ -25,6 +26,10 @@ constexpr double fluid = 16;  // milliseconds for a picture while the hand moves
 constexpr double spare = 0.2; // of them: then four times as many pixels are still fluid
 constexpr double degree = std::numbers::pi / 180;
 constexpr auto rest = std::chrono::milliseconds(100);
+constexpr std::uint64_t samplesPerCell = 4; // of a density, in a pass
+constexpr std::uint64_t minPass = 200'000;
+constexpr std::uint64_t maxPass = 10'000'000;
+constexpr int passesAtRest = 16;
 
 // The same view with one pixel for step × step, and enough of them to cover the picture.
 OrbitCamera coarse(OrbitCamera camera, int step) {
@@ -63,6 +68,7 @@ struct SolidThread::State {
     void serve();
     void work(const Job& job, const std::stop_token& stop);
     std::optional<double> show(const Job& job, int step, const std::stop_token& stop); // milliseconds
+    bool showCloud(const Job& job, int step, SolidFrame frame, const std::stop_token& stop);
     void publish(SolidFrame frame, const std::stop_token& stop);
 
     std::function<void()> frameReady;
@@ -72,6 +78,7 @@ struct SolidThread::State {
     bool announced = false; // frameReady was called, newestFrame() was not yet
     // The worker's own:
     std::optional<SolidRendering> rendering;
+    std::optional<CloudRendering> cloud;
     std::optional<Workers> lamps;
     int liveStep = 2;    // while the hand moves
     std::jthread thread; // last: it uses the rest
@@ -115,11 +122,40 @@ std::optional<double> SolidThread::State::show(const Job& job, int step, const s
     frame.step = step;
     frame.note = rendering->note();
     frame.raster = rendering->takeRaster();
+    if (showsCloud(job.look)) {
+        if (!showCloud(job, step, std::move(frame), stop)) return std::nullopt;
+        const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
+        return spent.count();
+    }
     frame.pixels = lit(frame.raster, job.appearance, view, *lamps);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     frame.milliseconds = time.count();
     publish(std::move(frame), stop);
     return time.count();
+}
+
+// Pass by pass, each shown, once the hand rests. The solid behind it tells what is under the pointer.
+bool SolidThread::State::showCloud(const Job& job, int step, SolidFrame frame, const std::stop_token& stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    SpaceRequest request = job.request;
+    request.camera = coarse(request.camera, step);
+    const std::size_t cells = frame.raster.keys.size();
+    request.samples = std::clamp<std::uint64_t>(cells * samplesPerCell, minPass, maxPass);
+    if (cloud)
+        cloud->restart(std::move(request));
+    else
+        cloud.emplace(std::move(request));
+    const int passes = step > 1 ? 1 : passesAtRest;
+    for (int pass = 1; pass <= passes; ++pass) {
+        if (!cloud->refine(stop)) return false;
+        SolidFrame next = frame;
+        next.pixels.resize(cells);
+        if (!cloud->tone(next.pixels, stop)) return false;
+        const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+        next.milliseconds = time.count();
+        publish(std::move(next), stop);
+    }
+    return true;
 }
 
 void SolidThread::State::publish(SolidFrame frame, const std::stop_token& stop) {

@@ -27,9 +27,10 @@ struct SolidFrame {
 // target; infinite where nothing is seen.
 double depthAt(const SolidFrame& frame, const ifs::Vector<2>& pixel);
 
-// A worker thread around SolidRendering and its light: the newest request wins, an older one is abandoned
-// within milliseconds. While requests come from a hand that moves, pictures are as coarse as keeps them
-// fluid; the exact one follows once it rests.
+// A worker thread around SolidRendering and its light, or the density for the looks that show it: the newest
+// request wins, an older one is abandoned within milliseconds. While requests come from a hand that moves,
+// pictures are as coarse as keeps them fluid; the exact one follows once it rests; a density goes on to
+// collect samples.
 class SolidThread {
 public:
     // `frameReady` is called on the worker thread, never again before newestFrame() has been called since.
@@ -41,8 +42,9 @@ public:
 
     struct Job {
         SpaceRequest request;
-        SolidAppearance appearance;
-        bool isLive = false; // more of the same is to come
+        LookInSpace look = LookInSpace::Stone;
+        SolidAppearance appearance; // of a solid
+        bool isLive = false;        // more of the same is to come
     };
     void submit(Job job); // any thread
     void cancel();        // forget the present request; the newest frame stays

@@ -4,6 +4,7 @@
 #include "attractor/request/appearance.h"
 #include "attractor/request/orbit_camera.h"
 #include "attractor/request/render_request.h"
+#include "attractor/request/space_appearance.h"
 #include "ifs/cage/control_cage.h"
 #include "ifs/system/iterated_function_system.h"
 
@@ -12,14 +13,35 @@
 
 namespace attractor {
 
+// What the lower bits of a solid's key tell of a point.
+enum class SolidKey {
+    Map,     // the first map of its address, modulo 256
+    Address, // its address coordinate, in 256 steps
+};
+
+// What the colours of a density show.
+enum class CloudColour {
+    Appearance, // what the appearance says
+    MeanDepth,  // the palette from the farthest depth to the nearest
+};
+
+// The eyes of a stereoscopic picture are this far to either side, in distances from the target.
+constexpr double stereoEye = 1.0 / 60;
+
 // An immutable job in space. Same request (revision and threads apart) ⇒ same bytes.
 struct SpaceRequest {
     std::uint64_t revision = 0; // handed through
     ifs::IteratedFunctionSystem<3> system;
     std::optional<ifs::ControlCage<3>> cage; // nullopt, or not valid: the code is drawn as it is
     OrbitCamera camera;
-    int threads = 1; // ≥ 1; never changes a byte
+    std::optional<SpaceClip> clip; // usable
+    // Of the eye to the right of the camera's, in distances from the target; what is in the plane of the
+    // target stays at its pixel. docs/mathematics.md, "Stereo".
+    double eyeShift = 0;
+    SolidKey key = SolidKey::Map; // of a solid
+    int threads = 1;              // ≥ 1; never changes a byte
     // Of a density:
+    CloudColour cloudColour = CloudColour::Appearance;
     Appearance appearance;
     std::uint64_t samples = 10'000'000; // in one pass, all spent on words that meet the view
     std::uint64_t seed = 1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/solid/solid_band.h"
 
+#include "attractor/solid/clipped_points.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -46,6 +48,26 @@ void SolidScene::setSystem(PreparedSpace prepared) {
     covers = Covers(system);
 }
 
+void SolidScene::setKey(SolidKey newKey) {
+    key = newKey;
+    roots.assign(1, {});
+    const std::size_t count = boxMaps.size();
+    if (key == SolidKey::Map || count == 0) return;
+    constexpr std::size_t steps = 256;
+    constexpr std::size_t maxLength = 8;
+    std::size_t words = 1;
+    for (std::size_t length = 0; length < maxLength && (length == 0 || words * count <= steps); ++length) {
+        std::vector<Root> longer;
+        for (const Root& root : roots)
+            for (const ifs::AffineMap<3>& map : boxMaps)
+                longer.push_back({root.word * map, 0});
+        roots = std::move(longer);
+        words *= count;
+    }
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        roots[i].colour = static_cast<int>(i * steps / roots.size());
+}
+
 void SolidScene::setView(const SpaceView& newView) {
     view = newView;
     facing = FacingCover(system, view, covers.ofAtMost(facingPoints));
@@ -88,51 +110,82 @@ SolidBand::Work SolidBand::takeWork() {
 }
 
 void SolidBand::expand(const SolidScene& scene, const Open& open) {
-    const std::size_t first = m_open.size();
     m_wideBudget -= std::min(m_wideBudget, scene.boxMaps.size());
+    m_children.clear();
+    for (std::size_t i = 0; i < scene.boxMaps.size(); ++i)
+        m_children.push_back({open.word * scene.boxMaps[i], open.colour == kernels::SolidWord::uncoloured
+                                                                ? scene.colours[i]
+                                                                : open.colour});
+    openSorted(scene);
+}
+
+// Those children that meet the view, the nearest one on top.
+void SolidBand::openSorted(const SolidScene& scene) {
     m_order.clear();
-    for (std::size_t i = 0; i < scene.boxMaps.size(); ++i) {
-        Open child{open.word * scene.boxMaps[i],
-                   open.colour == kernels::SolidWord::uncoloured ? scene.colours[i] : open.colour};
-        if (!seen(child.word, scene.view).meets(scene.view.size)) continue;
-        m_order.emplace_back(child.word.translation.z() - child.word.linear.row(2).cwiseAbs().sum(),
-                             m_open.size() - first);
-        m_open.push_back(child);
+    for (std::size_t i = 0; i < m_children.size(); ++i) {
+        const ifs::AffineMap<3>& word = m_children[i].word;
+        if (!seen(word, scene.view).meets(scene.view.size)) continue;
+        m_order.emplace_back(word.translation.z() - word.linear.row(2).cwiseAbs().sum(), i);
     }
-    std::sort(m_order.rbegin(), m_order.rend()); // the nearest comes last, on top
-    std::vector<Open> sorted;
+    std::sort(m_order.rbegin(), m_order.rend());
     for (const auto& [depth, index] : m_order)
-        sorted.push_back(m_open[first + index]);
-    std::copy(sorted.begin(), sorted.end(), m_open.begin() + static_cast<std::ptrdiff_t>(first));
+        m_open.push_back(m_children[index]);
+}
+
+// The coarsest cover whose points leave no holes in a word of that size, in pixels; nullptr where none is
+// fine enough.
+const kernels::Cover* SolidBand::coverFor(double size) const {
+    for (const kernels::Cover& cover : m_covers)
+        if (cover.onlyFor == 0 && static_cast<double>(cover.spacing) * size <= kernels::maxSpacing)
+            return &cover;
+    return nullptr;
 }
 
 bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_token& stop) {
-    constexpr std::size_t maxOpen = 1U << 18;
-    const double codes = maxDepthCode / (scene.range.far - scene.range.near);
-    m_open.assign(1, {scene.view.toPixels * scene.system.fromBox()});
+    m_open.clear();
+    m_children.clear();
+    const ifs::AffineMap<3> box = scene.view.toPixels * scene.system.fromBox();
+    for (const SolidScene::Root& root : scene.roots)
+        m_children.push_back({box * root.word, root.colour});
+    openSorted(scene);
     while (!m_open.empty()) {
         const Open open = m_open.back();
         m_open.pop_back();
         ++m_job.words;
         if (m_job.words % 256 == 0 && stop.stop_requested()) return false;
-        const SeenWord word = seen(open.word, scene.view);
-        if (!word.meets(scene.view.size) || !word.onScreen.translation.allFinite()) continue;
-        const bool spent =
-            m_job.budget == 0 || m_wideBudget == 0 || m_open.size() + scene.boxMaps.size() > maxOpen;
-        if (word.reachesEye) {
-            if (!spent && word.half.z() > minEyeShare * scene.view.eyeDistance) expand(scene, open);
-            continue;
-        }
-        const bool isSingle = word.miss <= maxBentPixels && word.size() <= maxSinglePixels;
-        const kernels::SolidWord shown = screenWord(word, open.colour, firstRow, scene.range);
-        m_job.pixelsPerCode = static_cast<float>(word.scale / codes);
-        if (!isSingle && !spent) {
-            if (!kernels::isHidden(shown, static_cast<float>(word.miss + maxBentPixels), m_keys))
-                expand(scene, open);
-        } else if (!kernels::drawSolid(shown, m_job, stop)) {
-            return false;
-        }
+        if (!draw(scene, open, firstRow, stop)) return false;
     }
+    return true;
+}
+
+// As one, or else by its children. False when stopped.
+bool SolidBand::draw(const SolidScene& scene, const Open& open, int firstRow, const std::stop_token& stop) {
+    constexpr std::size_t maxOpen = 1U << 18;
+    const double codes = maxDepthCode / (scene.range.far - scene.range.near);
+    const SeenWord word = seen(open.word, scene.view);
+    if (!word.meets(scene.view.size) || !word.onScreen.translation.allFinite()) return true;
+    const bool spent =
+        m_job.budget == 0 || m_wideBudget == 0 || m_open.size() + scene.boxMaps.size() > maxOpen;
+    if (word.reachesEye) {
+        if (!spent && word.half.z() > minEyeShare * scene.view.eyeDistance) expand(scene, open);
+        return true;
+    }
+    const kernels::SolidWord shown = screenWord(word, open.colour, firstRow, scene.range);
+    m_job.pixelsPerCode = static_cast<float>(word.scale / codes);
+    const kernels::Cover* cover = word.isCut ? coverFor(word.size()) : nullptr;
+    const bool isSingle = word.miss <= maxBentPixels &&
+                          (word.isCut ? cover != nullptr && open.colour != kernels::SolidWord::uncoloured
+                                      : word.size() <= maxSinglePixels);
+    if (!isSingle && !spent) {
+        if (!kernels::isHidden(shown, static_cast<float>(word.miss + maxBentPixels), m_keys))
+            expand(scene, open);
+        return true;
+    }
+    if (!word.isCut) return kernels::drawSolid(shown, m_job, stop);
+    if (cover == nullptr) cover = &m_covers.back();
+    m_job.points += cover->size;
+    m_wideBudget -= std::min(m_wideBudget, cover->size / kernels::solidLanes);
+    drawClipped(open.word, shown, *scene.view.clip, *cover, m_keys);
     return true;
 }
 

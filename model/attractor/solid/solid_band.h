@@ -21,17 +21,26 @@ struct SolidScene {
     PreparedSpace system;
     std::vector<ifs::AffineMap<3>> boxMaps; // of the system, in box coordinates
     std::vector<std::uint8_t> colours;      // of the maps: their indices in the system
+    SolidKey key = SolidKey::Map;
     std::optional<BoxMaps> coefficients;
     Covers covers;
     SpaceView view;
     DepthRange range;
     FacingCover facing;
 
+    // A word from which the walk begins, in box coordinates.
+    struct Root {
+        ifs::AffineMap<3> word;
+        int colour = kernels::SolidWord::uncoloured;
+    };
+    std::vector<Root> roots;
+
     // Of words that are drawn as one; more of them would hide each other unseen.
     static constexpr std::size_t leafPoints = 1024;
     static constexpr std::size_t facingPoints = 8192;
 
     void setSystem(PreparedSpace prepared);
+    void setKey(SolidKey newKey);
     void setView(const SpaceView& newView);
 };
 
@@ -55,13 +64,17 @@ private:
         int colour = kernels::SolidWord::uncoloured;
     };
     bool walk(const SolidScene& scene, int firstRow, const std::stop_token& stop);
+    bool draw(const SolidScene& scene, const Open& open, int firstRow, const std::stop_token& stop);
     void expand(const SolidScene& scene, const Open& open);
+    void openSorted(const SolidScene& scene);
+    const kernels::Cover* coverFor(double size) const;
 
     kernels::KeyBand m_keys;
     kernels::SolidJob m_job;
     std::vector<kernels::Cover> m_covers;
     std::size_t m_wideBudget = 0; // of words that are composed in double precision
     std::vector<Open> m_open;
+    std::vector<Open> m_children;
     std::vector<std::pair<double, std::size_t>> m_order;
     bool m_isCutShort = false;
 };

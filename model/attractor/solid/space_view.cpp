@@ -1,20 +1,58 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/solid/space_view.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <cmath>
 
 namespace attractor {
 
-SpaceView spaceView(const OrbitCamera& camera, const ifs::AffineMap<3>& cage) {
+namespace {
+
+// World, relative to the target → SpaceView::toPixels. An eye beside the camera's sees what is behind the
+// target shifted to its own side.
+ifs::Matrix<3> pixelAxes(const OrbitCamera& camera, double eyeShift) {
+    const double scale = pixelsPerUnit(camera);
+    ifs::Matrix<3> axes = ifs::Vector<3>(scale, -scale, scale).asDiagonal() * worldToCamera(camera).linear;
+    axes.row(0) += eyeShift * axes.row(2);
+    return axes;
+}
+
+PixelClip inPixels(const SpaceClip& clip, const OrbitCamera& camera, double eyeShift) {
+    const ifs::Vector<3> normal =
+        pixelAxes(camera, eyeShift).transpose().partialPivLu().solve(clip.normal.normalized());
+    const double length = normal.norm();
+    const double unit = clip.normal.norm();
+    const double middle = clip.normal.normalized().dot(camera.target);
+    PixelClip result{normal / length, (clip.lowest / unit - middle) / length,
+                     (clip.highest / unit - middle) / length};
+    const double missing = 1 - (result.highest - result.lowest);
+    if (missing > 0) {
+        result.lowest -= missing / 2;
+        result.highest += missing / 2;
+    }
+    return result;
+}
+
+} // namespace
+
+SpaceView spaceView(const OrbitCamera& camera, const ifs::AffineMap<3>& cage, double eyeShift) {
     SpaceView view;
     view.size = camera.size;
     const double scale = pixelsPerUnit(camera);
-    const ifs::Matrix<3> axes =
-        ifs::Vector<3>(scale, -scale, scale).asDiagonal() * worldToCamera(camera).linear;
+    const ifs::Matrix<3> axes = pixelAxes(camera, eyeShift);
     // Relative to the target before it is magnified.
     view.toPixels = {axes * cage.linear, axes * (cage.translation - camera.target)};
     if (camera.projection == OrbitCamera::Projection::Perspective)
         view.eyeDistance = scale * eyeDistance(camera);
+    return view;
+}
+
+SpaceView spaceView(const SpaceRequest& request, const ifs::AffineMap<3>& cage) {
+    SpaceView view = spaceView(request.camera, cage, request.eyeShift);
+    if (request.clip && isUsable(*request.clip) && isUsable(request.camera))
+        view.clip = inPixels(*request.clip, request.camera, request.eyeShift);
     return view;
 }
 
@@ -39,6 +77,13 @@ SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view) {
     ifs::Vector<3>& middle = result.onScreen.translation;
     ifs::Matrix<3>& linear = result.onScreen.linear;
     const double depth = linear.row(2).cwiseAbs().sum();
+    if (view.clip) {
+        const double at = view.clip->normal.dot(middle);
+        const double half = (view.clip->normal.transpose() * linear).cwiseAbs().sum();
+        result.isBehind = !(at + half >= view.clip->lowest && at - half <= view.clip->highest);
+        if (result.isBehind) return result;
+        result.isCut = at - half < view.clip->lowest || at + half > view.clip->highest;
+    }
     if (view.isPerspective()) {
         const double away = view.eyeDistance + middle.z();
         const double least = nearestShare * view.eyeDistance;

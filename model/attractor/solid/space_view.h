@@ -2,9 +2,25 @@
 #pragma once
 
 #include "attractor/request/orbit_camera.h"
+#include "attractor/request/space_request.h"
 #include "ifs/system/affine_map.h"
 
+#include <optional>
+
 namespace attractor {
+
+// A SpaceClip in the coordinates of SpaceView::toPixels: lowest ≤ ⟨normal, x⟩ ≤ highest, the normal a unit
+// vector. At least a pixel wide, because nothing thinner is seen.
+struct PixelClip {
+    ifs::Vector<3> normal = ifs::Vector<3>::UnitX();
+    double lowest = 0;
+    double highest = 0;
+
+    bool keeps(const ifs::Vector<3>& point) const {
+        const double at = normal.dot(point);
+        return at >= lowest && at <= highest;
+    }
+};
 
 // camera · cage in space. An affine map to pixels in the plane of the target: to the right and downwards from
 // the middle of the picture, and away from the eye; and an eye, to which all of it shrinks.
@@ -13,22 +29,26 @@ struct SpaceView {
     ifs::AffineMap<3> toPixels;
     double eyeDistance = 0; // pixels; 0: orthographic
     RasterSize size;
+    std::optional<PixelClip> clip; // what is outside is not shown
 
     bool isPerspective() const { return eyeDistance > 0; }
 };
-SpaceView spaceView(const OrbitCamera& camera, const ifs::AffineMap<3>& cage);
+SpaceView spaceView(const OrbitCamera& camera, const ifs::AffineMap<3>& cage, double eyeShift = 0);
+// The view that `request` asks for with the cage in force.
+SpaceView spaceView(const SpaceRequest& request, const ifs::AffineMap<3>& cage);
 
 // Points nearer to the eye than this share of its distance from the target are not drawn.
 constexpr double nearestShare = 0x1p-10;
 
 // What a word, an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, shows on the screen.
 struct SeenWord {
-    bool isBehind = false;      // nearer than is drawn, all of it
+    bool isBehind = false;      // nearer than is drawn or outside the clip, all of it
+    bool isCut = false;         // part of it is outside the clip
     bool reachesEye = false;    // part of it is: nothing else is known
     ifs::AffineMap<3> onScreen; // to first order: pixels from the top left corner, and depth
-    ifs::Vector<3> half;        // of the box around the word itself; x and y include `miss`
-    double miss = 0;            // pixels by which the first-order map may be off
-    double scale = 1;           // pixels of the screen for one in the plane of the target
+    ifs::Vector<3> half = ifs::Vector<3>::Zero(); // of the box around the word itself; x and y include `miss`
+    double miss = 0;                              // pixels by which the first-order map may be off
+    double scale = 1;                             // pixels of the screen for one in the plane of the target
 
     double size() const; // of the box in pixels
     bool meets(const RasterSize& size) const;

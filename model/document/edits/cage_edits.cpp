@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/cage_edits.h"
+
+#include "document/edits/space_cage_edits.h"
 #include "document/fractal_geometry.h"
 
 #include "ifs/cage/hull_cage.h"
@@ -71,19 +73,32 @@ std::optional<Fractal> withCageBaked(const Fractal& fractal) {
 
 } // namespace
 
-bool isCageAlike(const Fractal& a, const Fractal& b) {
-    const ifs::ControlCage<2>*p = cage2(a), *q = cage2(b);
+namespace {
+
+template <int Dim> bool areAlike(const ifs::ControlCage<Dim>* p, const ifs::ControlCage<Dim>* q) {
     if (!p || !q) return !p && !q;
     if (p->deformation != q->deformation || p->rest.size() != q->rest.size()) return false;
-    const auto near = [](const std::vector<ifs::Vector<2>>& these, const std::vector<ifs::Vector<2>>& those) {
+    const auto near = [](const std::vector<ifs::Vector<Dim>>& these,
+                         const std::vector<ifs::Vector<Dim>>& those) {
         double size = 0;
-        for (const ifs::Vector<2>& vertex : these)
+        for (const ifs::Vector<Dim>& vertex : these)
             size = std::max(size, (vertex - these.front()).norm());
         return std::equal(these.begin(), these.end(), those.begin(), [size](const auto& v, const auto& w) {
             return (v - w).norm() <= 10 * relativeTolerance * size;
         });
     };
     return near(p->rest, q->rest) && near(p->current, q->current);
+}
+
+const ifs::ControlCage<3>* cage3(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    return shape && shape->cage ? &*shape->cage : nullptr;
+}
+
+} // namespace
+
+bool isCageAlike(const Fractal& a, const Fractal& b) {
+    return areAlike(cage2(a), cage2(b)) && areAlike(cage3(a), cage3(b));
 }
 
 bool isAtRest(const Fractal& fractal) {
@@ -98,7 +113,12 @@ QString planeObstacle(const Fractal& fractal) {
     return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry is not a system in the plane."));
 }
 
+QString cageObstacle(const Fractal& fractal) {
+    return dimension(fractal) == 0 ? planeObstacle(fractal) : QString();
+}
+
 QString bakeObstacle(const Fractal& fractal) {
+    if (space(fractal)) return spaceBakeObstacle(fractal);
     if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (isAtRest(fractal))
         return sentence(QT_TRANSLATE_NOOP("CageEdits", "The cage is at rest: the picture shows the code."));
@@ -114,6 +134,7 @@ QString bakeObstacle(const Fractal& fractal) {
 }
 
 std::optional<Fractal> baked(const Fractal& fractal) {
+    if (space(fractal)) return spaceBaked(fractal);
     return bakeObstacle(fractal).isEmpty() ? withCageBaked(fractal) : std::nullopt;
 }
 
@@ -151,6 +172,7 @@ QString modeText(const Fractal& fractal, CageMode mode) {
 }
 
 QString unbakeObstacle(const Fractal& fractal) {
+    if (space(fractal)) return spaceUnbakeObstacle(fractal);
     if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (!isAtRest(fractal))
         return sentence(
@@ -161,6 +183,7 @@ QString unbakeObstacle(const Fractal& fractal) {
 }
 
 std::optional<Fractal> unbaked(const Fractal& fractal) {
+    if (space(fractal)) return spaceUnbaked(fractal);
     if (!unbakeObstacle(fractal).isEmpty()) return std::nullopt;
     const ifs::ControlCage<2> cage = effectiveCage(fractal);
     const std::vector<ifs::Vector<2>> unit{{0, 0}, {1, 0}, {0, 1}};
@@ -201,6 +224,7 @@ std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const Fractal& fractal,
 }
 
 std::optional<Fractal> withCageFitted(const Fractal& fractal, SimplexChoice choice) {
+    if (space(fractal) && choice == SimplexChoice::Minimal) return withTetrahedronFitted(fractal);
     const auto simplex = displayedSimplex(fractal, choice);
     if (!simplex) return std::nullopt;
     Fractal after = fractal;
@@ -236,6 +260,7 @@ std::optional<Fractal> withCageAround(const Fractal& fractal, PolygonChoice choi
 }
 
 QString fitObstacle(const Fractal& fractal) {
+    if (space(fractal)) return spaceFitObstacle(fractal);
     if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (ifs::activeMaps(*system2(fractal)).maps.empty())
         return sentence(QT_TRANSLATE_NOOP("CageEdits", "No map is active, so there is nothing to enclose."));

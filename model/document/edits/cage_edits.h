@@ -18,6 +18,9 @@ bool isAtRest(const Fractal& fractal);
 // Why nothing that is meant for systems of the plane can be done; empty for those.
 QString planeObstacle(const Fractal& fractal);
 
+// Why the entry has no cage; empty when it has one. Cheap.
+QString cageObstacle(const Fractal& fractal);
+
 // Whether the vertices are the same to what rounding leaves of them.
 bool isCageAlike(const Fractal& a, const Fractal& b);
 

@@ -163,7 +163,7 @@ template <int Dim> void renumber(document::Shape<Dim>& shape, attractor::MapColo
 } // namespace
 
 QByteArrayList metadataComments(const document::Fractal& fractal) {
-    const QByteArrayList appearance = appearanceLines(fractal.appearance);
+    const QByteArrayList appearance = appearanceLines(fractal.appearance) + spaceComments(fractal.inSpace);
     const auto linesOf = [&](const auto& shape) {
         return placementLines(shape) + appearance + mapLines(shape.system, fractal.appearance);
     };
@@ -199,7 +199,7 @@ bool MetadataComments::read(QByteArrayView comment) {
     QByteArrayList values = text.split(' ');
     const QByteArray key = values.takeFirst();
     return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
-           readPalette(key, values) || readBranch(key, values) ||
+           readPalette(key, values) || readBranch(key, values) || m_inSpace.read(key, values) ||
            m_animations.read(key, values, m_ownComments - 1);
 }
 
@@ -444,6 +444,7 @@ void MetadataComments::applyToMaps(ifs::IteratedFunctionSystem<Dim>& system,
 MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) const {
     Outcome outcome;
     fractal.appearance = m_appearance;
+    fractal.inSpace = m_inSpace.appearance();
     applyPalette(fractal, outcome.sentences);
     const auto apply = [&](auto& shape) {
         applyCage(shape, outcome);

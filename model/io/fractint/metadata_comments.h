@@ -3,6 +3,7 @@
 
 #include "document/fractal.h"
 #include "io/fractint/animation_comments.h"
+#include "io/fractint/space_comments.h"
 
 #include <QByteArrayList>
 #include <QByteArrayView>
@@ -78,6 +79,7 @@ private:
     std::vector<Branch> m_branches;
     AnimationComments m_animations;
     attractor::Appearance m_appearance;
+    SpaceComments m_inSpace;
     std::optional<std::string> m_paletteName;
     std::vector<attractor::Palette::Stop> m_stops;
     std::vector<MapSetting> m_colours;

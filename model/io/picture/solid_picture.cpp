@@ -81,8 +81,9 @@ ExportOutcome drawRows(const SolidPicture& picture, Take take, const Progress& p
     const attractor::RenderNote note = rendering.note();
     const attractor::DepthRaster raster = rendering.takeRaster();
     const auto [lowest, highest] = heights(request);
-    const attractor::SolidLight light(picture.appearance,
-                                      attractor::solidView(request.camera, lowest, highest));
+    attractor::SolidView view = attractor::solidView(request.camera, lowest, highest);
+    view.eyeShift = request.eyeShift;
+    const attractor::SolidLight light(picture.appearance, view);
     outcome = lightRows<Pixel>(raster, light, side, take, progress, stop);
     outcome.note = note;
     return outcome;

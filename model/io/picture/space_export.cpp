@@ -20,17 +20,21 @@ namespace io {
 
 namespace {
 
+using attractor::LookInSpace;
+
 constexpr double shareOfDrawing = 0.8;   // of the progress; the rest is compression
 constexpr std::size_t rowsTogether = 16; // between two looks at the stop token
 
 PictureFormat formatOf(const SpaceExport& picture) {
     using enum PictureFormat::Pixels;
     PictureFormat format;
-    const attractor::Rgba background =
-        picture.look == SpaceLook::Solid ? picture.solid.background : picture.request.appearance.background;
-    format.pixels = picture.look == SpaceLook::Depth ? Grey : background.alpha == 255 ? Opaque : Transparent;
-    format.depth = picture.look == SpaceLook::Depth ? PictureFormat::Depth::Bits16 : picture.depth;
-    format.width = picture.request.camera.size.width;
+    const bool isDepth = picture.look == LookInSpace::Depth;
+    const attractor::Rgba background = attractor::showsCloud(picture.look)
+                                           ? picture.request.appearance.background
+                                           : picture.solid.background;
+    format.pixels = isDepth ? Grey : background.alpha == 255 ? Opaque : Transparent;
+    format.depth = isDepth ? PictureFormat::Depth::Bits16 : picture.depth;
+    format.width = picture.request.camera.size.width * (picture.stereo == Stereo::SideBySide ? 2 : 1);
     format.height = picture.request.camera.size.height;
     format.dotsPerInch = picture.dotsPerInch;
     format.systemText = writeEntry(picture.fractal);
@@ -143,11 +147,41 @@ ExportOutcome solidPixels(const SpaceExport& picture, std::span<Pixel> pixels, c
     return outcome;
 }
 
+// What one eye sees.
+template <class Pixel>
+ExportOutcome eyePixels(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
+                        const std::stop_token& stop) {
+    return attractor::showsCloud(picture.look) ? cloudPixels(picture, pixels, progress, stop)
+                                               : solidPixels(picture, pixels, progress, stop);
+}
+
+template <class Pixel>
+ExportOutcome eyePixels(const SpaceExport& picture, double eyeShift, std::span<Pixel> pixels,
+                        const Progress& progress, const std::stop_token& stop) {
+    SpaceExport eye = picture;
+    eye.request.eyeShift = eyeShift;
+    for (attractor::SpaceRequest& moment : eye.moments)
+        moment.eyeShift = eyeShift;
+    return eyePixels(eye, pixels, progress, stop);
+}
+
 template <class Pixel>
 ExportOutcome pixelsOf(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
                        const std::stop_token& stop) {
-    return picture.look == SpaceLook::Solid ? solidPixels(picture, pixels, progress, stop)
-                                            : cloudPixels(picture, pixels, progress, stop);
+    if (picture.stereo == Stereo::None) return eyePixels(picture, pixels, progress, stop);
+    const attractor::RasterSize& size = picture.request.camera.size;
+    std::vector<Pixel> left(std::size_t(size.width) * std::size_t(size.height)), right(left.size());
+    const auto half = [&](double done) {
+        return [&progress, done](double fraction) {
+            if (progress) progress(done + fraction / 2);
+        };
+    };
+    ExportOutcome outcome = eyePixels(picture, -attractor::stereoEye, std::span<Pixel>(left), half(0), stop);
+    if (outcome.failure || outcome.stopped) return outcome;
+    outcome = eyePixels(picture, attractor::stereoEye, std::span<Pixel>(right), half(0.5), stop);
+    if (outcome.failure || outcome.stopped) return outcome;
+    std::ranges::copy(joined(picture.stereo, left, right, size.width), pixels.begin());
+    return outcome;
 }
 
 template <class Pixel>
@@ -159,7 +193,7 @@ ExportOutcome drawPixels(const SpaceExport& picture, QIODevice& device, const Pr
         if (progress) progress(shareOfDrawing * fraction);
     };
     ExportOutcome outcome = pixelsOf(picture, std::span<Pixel>(pixels), drawing, stop);
-    if (outcome.stopped) return outcome;
+    if (outcome.failure || outcome.stopped) return outcome;
     const std::unique_ptr<PictureWriter> writer = pictureWriter(picture.file, device, format);
     write(*writer, pixels, format.width, outcome, progress, stop);
     return outcome;
@@ -177,14 +211,17 @@ ExportOutcome writeSolidRows(const SpaceExport& picture, QIODevice& device, cons
 std::uint64_t memoryFor(const SpaceExport& picture) {
     const auto pixels = std::uint64_t(std::max(1, picture.request.camera.size.width)) *
                         std::uint64_t(std::max(1, picture.request.camera.size.height));
-    if (picture.look == SpaceLook::Depth) return pixels * (sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t));
-    if (picture.look == SpaceLook::Solid) return memoryFor(solidOf(picture));
+    if (picture.look == LookInSpace::Depth)
+        return pixels * (sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t));
+    const std::uint64_t stereo = picture.stereo == Stereo::None ? 0 : 4 * pixels * sizeof(attractor::Rgba16);
+    if (!attractor::showsCloud(picture.look)) return stereo + memoryFor(solidOf(picture));
     const auto side = std::uint64_t(picture.request.appearance.supersample);
-    const std::uint64_t cell = attractor::coloursSamples(picture.request.appearance.colourBy)
-                                   ? sizeof(attractor::ColourCell)
-                                   : sizeof(std::uint32_t);
-    return pixels *
-           (cell * side * side * std::uint64_t(picture.request.threads) + 2 * sizeof(attractor::Rgba16));
+    const std::uint64_t cell =
+        picture.look == LookInSpace::XRay || attractor::coloursSamples(picture.request.appearance.colourBy)
+            ? sizeof(attractor::ColourCell)
+            : sizeof(std::uint32_t);
+    return stereo + pixels * (cell * side * side * std::uint64_t(picture.request.threads) +
+                              2 * sizeof(attractor::Rgba16));
 }
 
 ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
@@ -194,8 +231,8 @@ ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const 
     if (refused.failure) return refused;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    if (picture.look == SpaceLook::Depth) return drawDepths(picture, buffer, progress, stop);
-    if (picture.look == SpaceLook::Solid && picture.moments.empty())
+    if (picture.look == LookInSpace::Depth) return drawDepths(picture, buffer, progress, stop);
+    if (!attractor::showsCloud(picture.look) && picture.moments.empty() && picture.stereo == Stereo::None)
         return writeSolidRows(picture, buffer, progress, stop);
     return picture.depth == PngFormat::Depth::Bits16
                ? drawPixels<attractor::Rgba16>(picture, buffer, progress, stop)
@@ -203,11 +240,11 @@ ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const 
 }
 
 Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress, std::stop_token stop) {
-    const attractor::RasterSize& size = picture.request.camera.size;
-    Picture drawn{QImage(size.width, size.height, QImage::Format_ARGB32_Premultiplied), {}};
+    const PictureFormat format = formatOf(picture);
+    Picture drawn{QImage(format.width, format.height, QImage::Format_ARGB32_Premultiplied), {}};
     if (drawn.image.isNull()) return drawn;
     const std::span<std::uint32_t> pixels(reinterpret_cast<std::uint32_t*>(drawn.image.bits()),
-                                          std::size_t(size.width) * std::size_t(size.height));
+                                          std::size_t(format.width) * std::size_t(format.height));
     const ExportOutcome outcome = pixelsOf(picture, pixels, progress, stop);
     drawn.note = outcome.note;
     if (outcome.stopped) drawn.image = {};

@@ -5,6 +5,7 @@
 #include "attractor/request/space_request.h"
 #include "document/fractal.h"
 #include "io/picture/png_export.h"
+#include "io/picture/stereo.h"
 
 #include <QByteArray>
 
@@ -14,20 +15,14 @@
 
 namespace io {
 
-// How a system in space is shown.
-enum class SpaceLook {
-    Cloud, // the density of its measure
-    Solid, // lit, in a look of its own
-    Depth, // 16-bit grey: the depth of the nearest point in every pixel
-};
-
 struct SpaceExport {
-    document::Fractal fractal; // embedded in the picture as text
-    attractor::SpaceRequest request;
-    SpaceLook look = SpaceLook::Cloud;
-    attractor::SolidAppearance solid;
-    int supersample = 2;                              // of a solid, 1 … 4
-    PngFormat::Depth depth = PngFormat::Depth::Bits8; // of a cloud or a solid
+    document::Fractal fractal;                                   // embedded in the picture as text
+    attractor::SpaceRequest request;                             // of one eye
+    attractor::LookInSpace look = attractor::LookInSpace::Cloud; // Depth: 16-bit grey
+    attractor::SolidAppearance solid;                            // of the looks that are solids
+    Stereo stereo = Stereo::None;                                // not of Depth
+    int supersample = 2;                                         // of a solid, 1 … 4
+    PngFormat::Depth depth = PngFormat::Depth::Bits8;            // of a cloud or a solid
     std::optional<double> dotsPerInch;
     std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PngFormat
     // What a shutter sees in place of the request's moment: requests that differ from it in system, cage and

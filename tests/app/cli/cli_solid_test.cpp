@@ -101,7 +101,7 @@ void CliSolidTest::normalsAreNumbers() {
 
 void CliSolidTest::coloursComeFromMapHeightAndDepth() {
     QSet<QRgb> seen;
-    const QList<QByteArray> choices = {"none", "map", "height", "depth"};
+    const QList<QByteArray> choices = {"none", "map", "address", "height", "depth"};
     for (const QByteArray& colour : choices)
         seen << drawn("--colour " + colour).pixel(34, 36);
     QCOMPARE(seen.size(), choices.size());
@@ -128,7 +128,8 @@ void CliSolidTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::addColumn<QByteArray>("message");
     QTest::newRow("light") << QByteArray("--light 40") << QByteArray("azimuth and elevation");
     QTest::newRow("fog") << QByteArray("--fog -1") << QByteArray("from 0 to 100");
-    QTest::newRow("colour") << QByteArray("--colour density") << QByteArray("map, height, depth or none");
+    QTest::newRow("colour") << QByteArray("--colour density")
+                            << QByteArray("map, address, height, depth or none");
     QTest::newRow("palette") << QByteArray("--colour map --palette fern") << QByteArray("--palette");
     QTest::newRow("points") << QByteArray("--points 9") << QByteArray("--points");
     QTest::newRow("gamma") << QByteArray("--look ink --gamma 2") << QByteArray("--gamma");

@@ -18,6 +18,9 @@ private slots:
     void sameBytesForAnyThreadsAndInstructions();
     void theCageMovesThePicture();
     void aFlatCageIsDrawn();
+    void aSliceKeepsWhatIsBetweenItsPlanes();
+    void stereoShowsBothEyes();
+    void aPictureShowsWhatItsEntrySays();
     void theFirstEntryMayLieInSpace();
     void optionsThatMakeNoSenseAreRefused_data();
     void optionsThatMakeNoSenseAreRefused();
@@ -103,7 +106,9 @@ void CliSpaceTest::drawsACloud() {
 }
 
 void CliSpaceTest::sameBytesForAnyThreadsAndInstructions() {
-    for (const QByteArray look : {"cloud", "depth"}) {
+    for (const QByteArray look :
+         {"cloud", "depth", "x-ray --slice 1,2,3,2", "depth --slice 1,2,3,2,0.1",
+          "stone --stereo side-by-side --colour address", "cloud --stereo anaglyph"}) {
         const QByteArray call = "render cube.ifs --size 120x90 --perspective 50 --look " + look + " -o ";
         QCOMPARE(run(call + "one.png --threads 1").status, 0);
         QCOMPARE(run(call + "three.png --threads 3").status, 0);
@@ -121,6 +126,11 @@ void CliSpaceTest::theCageMovesThePicture() {
     QVERIFY(std::abs(moved.at(40, 30) + 0.75) < 2.0 / 60);
     const Depths box = depths("--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,2 --rest-cage box");
     QVERIFY(std::abs(box.at(40, 30) + 0.5) < 2.0 / 60);
+    // Around the cube its corners are one and a half sides from the middle; here it moves back by a quarter.
+    const Depths octahedron =
+        depths("--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,2 --rest-cage octahedron --cage \"-1,0.5,0.25 "
+               "2,0.5,0.25 0.5,-1,0.25 0.5,2,0.25 0.5,0.5,-1.25 0.5,0.5,1.75\"");
+    QVERIFY(std::abs(octahedron.at(40, 30) + 0.25) < 2.0 / 60);
 }
 
 // A tetrahedron pressed into a plane has a picture all the same, and its opposite has the first one's bytes.
@@ -136,6 +146,64 @@ void CliSpaceTest::aFlatCageIsDrawn() {
     QCOMPARE(read("open.png"), read("rest.png"));
 }
 
+void CliSpaceTest::aSliceKeepsWhatIsBetweenItsPlanes() {
+    const QByteArray view = "--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,2 ";
+    const double pixel = 2.0 / 60;
+    QVERIFY(std::abs(depths(view + "--slice 0,0,2,0.5").at(40, 30) - 0.25) < 2 * pixel); // z ≤ 1/4
+    QVERIFY(std::abs(depths(view + "--slice 0,0,1,0.7,0.05").at(40, 30) + 0.25) < 2 * pixel);
+    const Depths upright = depths(view + "--slice 1,0,0,0.5,0");
+    int across = 0;
+    for (int x = 0; x < 80; ++x)
+        across += upright.isEmpty(x, 30) ? 0 : 1;
+    QVERIFY(across >= 1 && across <= 3); // an infinitely thin slice is a pixel wide
+    QVERIFY(depths(view + "--slice 0,0,1,-1").isEmpty(40, 30));
+}
+
+void CliSpaceTest::stereoShowsBothEyes() {
+    const QByteArray call = "render cube.ifs --view 0.5,0.5,0.5,2 --orbit 0,0 --perspective 40 --bits 8 ";
+    QCOMPARE(run(call + "-o sides.png --size 160x60 --stereo side-by-side").status, 0);
+    const QImage sides(path("sides.png"));
+    QCOMPARE(sides.size(), QSize(160, 60));
+    const QImage left = sides.copy(0, 0, 80, 60), right = sides.copy(80, 0, 80, 60);
+    QVERIFY(left != right);
+    const auto firstLit = [](const QImage& image) {
+        for (int x = 0; x < image.width(); ++x)
+            if (image.pixelColor(x, 30).lightness() > 60) return x;
+        return -1;
+    };
+    // The front is before the plane of the target: the left eye sees it farther to the right.
+    QVERIFY(firstLit(left) >= firstLit(right));
+    QVERIFY(firstLit(left) > 0);
+    QCOMPARE(run(call + "-o glasses.png --size 80x60 --stereo anaglyph").status, 0);
+    const QImage glasses(path("glasses.png"));
+    QCOMPARE(glasses.size(), QSize(80, 60));
+    for (int x = 0; x < 80; x += 7) {
+        QCOMPARE(qGreen(glasses.pixel(x, 30)), qGreen(right.pixel(x, 30)));
+        QCOMPARE(qBlue(glasses.pixel(x, 30)), qBlue(right.pixel(x, 30)));
+        QVERIFY(std::abs(qRed(glasses.pixel(x, 30)) - qGray(left.pixel(x, 30))) < 24);
+    }
+}
+
+// Look, slice, light, fog and colours are stored in the entry, and in the picture that it gives.
+void CliSpaceTest::aPictureShowsWhatItsEntrySays() {
+    QByteArray entry = read("cube.ifs");
+    entry.insert(entry.indexOf('{') + 2, "; barycage: version 1\n; barycage: space-look ink\n"
+                                         "; barycage: clip-normal 0 0 1\n; barycage: clip-range - 0.5\n"
+                                         "; barycage: solid-colour depth\n; barycage: fog 0.5\n");
+    write("looked.ifs", entry);
+    const QByteArray view = " --size 80x60 --view 0.5,0.5,0.5,2 -o ";
+    QCOMPARE(run("render looked.ifs" + view + "stored.png").status, 0);
+    QCOMPARE(run("render cube.ifs --look ink --slice 0,0,1,0.5 --colour depth --fog 0.5" + view + "asked.png")
+                 .status,
+             0);
+    QVERIFY(!read("stored.png").isEmpty());
+    QCOMPARE(QImage(path("asked.png")), QImage(path("stored.png")));
+    QCOMPARE(run("render asked.png" + view + "again.png").status, 0);
+    QCOMPARE(QImage(path("again.png")), QImage(path("stored.png")));
+    QCOMPARE(run("convert looked.ifs kept.ifs").status, 0);
+    QVERIFY(read("kept.ifs").contains("barycage: clip-range - 0.5"));
+}
+
 void CliSpaceTest::theFirstEntryMayLieInSpace() {
     write("both.ifs", read("cube.ifs") + "line {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
     QCOMPARE(run("render both.ifs --size 30x20 --look depth -o first.png").status, 0);
@@ -146,6 +214,18 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::addColumn<QByteArray>("arguments");
     QTest::addColumn<QByteArray>("message");
     QTest::newRow("look") << QByteArray("cube.ifs -o a.png --look marble") << QByteArray("depth or normals");
+    QTest::newRow("slice") << QByteArray("cube.ifs -o a.png --slice 0,0,0,1") << QByteArray("--slice");
+    QTest::newRow("thin slice") << QByteArray("cube.ifs -o a.png --slice 0,0,1,1,-1")
+                                << QByteArray("--slice");
+    QTest::newRow("stereo") << QByteArray("cube.ifs -o a.png --stereo both") << QByteArray("anaglyph");
+    QTest::newRow("odd stereo") << QByteArray("cube.ifs -o a.png --size 81x60 --stereo side-by-side")
+                                << QByteArray("even width");
+    QTest::newRow("stereo depth") << QByteArray("cube.ifs -o a.png --look depth --stereo anaglyph")
+                                  << QByteArray("numbers");
+    QTest::newRow("x-ray colour") << QByteArray("cube.ifs -o a.png --look x-ray --colour map")
+                                  << QByteArray("--colour");
+    QTest::newRow("plane slice") << QByteArray("systems.ifs -o a.png --slice 0,0,1,1")
+                                 << QByteArray("in space");
     QTest::newRow("orbit") << QByteArray("cube.ifs -o a.png --orbit 30") << QByteArray("azimuth");
     QTest::newRow("view") << QByteArray("cube.ifs -o a.png --view 0,0,1") << QByteArray("target");
     QTest::newRow("margin") << QByteArray("cube.ifs -o a.png --view 0,0,0,1 --margin 3")

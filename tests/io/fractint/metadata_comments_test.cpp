@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using document::Fractal;
 
 namespace {
@@ -75,6 +77,57 @@ class MetadataCommentsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void howSpaceIsShownSurvives() {
+        attractor::SpaceAppearance shown;
+        for (const attractor::LookInSpace look :
+             {attractor::LookInSpace::Stone, attractor::LookInSpace::Ink, attractor::LookInSpace::Cloud,
+              attractor::LookInSpace::XRay, attractor::LookInSpace::Depth, attractor::LookInSpace::Normals})
+            for (const auto colour :
+                 {attractor::SolidColour::Plain, attractor::SolidColour::Map, attractor::SolidColour::Address,
+                  attractor::SolidColour::Height, attractor::SolidColour::Depth}) {
+                shown.look = look;
+                shown.colourBy = colour;
+                shown.fog += 1.0 / 3;
+                shown.lightAzimuth = -1234567.8901234567;
+                shown.clip = attractor::SpaceClip{
+                    {-1.2345678901234567e-100, 0.1, 1e100 / 3}, -HUGE_VAL, 0.1234567890123456789 * int(look)};
+                if (colour == attractor::SolidColour::Map)
+                    shown.clip->lowest = -9.87654321098765432e-12 - shown.fog;
+                Fractal fractal = inSpace();
+                fractal.inSpace = shown;
+                io::MetadataComments comments;
+                for (const QByteArray& line : io::metadataComments(fractal)) {
+                    QVERIFY(line.size() < 70);
+                    QVERIFY2(comments.read(QByteArrayView(line).sliced(1)), line.constData());
+                }
+                Fractal back = inSpace();
+                document::space(back)->moved.clear();
+                QVERIFY(comments.applyTo(back).sentences.isEmpty());
+                QVERIFY(back.inSpace == shown);
+            }
+        QVERIFY(!written(fractalOf(2)).contains("space-look"));
+    }
+
+    void whatIsNoLookIsKeptAsItIs() {
+        for (const char* line :
+             {" barycage: space-look marble", " barycage: fog -1", " barycage: fog 1e9", " barycage: light 1",
+              " barycage: clip-normal x 0 0", " barycage: clip-range", " barycage: solid-colour"}) {
+            io::MetadataComments comments;
+            QVERIFY2(!comments.read(line), line);
+        }
+        io::MetadataComments broken;
+        QVERIFY(broken.read(" barycage: clip-normal 0 0 1"));
+        QVERIFY(!broken.read(" barycage: clip-range - 1.5 x")); // all of the line, or nothing
+        Fractal whole = inSpace();
+        broken.applyTo(whole);
+        QVERIFY(!whole.inSpace.clip);
+        io::MetadataComments flat; // understood, but it cuts nothing
+        QVERIFY(flat.read(" barycage: clip-normal 0 0 0") && flat.read(" barycage: clip-range 0 1"));
+        Fractal fractal = inSpace();
+        flat.applyTo(fractal);
+        QVERIFY(!fractal.inSpace.clip);
+    }
+
     void newEntriesNeedNone();
     void lines();
     void everythingComesBack();

@@ -21,6 +21,7 @@ class ExportDataDialogTest : public QObject {
 private slots:
     void everyFormatIsWrittenAsItIsShown();
     void bakesWhatIsShown();
+    void systemsInSpaceGiveWhatFormatsHold();
     void writesPoints();
     void tellsWhatIsLost();
 
@@ -80,6 +81,33 @@ void ExportDataDialogTest::everyFormatIsWrittenAsItIsShown() {
     QTest::keyClicks(typed, QStringLiteral("f e d c b a cumulative"));
     QVERIFY(isOffered());
     QVERIFY(written(dialog).startsWith("f\te\td\tc\tb\ta\tcumulative\n"));
+}
+
+void ExportDataDialogTest::systemsInSpaceGiveWhatFormatsHold() {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("solid");
+    document::Shape<3> cube;
+    for (int k = 0; k < 8; ++k)
+        ifs::append<3>(cube.system, {0.5 * ifs::Matrix<3>::Identity(),
+                                     ifs::Vector<3>((k & 1) / 2.0, (k >> 1 & 1) / 2.0, (k >> 2) / 2.0)});
+    fractal.shape = cube;
+    document::Document document;
+    document.setFile(document::fileOf(fractal));
+    view::ExportDataDialog dialog(&document);
+    auto* format = dialog.findChildren<QComboBox*>().first();
+    const auto isOffered = [&dialog] {
+        for (const auto* button : dialog.findChildren<QPushButton*>())
+            if (button->text().contains(QStringLiteral("Export"))) return button->isEnabled();
+        return false;
+    };
+    format->setCurrentIndex(0); // flames lie in the plane
+    QVERIFY(!isOffered());
+    format->setCurrentIndex(format->count() - 1);
+    QVERIFY(isOffered());
+    dialog.findChild<QSpinBox*>()->setValue(2000);
+    const QByteArray points = written(dialog);
+    QVERIFY(points.startsWith("ply"));
+    QVERIFY(points.contains("property float z") || points.contains("property double z"));
 }
 
 void ExportDataDialogTest::bakesWhatIsShown() {

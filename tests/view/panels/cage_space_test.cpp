@@ -11,6 +11,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -140,16 +141,51 @@ private slots:
     }
 
     void whatIsForThePlaneSaysSo() {
-        QVERIFY(!m_panel->modeButton(document::CageMode::Rewrite)->isVisible());
         QVERIFY(!m_panel->deformationButton(ifs::Deformation::Bend)->isVisible());
         QVERIFY(!action(QStringLiteral("Define…"))->isEnabled());
         QVERIFY(action(QStringLiteral("Define…"))->toolTip().contains(QStringLiteral("In space")));
-        QVERIFY(!m_panel->bakeAction()->isEnabled());
-        QVERIFY(m_panel->bakeAction()->toolTip().contains(QStringLiteral("plane")));
+    }
+
+    void cagesOfSpaceAreFittedAndBaked() {
         const QToolButton* fit = nullptr;
         for (const auto* button : m_panel->findChildren<QToolButton*>())
             if (button->accessibleName() == QStringLiteral("Fit the cage")) fit = button;
-        QVERIFY(fit && !fit->isEnabled() && fit->toolTip().contains(QStringLiteral("In space")));
+        QVERIFY(fit && fit->isEnabled());
+        QStringList choices;
+        for (const QAction* choice : fit->menu()->actions())
+            choices << choice->text();
+        QCOMPARE(choices.filter(QStringLiteral("Canonical Simplex (")).size(), 8);
+        for (QAction* choice : fit->menu()->actions())
+            if (choice->text().contains(QStringLiteral("(−, +, −)"))) choice->trigger();
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QVERIFY(cage().current[1].x() < cage().current[0].x() &&
+                cage().current[2].y() > cage().current[0].y());
+        QVERIFY(!m_panel->bakeAction()->isEnabled());
+        NumberField* z = m_panel->field(CagePanel::Vertices::Current, 3, 2);
+        type(z, QStringLiteral("12"));
+        QTest::keyClick(z, Qt::Key_Return);
+        QVERIFY(m_panel->bakeAction()->isEnabled());
+        const document::System3 before = solidOf(*m_document);
+        m_panel->bakeAction()->trigger();
+        QCOMPARE(m_document->undoStack()->count(), 3);
+        QVERIFY(cage().current == cage().rest);
+        QVERIFY(!(solidOf(*m_document) == before));
+        m_panel->fitBox();
+        QCOMPARE(m_document->undoStack()->count(), 4);
+    }
+
+    void rewritingIsOneStepOfTyping() {
+        QVERIFY(m_panel->modeButton(document::CageMode::Rewrite)->isVisible());
+        m_panel->modeButton(document::CageMode::Rewrite)->click();
+        const document::System3 before = solidOf(*m_document);
+        NumberField* z = m_panel->field(CagePanel::Vertices::Current, 3, 2);
+        type(z, QStringLiteral("12"));
+        QTest::keyClick(z, Qt::Key_Return);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QVERIFY(!(solidOf(*m_document) == before));
+        QVERIFY(cage().current == cage().rest && cage().rest[3].z() == 12);
+        m_document->undoStack()->undo();
+        QVERIFY(solidOf(*m_document) == before);
     }
 
     void theSimplexAndThePointAreThoseOfSpace() {

@@ -89,6 +89,9 @@ private slots:
     void cursorsSayWhatCanBeHeld();
     void squeezedFlatAndOpenedItIsTheSame();
     void anotherEntryEndsADrag();
+    void thePlaneOfASliceIsDraggedInOneStep();
+    void rewritingChangesTheCode();
+    void cloudsAreShownAndAnswerWhatIsUnderThePointer();
 };
 
 void SpaceViewTest::itShowsTheSolidInItsTetrahedron() {
@@ -104,6 +107,62 @@ void SpaceViewTest::itShowsTheSolidInItsTetrahedron() {
     for (std::size_t vertex = 0; vertex < 4; ++vertex) // fitted: all handles are in the view
         QVERIFY(window.view->viewport()->rect().contains(window.handle(vertex)));
     QCOMPARE(window.view->note(), QString());
+}
+
+void SpaceViewTest::thePlaneOfASliceIsDraggedInOneStep() {
+    Window window;
+    document::Fractal cut = window.document.fractal();
+    cut.inSpace.clip = attractor::SpaceClip{{0, 0, 2}, -HUGE_VAL, 1};
+    window.document.edit(QStringLiteral("Cut"), cut);
+    QVERIFY(window.rests());
+    const QPointF handle = window.view->sliceItem().handle();
+    const QPointF towards = view::toPoint(
+        toScreen(window.camera(), window.view->sliceItem().plane()->centre + ifs::Vector<3>(0, 0, 0.25))
+            .pixel);
+    const int steps = window.document.undoStack()->count();
+    window.drag(handle, towards);
+    QCOMPARE(window.document.undoStack()->count(), steps + 1);
+    const auto& clip = window.document.fractal().inSpace.clip;
+    QVERIFY(std::abs(clip->highest - 1.5) < 0.02); // a quarter farther, in units of a normal of length 2
+    QVERIFY(std::isinf(clip->lowest));
+    window.send(QEvent::MouseButtonPress, window.view->sliceItem().handle(), Qt::LeftButton);
+    window.send(QEvent::MouseMove, window.view->sliceItem().handle() + QPointF(30, 30), Qt::LeftButton);
+    QTest::keyClick(window.view.get(), Qt::Key_Escape);
+    QCOMPARE(window.document.undoStack()->count(), steps + 1);
+    QVERIFY(std::abs(window.document.fractal().inSpace.clip->highest - 1.5) < 0.02);
+    window.document.undoStack()->undo();
+    QVERIFY(window.document.fractal() == cut);
+}
+
+void SpaceViewTest::rewritingChangesTheCode() {
+    Window window;
+    QVERIFY(window.rests());
+    window.document.setCageMode(document::CageMode::Rewrite);
+    const document::Fractal before = window.document.fractal();
+    window.drag(window.handle(1), window.handle(1) + QPoint(40, -30));
+    QCOMPARE(window.document.undoStack()->count(), 1);
+    QVERIFY(!document::isSameSystem(before, window.document.fractal()));
+    const auto& cage = document::space(window.document.fractal())->cage;
+    QVERIFY(cage && cage->rest == cage->current);
+    window.document.undoStack()->undo();
+    QVERIFY(window.document.fractal() == before);
+}
+
+void SpaceViewTest::cloudsAreShownAndAnswerWhatIsUnderThePointer() {
+    Window window;
+    QVERIFY(window.rests());
+    const QImage solid = window.view->picture();
+    for (const attractor::LookInSpace look : {attractor::LookInSpace::Cloud, attractor::LookInSpace::XRay}) {
+        document::Fractal cloud = window.document.fractal();
+        cloud.inSpace.look = look;
+        window.document.edit(QStringLiteral("Look"), cloud);
+        QVERIFY(window.rests());
+        QVERIFY(window.view->picture() != solid);
+        const QPoint middle =
+            view::toPoint(toScreen(window.camera(), ifs::Vector<3>(0.5, 0.5, 0.5)).pixel).toPoint();
+        QVERIFY(lightness(window.view->picture(), middle) > 20);
+        QVERIFY(window.view->navigation().pointUnder(middle));
+    }
 }
 
 void SpaceViewTest::anEmptyPlaceOrbits() {

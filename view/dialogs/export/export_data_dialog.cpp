@@ -32,7 +32,8 @@ enum Format { Flame, Aifs, Csv, Tsv, PointsCsv, PointsPly };
 
 std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fractal) {
     const ifs::ControlCage<2>* cage = document::cage2(fractal);
-    if (!cage || cage->rest.size() != 3) return {};
+    const bool isAffine = document::space(fractal) || (cage && cage->rest.size() == 3);
+    if (!isAffine) return {};
     auto baked = document::baked(fractal);
     return baked ? std::make_shared<const document::Fractal>(*std::move(baked)) : nullptr;
 }
@@ -155,6 +156,7 @@ QString ExportDataDialog::loss() const {
     document::Fractal written = *fractalToExport();
     if (auto* shape = document::plane(written); shape && m_baked && m_bake->isChecked())
         shape->cage.reset(); // it has done its work
+    if (auto* shape = document::space(written); shape && m_baked && m_bake->isChecked()) shape->cage.reset();
     return io::lossOf(*format, written).value_or(QString());
 }
 
@@ -162,15 +164,17 @@ void ExportDataDialog::update() {
     constexpr qsizetype maxShown = 8000; // bytes; a palette is long
     const auto format = textFormat();
     const bool isTable = format && io::holdsOneSystem(*format);
-    m_form->setRowVisible(m_columns, isTable);
+    const bool isPlane = document::system2(m_fractal) != nullptr;
+    m_form->setRowVisible(m_columns, isTable && isPlane);
     m_form->setRowVisible(m_points, !format);
     m_form->setRowVisible(m_turnY, format == io::TextFormat::Flame);
     m_form->setRowVisible(m_bake, format && m_baked);
     m_copy->setVisible(format.has_value());
     m_preview->setVisible(format.has_value());
-    const QString obstacle = document::system2(m_fractal)
-                                 ? isTable ? m_columns->obstacle() : QString()
-                                 : tr("Only the numbers of systems in the plane can be exported.");
+    const bool isHeld = format ? io::holds(*format, m_fractal) : document::dimension(m_fractal) != 0;
+    const QString obstacle = !isHeld              ? tr("This format can store only systems in the plane.")
+                             : isTable && isPlane ? m_columns->obstacle()
+                                                  : QString();
     const bool possible = obstacle.isEmpty();
     m_export->setEnabled(possible);
     m_copy->setEnabled(possible);

@@ -200,7 +200,7 @@ void AnalysisPanel::showNotice() {
                   "properties of the code; on the canvas, the outlines bend with the picture.");
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
-    m_outlines->setVisible(document::dimension(fractal) == 2);
+    m_outlines->setVisible(document::dimension(fractal) != 0);
 }
 
 void AnalysisPanel::showAnalysis() {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance/appearance_panel.h"
 
+#include "document/space_geometry.h"
 #include "panels/appearance/appearance_colour_button.h"
 #include "panels/appearance/appearance_slider.h"
 #include "panels/appearance/gradient_editor.h"
 #include "panels/appearance/gradient_preview.h"
+#include "panels/appearance/slice_rows.h"
+#include "panels/appearance/space_rows.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
 
@@ -17,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace view {
 
@@ -33,6 +37,17 @@ QString stepText(const QString& name, const attractor::Rgba& colour) {
     return AppearancePanel::tr("%1: %2").arg(name, QColor(colour.red, colour.green, colour.blue).name());
 }
 
+std::vector<ifs::MapId> mapsWithSwatches(const document::Fractal& fractal) {
+    std::vector<ifs::MapId> ids;
+    const auto take = [&](const auto* system) {
+        for (std::size_t i = 0; system && i < std::min<std::size_t>(system->maps.size(), maxSwatches); ++i)
+            ids.push_back(system->maps[i].id);
+    };
+    take(document::system2(fractal));
+    take(document::system3(fractal));
+    return ids;
+}
+
 } // namespace
 
 AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
@@ -47,6 +62,9 @@ AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
     form->setHorizontalSpacing(0);
     form->setVerticalSpacing(10);
     layout->addLayout(form);
+    m_form = form;
+    m_space = new SpaceRows(form, document, this);
+    m_slice = new SliceRows(form, document, this);
     makeColourRows(form);
     makeToneRows(form);
     makeMapColours(form);
@@ -110,11 +128,11 @@ void AppearancePanel::makeGradientRows(QFormLayout* form) {
     m_editGradient->setAutoRaise(true);
     m_editGradient->setAccessibleName(tr("Edit Palette"));
     m_editGradient->setToolTip(tr("Edit the palette, or load one from a file"));
-    auto* row = new QHBoxLayout;
-    row->setSpacing(6);
-    row->addWidget(m_gradient, 1);
-    row->addWidget(m_editGradient);
-    form->addRow(m_gradientLabel, row);
+    m_gradientRow = new QHBoxLayout;
+    m_gradientRow->setSpacing(6);
+    m_gradientRow->addWidget(m_gradient, 1);
+    m_gradientRow->addWidget(m_editGradient);
+    form->addRow(m_gradientLabel, m_gradientRow);
 
     m_editor = new GradientEditor(this);
     m_editor->hide();
@@ -189,7 +207,7 @@ ColourButton* AppearancePanel::colourButton(const QString& name, attractor::Rgba
 
 AppearanceSlider* AppearancePanel::slider(const QString& name, double min, double max,
                                           double Appearance::*member) {
-    auto* made = new AppearanceSlider(name, min, max, this);
+    auto* made = new AppearanceSlider(name, min, max, AppearanceSlider::Scale::Logarithmic, this);
     connect(made, &AppearanceSlider::tried, this, [this, name, member](double value) {
         preview(tr("%1: %2").arg(name, shortNumber(value)), [=](Appearance& a) { a.*member = value; });
     });
@@ -210,7 +228,11 @@ void AppearancePanel::edit(const QString& text, const Setting& set) {
 }
 
 void AppearancePanel::resetToDefault() {
-    edit(tr("Reset the appearance"), [](Appearance& a) { a = {}; });
+    m_edit.commit();
+    document::Fractal fractal = m_document->fractal();
+    fractal.appearance = {};
+    fractal.inSpace = {};
+    m_document->edit(tr("Reset the appearance"), std::move(fractal));
 }
 
 void AppearancePanel::follow(const document::Change& change) {
@@ -218,33 +240,86 @@ void AppearancePanel::follow(const document::Change& change) {
     if (!(change.parts &
           (Change::Appearance | Change::System | Change::Current | Change::File | Change::Entries)))
         return;
-    const Appearance& appearance = m_document->fractal().appearance;
-    setEnabled(document::dimension(m_document->fractal()) == 2);
+    const document::Fractal& fractal = m_document->fractal();
+    const Appearance& appearance = fractal.appearance;
+    setEnabled(document::dimension(fractal) != 0);
+    m_space->follow();
+    m_slice->follow(change.live);
     m_colourBy->setCurrentIndex(m_colourBy->findData(static_cast<int>(appearance.colourBy)));
     m_gradient->showPalette(appearance.palette);
     m_editor->setGradient(appearance.palette);
-    m_plain->setColour(appearance.plain);
-    m_background->setColour(appearance.background);
+    const bool isSpace = document::space(fractal) != nullptr;
+    m_plain->setColour(isSpace ? document::solidAppearance(fractal).plain : appearance.plain);
+    m_background->setColour(isSpace ? document::backgroundInSpace(fractal) : appearance.background);
     m_transparent->setChecked(appearance.background.alpha == 0);
     m_brightness->setValue(appearance.brightness);
     m_gamma->setValue(appearance.gamma);
     m_supersampling->setCurrentIndex(m_supersampling->findData(appearance.supersample));
-    const bool usesPalette =
-        appearance.colourBy == ColourBy::Density || appearance.colourBy == ColourBy::Address;
-    m_gradient->setEnabled(usesPalette);
-    m_gradientLabel->setEnabled(usesPalette);
-    m_editGradient->setEnabled(usesPalette);
-    m_editor->setEnabled(usesPalette);
-    m_plain->setEnabled(appearance.colourBy == ColourBy::Plain);
-    m_plainLabel->setEnabled(m_plain->isEnabled());
-    m_reset->setEnabled(!(appearance == Appearance{}));
+    showUses();
+    m_reset->setEnabled(!(appearance == Appearance{}) || !(fractal.inSpace == attractor::SpaceAppearance{}));
     showMapColours();
+    layOutRows();
+}
+
+// A form gives rows that appear no height before it is laid out once more.
+void AppearancePanel::layOutRows() {
+    std::vector<bool> shown;
+    for (int row = 0; row < m_form->rowCount(); ++row)
+        shown.push_back(m_form->isRowVisible(row));
+    if (std::exchange(m_shownRows, shown) == shown) return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            layout()->invalidate();
+            layout()->activate();
+        },
+        Qt::QueuedConnection);
+}
+
+AppearancePanel::Uses AppearancePanel::uses() const {
+    const document::Fractal& fractal = m_document->fractal();
+    const ColourBy colourBy = fractal.appearance.colourBy;
+    const attractor::LookInSpace look = fractal.inSpace.look;
+    Uses uses;
+    if (!document::space(fractal) || look == attractor::LookInSpace::Cloud) {
+        uses = {true, colourBy == ColourBy::Density || colourBy == ColourBy::Address,
+                colourBy == ColourBy::Plain, colourBy == ColourBy::Map, true};
+    } else if (look == attractor::LookInSpace::XRay) {
+        uses.palette = uses.tone = true;
+    } else if (look == attractor::LookInSpace::Stone || look == attractor::LookInSpace::Ink) {
+        const attractor::SolidColour solid = document::solidColour(fractal);
+        uses.plain = solid == attractor::SolidColour::Plain;
+        uses.mapColours = solid == attractor::SolidColour::Map;
+        uses.palette = !uses.plain && !uses.mapColours;
+    }
+    uses.isPlane = document::space(fractal) == nullptr;
+    return uses;
+}
+
+// In the plane, what is not used is disabled and keeps its place; in space it is hidden, with all that a
+// solid has no use for.
+void AppearancePanel::showUses() {
+    const Uses used = uses();
+    if (std::exchange(m_shownUses, used) == used) return;
+    const bool isPlane = used.isPlane;
+    m_form->setRowVisible(m_colourBy, isPlane || used.colourBy);
+    m_form->setRowVisible(m_gradientRow, isPlane || used.palette);
+    m_form->setRowVisible(m_plain, isPlane || used.plain);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_brightness, m_gamma, m_supersampling})
+        m_form->setRowVisible(row, isPlane || used.tone);
+    m_form->setRowVisible(m_mapColours, isPlane || used.mapColours);
+    m_editor->setVisible(m_editGradient->isChecked() && (isPlane || used.palette));
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_gradient, m_gradientLabel, m_editGradient, m_editor})
+        widget->setEnabled(used.palette);
+    m_plain->setEnabled(used.plain);
+    m_plainLabel->setEnabled(used.plain);
 }
 
 void AppearancePanel::showMapColours() {
-    const document::System2* system = document::system2(m_document->fractal());
     const Appearance& appearance = m_document->fractal().appearance;
-    const std::size_t count = system ? std::min<std::size_t>(system->maps.size(), maxSwatches) : 0;
+    const std::vector<ifs::MapId> maps = mapsWithSwatches(m_document->fractal());
+    const std::size_t count = maps.size();
     while (m_mapButtons.size() < count) {
         const std::size_t index = m_mapButtons.size();
         auto* button =
@@ -252,9 +327,9 @@ void AppearancePanel::showMapColours() {
         const auto at = static_cast<int>(index);
         m_mapColoursGrid->addWidget(button, at / swatchesPerRow, at % swatchesPerRow);
         connect(button, &ColourButton::tried, this, [this, index](const attractor::Rgba& colour) {
-            const document::System2* now = document::system2(m_document->fractal());
-            if (!now || index >= now->maps.size()) return;
-            const ifs::MapId id = now->maps[index].id;
+            const std::vector<ifs::MapId> now = mapsWithSwatches(m_document->fractal());
+            if (index >= now.size()) return;
+            const ifs::MapId id = now[index];
             preview(stepText(tr("Colour of map %1").arg(index + 1), colour),
                     [&](Appearance& a) { a.mapColours[id] = colour; });
         });
@@ -264,14 +339,15 @@ void AppearancePanel::showMapColours() {
     }
     const auto shown = std::ranges::count_if(m_mapButtons, [](const QWidget* b) { return !b->isHidden(); });
     if (std::size_t(shown) != count) {
+        const bool wasShown = !m_mapColours->isHidden();
         m_mapColours->hide(); // else the window is laid out for every button
         for (std::size_t i = 0; i < m_mapButtons.size(); ++i)
             m_mapButtons[i]->setVisible(i < count);
-        m_mapColours->show();
+        m_mapColours->setVisible(wasShown);
     }
     for (std::size_t i = 0; i < count; ++i)
-        m_mapButtons[i]->setColour(attractor::mapColour(appearance, system->maps[i].id, i));
-    m_mapColours->setEnabled(appearance.colourBy == ColourBy::Map);
+        m_mapButtons[i]->setColour(attractor::mapColour(appearance, maps[i], i));
+    m_mapColours->setEnabled(uses().mapColours);
     m_mapColoursLabel->setEnabled(m_mapColours->isEnabled());
 }
 

@@ -11,6 +11,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -20,8 +21,11 @@ class AppearanceSlider;
 class ColourButton;
 class GradientChooser;
 class GradientEditor;
+class SliceRows;
+class SpaceRows;
 
-// How the attractor is coloured. Every control is live; one undo step per drag, dialog or typed number.
+// How the attractor is coloured, and in space also lit. Every control is live; one undo step per drag, dialog
+// or typed number.
 class AppearancePanel : public QWidget {
     Q_OBJECT
 
@@ -35,6 +39,8 @@ public:
     AppearanceSlider* brightness() const { return m_brightness; }
     AppearanceSlider* gamma() const { return m_gamma; }
     QCheckBox* transparent() const { return m_transparent; }
+    SpaceRows* space() const { return m_space; }
+    SliceRows* slice() const { return m_slice; }
     QComboBox* supersampling() const { return m_supersampling; }
     void resetToDefault();
 
@@ -51,12 +57,32 @@ private:
     AppearanceSlider* slider(const QString& name, double min, double max,
                              double attractor::Appearance::*member);
     void follow(const document::Change& change);
+    // What the picture shown makes use of.
+    struct Uses {
+        bool colourBy = false; // of a density
+        bool palette = false;
+        bool plain = false;
+        bool mapColours = false;
+        bool tone = false;
+        bool isPlane = true;
+
+        friend bool operator==(const Uses&, const Uses&) = default;
+    };
+    Uses uses() const;
+    void showUses();
+    void layOutRows();
     void showMapColours();
     void preview(const QString& text, const Setting& set);
     void edit(const QString& text, const Setting& set);
 
     document::Document* m_document;
     document::LiveEdit m_edit;
+    QFormLayout* m_form;
+    SpaceRows* m_space;
+    SliceRows* m_slice;
+    std::vector<bool> m_shownRows;
+    std::optional<Uses> m_shownUses; // laying out rows again takes long in a drag
+    QHBoxLayout* m_gradientRow;
     QComboBox* m_colourBy;
     GradientChooser* m_gradient;
     QLabel* m_gradientLabel;

@@ -19,10 +19,11 @@ constexpr std::chrono::milliseconds runPause{600};
 
 } // namespace
 
-AppearanceSlider::AppearanceSlider(const QString& name, double min, double max, QWidget* parent)
+AppearanceSlider::AppearanceSlider(const QString& name, double min, double max, Scale scale, QWidget* parent)
     : QWidget(parent),
       m_min(min),
       m_max(max),
+      m_scale(scale),
       m_slider(new QSlider(Qt::Horizontal, this)),
       m_field(new NumberField(this)) {
     m_slider->setRange(0, positions);
@@ -32,7 +33,11 @@ AppearanceSlider::AppearanceSlider(const QString& name, double min, double max, 
     m_slider->setAccessibleName(name);
     m_slider->setWhatsThis(tr("Drag, or use the arrow keys. The field next to it shows the same value."));
     m_field->setAccessibleName(name);
-    m_field->setRange({0.0, std::nullopt, NumberRange::Ends::Open});
+    if (scale == Scale::Logarithmic)
+        m_field->setRange({0.0, std::nullopt, NumberRange::Ends::Open});
+    else
+        m_field->setRange(
+            {min < 0 ? std::nullopt : std::optional(min), std::nullopt, NumberRange::Ends::Closed});
     m_field->setStep(0.1);
     m_field->setFixedWidth(m_field->minimumSizeHint().width() + 14);
     auto* layout = new QHBoxLayout(this);
@@ -50,13 +55,23 @@ AppearanceSlider::AppearanceSlider(const QString& name, double min, double max, 
     connect(m_field, &NumberField::cancelled, this, &AppearanceSlider::rejected);
 }
 
+void AppearanceSlider::setRange(double min, double max) {
+    m_min = min;
+    m_max = max > min ? max : min + 1;
+    if (m_scale == Scale::Linear) m_field->setStep((m_max - m_min) / 100);
+}
+
 int AppearanceSlider::positionOf(double value) const {
-    const double share = std::log(std::clamp(value, m_min, m_max) / m_min) / std::log(m_max / m_min);
+    const double within = std::clamp(value, m_min, m_max);
+    const double share = m_scale == Scale::Linear ? (within - m_min) / (m_max - m_min)
+                                                  : std::log(within / m_min) / std::log(m_max / m_min);
     return static_cast<int>(std::lround(share * positions));
 }
 
 double AppearanceSlider::valueAt(int position) const {
-    const double value = m_min * std::pow(m_max / m_min, static_cast<double>(position) / positions);
+    const double share = static_cast<double>(position) / positions;
+    const double value =
+        m_scale == Scale::Linear ? m_min + share * (m_max - m_min) : m_min * std::pow(m_max / m_min, share);
     return QString::number(value, 'g', 3).toDouble(); // no more digits than a hand has
 }
 

@@ -10,15 +10,19 @@ namespace view {
 
 class NumberField;
 
-// A positive number on a logarithmic slider with its field. One drag, one run of wheel or arrow steps, or the
+// A number on a slider with its field. One drag, one run of wheel or arrow steps, or the
 // typing in the field is one edit: tried() while it lasts, then accepted() or rejected().
 class AppearanceSlider : public QWidget {
     Q_OBJECT
 
 public:
-    // The slider spans [min, max]; the field takes any number > 0.
-    AppearanceSlider(const QString& name, double min, double max, QWidget* parent = nullptr);
+    enum class Scale {
+        Logarithmic, // the slider spans [min, max], 0 < min; the field takes any number > 0
+        Linear,      // the slider spans [min, max]; the field takes any number, none below 0 where min is 0
+    };
+    AppearanceSlider(const QString& name, double min, double max, Scale scale, QWidget* parent = nullptr);
 
+    void setRange(double min, double max); // the value is set anew after it
     void setValue(double value);
     QSlider* slider() const { return m_slider; }
     NumberField* field() const { return m_field; }
@@ -35,6 +39,7 @@ private:
 
     double m_min;
     double m_max;
+    Scale m_scale;
     QSlider* m_slider;
     NumberField* m_field;
     QTimer m_settled; // ends a run of steps made without holding the slider

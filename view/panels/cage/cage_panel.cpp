@@ -5,6 +5,7 @@
 #include "document/space_geometry.h"
 #include "io/file/background.h"
 #include "panels/cage/cage_texts.h"
+#include "panels/cage/fit_menu.h"
 #include "widgets/icon.h"
 #include "widgets/number_field.h"
 
@@ -176,28 +177,6 @@ QLayout* CagePanel::makeButtons() {
     m_bake = new QAction(icon(QStringLiteral("bake")), tr("Bake"), this);
     connect(m_bake, &QAction::triggered, this, &CagePanel::bake);
 
-    auto* menu = new QMenu(this);
-    const auto add = [&](const QString& text, document::SimplexChoice choice) {
-        menu->addAction(text, this, [this, choice] { fit(choice); });
-    };
-    add(tr("Minimal Canonical Simplex"), document::SimplexChoice::Minimal);
-    menu->addSeparator();
-    const std::array choices{document::SimplexChoice::PlusPlus, document::SimplexChoice::MinusPlus,
-                             document::SimplexChoice::PlusMinus, document::SimplexChoice::MinusMinus};
-    const std::array<ifs::Orientation<2>, 4> orientations{{{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
-    for (std::size_t i = 0; i < choices.size(); ++i)
-        add(tr("Canonical Simplex %1").arg(document::orientationText(orientations[i])), choices[i]);
-    menu->addSeparator();
-    menu->addAction(tr("Bounding Box"), this, [this] { fit(document::PolygonChoice::Box); });
-    const auto addPolygons = [&](const QString& title, document::PolygonChoice choice) {
-        QMenu* polygons = menu->addMenu(title);
-        for (const int corners : {3, 4, 5, 6, 8, 12, 16, 24})
-            polygons->addAction(tr("%n Corners", nullptr, corners), this,
-                                [this, choice, corners] { fit(choice, corners); });
-    };
-    addPolygons(tr("Convex Hull, Simplified to"), document::PolygonChoice::Hull);
-    addPolygons(tr("Regular Polygon with"), document::PolygonChoice::Regular);
-
     auto* grid = new QGridLayout; // narrow in every language
     grid->setSpacing(2);
     grid->setColumnStretch(2, 1);
@@ -215,7 +194,6 @@ QLayout* CagePanel::makeButtons() {
     m_fit->setIcon(icon(QStringLiteral("fit-simplex")));
     m_fit->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_fit->setAccessibleName(tr("Fit the cage"));
-    m_fit->setMenu(menu);
     m_fit->setPopupMode(QToolButton::InstantPopup);
     m_fit->setAutoRaise(true);
     grid->addWidget(m_fit, 0, 1);
@@ -253,7 +231,8 @@ void CagePanel::followDimension() {
     m_arrangedFor = dimension();
     arrange();
     const bool isPlane = m_arrangedFor == 2;
-    m_modeBox->setVisible(isPlane); // in space, moving the cage moves the picture
+    delete m_fit->menu();
+    m_fit->setMenu(isPlane ? makeFitMenu(this) : makeSpaceFitMenu(this));
     m_pointZName->setVisible(!isPlane);
     m_point[2]->setVisible(!isPlane);
     static_cast<QGridLayout*>(m_point[2]->parentWidget()->layout())->setColumnStretch(5, isPlane ? 0 : 1);
@@ -400,9 +379,10 @@ void CagePanel::editCurrent(std::size_t vertex, int axis, double value) {
     if (auto cage = document::spaceCage(m_edit.before())) {
         ifs::Vector<3>& position = cage->current.at(vertex);
         position[axis] = value;
-        m_edit.preview(
-            stepText<3>(tr("Move vertex %1 to (%2, %3, %4)"), vertex, position),
-            [&](document::Fractal& fractal) { fractal = withSpaceCageMoved(std::move(fractal), *cage); });
+        m_edit.preview(stepText<3>(tr("Move vertex %1 to (%2, %3, %4)"), vertex, position),
+                       [&](document::Fractal& fractal) {
+                           fractal = withSpaceCageMoved(std::move(fractal), *cage, m_document->cageMode());
+                       });
         return;
     }
     ifs::Vector<2> position = document::effectiveCage(m_edit.before()).current.at(vertex);
@@ -452,6 +432,18 @@ void CagePanel::fit(document::PolygonChoice choice, int corners) {
     const QString obstacle = fitObstacle(m_document->fractal());
     auto fitted = obstacle.isEmpty() ? withCageAround(m_document->fractal(), choice, corners) : std::nullopt;
     fitTo(std::move(fitted), obstacle.isEmpty() ? tr("The picture is too thin for such a cage.") : obstacle);
+}
+
+void CagePanel::fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation) {
+    const QString obstacle = fitObstacle(m_document->fractal());
+    fitTo(obstacle.isEmpty() ? withTetrahedronFitted(m_document->fractal(), orientation) : std::nullopt,
+          obstacle);
+}
+
+void CagePanel::fitBox() {
+    const QString obstacle = fitObstacle(m_document->fractal());
+    fitTo(obstacle.isEmpty() ? withBoxFitted(m_document->fractal()) : std::nullopt,
+          obstacle.isEmpty() ? tr("The picture is too thin for such a cage.") : obstacle);
 }
 
 void CagePanel::fitTo(std::optional<document::Fractal> fitted, const QString& obstacle) {
@@ -580,10 +572,8 @@ void CagePanel::updateActions() {
         isSpace ? tr("Three clicks define a triangle in the plane. In space, show the rest cage and type the "
                      "coordinates of its vertices.")
                 : tr("Define the triangle by three clicks on the canvas; the picture stays"));
-    m_fit->setEnabled(document::dimension(fractal) == 2);
-    m_fit->setToolTip(isSpace ? tr("These cages are polygons in the plane. In space, the cage is the minimal "
-                                   "canonical simplex until you change it.")
-                              : tr("Replace the cage by one fitted to the picture; the picture stays"));
+    m_fit->setEnabled(document::dimension(fractal) != 0);
+    m_fit->setToolTip(tr("Replace the cage by one fitted to the picture; the picture stays"));
     const QString nothingToReset = resetObstacle(fractal);
     m_reset->setEnabled(nothingToReset.isEmpty());
     m_reset->setToolTip(nothingToReset.isEmpty() ? tr("Return the cage and the picture to rest")

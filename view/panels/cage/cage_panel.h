@@ -3,6 +3,7 @@
 
 #include "document/edits/cage_edits.h"
 #include "document/edits/live_edit.h"
+#include "document/edits/space_cage_edits.h"
 
 #include <QFutureWatcher>
 #include <QTimer>
@@ -25,7 +26,7 @@ namespace view {
 class NumberField;
 
 // The control cage in numbers: its vertices, what it does to the picture, and how it is fitted, reset and
-// baked. In space, of these only its vertices and its return to rest.
+// baked.
 class CagePanel : public QWidget {
     Q_OBJECT
 
@@ -40,6 +41,8 @@ public:
 
     void fit(document::SimplexChoice choice);
     void fit(document::PolygonChoice choice, int corners = 4);
+    void fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation = {}); // in space; the smallest
+    void fitBox();
     void setDeformation(ifs::Deformation deformation);
     void reset();
     void bake();

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+#include <limits>
+#include <optional>
+
+namespace attractor {
+
+// How an entry in space is shown.
+enum class LookInSpace {
+    Stone,   // a solid, lit from the upper left
+    Ink,     // a solid with dark creases, for print
+    Cloud,   // the density of the measure, as in the plane
+    XRay,    // the same, coloured by mean depth
+    Depth,   // near white, far black
+    Normals, // the direction of the surface as a colour
+};
+
+bool showsCloud(LookInSpace look); // a density, not a solid
+
+enum class SolidColour {
+    Plain,
+    Map,     // the first map of the address
+    Address, // the palette along the address coordinate
+    Height,  // the palette along the scene's upward direction
+    Depth,   // the palette from the nearest depth to the farthest
+};
+
+// What of a picture in space is kept: lowest ≤ ⟨normal, x⟩ ≤ highest, x as displayed. A slice between two
+// planes, or a half-space where one of them is infinite.
+struct SpaceClip {
+    ifs::Vector<3> normal = ifs::Vector<3>::UnitX();
+    double lowest = -std::numeric_limits<double>::infinity();
+    double highest = std::numeric_limits<double>::infinity();
+
+    friend bool operator==(const SpaceClip&, const SpaceClip&) = default;
+};
+// Whether the normal is finite and not zero, and lowest ≤ highest with one of them finite.
+bool isUsable(const SpaceClip& clip);
+
+// What an appearance says of space alone; colours and background are those of the plane.
+struct SpaceAppearance {
+    static constexpr double maxFog = 100;
+
+    LookInSpace look = LookInSpace::Stone;
+    std::optional<SolidColour> colourBy; // of a solid; nullopt: by map where the cloud is, else plain
+    double lightAzimuth = -40;           // of the key light, degrees from the line of sight: lampAt()
+    double lightElevation = 40;
+    double fog = 0; // 0 … maxFog
+    std::optional<SpaceClip> clip;
+
+    friend bool operator==(const SpaceAppearance&, const SpaceAppearance&) = default;
+};
+
+} // namespace attractor

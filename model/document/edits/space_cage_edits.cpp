@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/space_cage_edits.h"
+
+#include "document/space_geometry.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace document {
+
+namespace {
+
+constexpr double relativeTolerance = 1e-6; // as the cage in force has: spaceCage()
+
+QString sentence(const char* text) {
+    return QCoreApplication::translate("SpaceCageEdits", text);
+}
+
+QString noMap() {
+    return sentence(QT_TRANSLATE_NOOP("SpaceCageEdits", "No map is active, so there is nothing to enclose."));
+}
+
+// Numbers that rounding has left where there should be none would stand in the table.
+void dropRounding(System3& system) {
+    constexpr double rounding = 1e-15;
+    const auto clean = [](auto& numbers, double size) {
+        numbers =
+            numbers.unaryExpr([size](double x) { return std::abs(x) <= rounding * size ? 0 : x; }).eval();
+    };
+    double reach = 0;
+    for (const auto& map : system.maps)
+        reach = std::max(reach, map.map.translation.cwiseAbs().maxCoeff());
+    for (auto& map : system.maps) {
+        clean(map.map.linear, map.map.linear.cwiseAbs().maxCoeff());
+        clean(map.map.translation, reach);
+    }
+}
+
+bool rests(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    return !shape || !shape->cage || shape->cage->rest == shape->cage->current;
+}
+
+// The code takes up its cage; branches that are shown elsewhere go with it.
+std::optional<Fractal> withCageBaked(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    if (!shape || !shape->cage) return std::nullopt;
+    auto baked = ifs::bake(shape->system, *shape->cage);
+    if (!baked) return std::nullopt;
+    const ifs::AffineMap<3> placed = ifs::displayMap(*shape->cage);
+    dropRounding(baked->system);
+    Fractal result = fractal;
+    Shape<3>& after = *space(result);
+    after.system = std::move(baked->system);
+    after.cage = std::move(baked->cage);
+    for (MovedBranch<3>& branch : after.moved)
+        branch.change = ifs::conjugate(placed, branch.change).value_or(branch.change);
+    return result;
+}
+
+// The same picture held by other vertices.
+std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector<ifs::Vector<3>>& vertices) {
+    const auto present = spaceCage(fractal);
+    if (!present) return std::nullopt;
+    Fractal after = fractal;
+    auto& cage = space(after)->cage;
+    cage = rests(fractal) ? std::optional(ifs::polygonAtRest<3>(vertices))
+                          : ifs::redefine<3>(*present, vertices);
+    return cage && ifs::isValid(*cage) ? std::optional(after) : std::nullopt;
+}
+
+// Where the cage of an entry in space puts its code.
+ifs::AffineMap<3> placementOf(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    return shape && shape->cage ? ifs::displayMap(*shape->cage) : ifs::AffineMap<3>();
+}
+
+} // namespace
+
+Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage, CageMode mode) {
+    fractal = withSpaceCageMoved(std::move(fractal), std::move(cage));
+    if (mode == CageMode::Rewrite)
+        if (auto rewritten = spaceBaked(fractal)) return *std::move(rewritten);
+    return fractal;
+}
+
+QString spaceBakeObstacle(const Fractal& fractal) {
+    if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (rests(fractal))
+        return sentence(
+            QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is at rest: the picture shows the code."));
+    if (!ifs::isInvertible(*space(fractal)->cage))
+        return sentence(QT_TRANSLATE_NOOP(
+            "SpaceCageEdits",
+            "The cage is flat, so its placement cannot be baked into the code. Open the cage first."));
+    return {};
+}
+
+std::optional<Fractal> spaceBaked(const Fractal& fractal) {
+    return spaceBakeObstacle(fractal).isEmpty() ? withCageBaked(fractal) : std::nullopt;
+}
+
+QString spaceUnbakeObstacle(const Fractal& fractal) {
+    if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (space(fractal)->system.maps.empty()) return noMap();
+    if (!rests(fractal))
+        return sentence(
+            QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is not at rest: it already holds a placement."));
+    if (const auto& cage = space(fractal)->cage; cage && cage->rest.size() != 4)
+        return sentence(
+            QT_TRANSLATE_NOOP("SpaceCageEdits", "Only a cage with four vertices can be unbaked."));
+    return {};
+}
+
+std::optional<Fractal> spaceUnbaked(const Fractal& fractal) {
+    if (!spaceUnbakeObstacle(fractal).isEmpty()) return std::nullopt;
+    const auto cage = spaceCage(fractal);
+    const std::vector<ifs::Vector<3>> unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Fractal after = fractal;
+    space(after)->cage = ifs::ControlCage<3>{cage->rest, unit};
+    auto result = withCageBaked(after);
+    if (result) space(*result)->cage = ifs::ControlCage<3>{unit, cage->current};
+    return result;
+}
+
+QString spaceFitObstacle(const Fractal& fractal) {
+    if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    const Shape<3>& shape = *space(fractal);
+    if (ifs::activeMaps(shape.system).maps.empty()) return noMap();
+    if (shape.cage && !rests(fractal) && !ifs::isInvertible(*shape.cage))
+        return sentence(
+            QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is flat. First open or reset the tetrahedron."));
+    if (!spaceSupport(fractal))
+        return sentence(
+            QT_TRANSLATE_NOOP("SpaceCageEdits", "This system has no attractor that can be enclosed."));
+    return {};
+}
+
+std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
+                                             const std::optional<ifs::Orientation<3>>& orientation) {
+    const auto system = system3(fractal);
+    if (!system) return std::nullopt;
+    const auto displayed = ifs::conjugate(placementOf(fractal), *system);
+    const auto support =
+        displayed ? ifs::SupportFunction<3>::of(ifs::activeMaps(*displayed).maps) : std::nullopt;
+    if (!support) return std::nullopt;
+    const double tolerance = relativeTolerance * support->radius();
+    const ifs::CanonicalSimplex<3> simplex = orientation
+                                                 ? ifs::canonicalSimplex<3>(*support, *orientation, tolerance)
+                                                 : ifs::minimalCanonicalSimplex(*support, tolerance);
+    if (!orientation && rests(fractal)) {
+        Fractal after = fractal;
+        space(after)->cage.reset(); // it then follows the code
+        return after;
+    }
+    return withCageThrough(fractal, {simplex.vertices.begin(), simplex.vertices.end()});
+}
+
+std::optional<Fractal> withBoxFitted(const Fractal& fractal) {
+    const auto support = spaceSupport(fractal);
+    if (!support) return std::nullopt;
+    const auto box =
+        ifs::boundingBoxOfImage(placementOf(fractal), *support, relativeTolerance * support->radius());
+    const ifs::Vector<3> low = box.min.array() - box.error, high = box.max.array() + box.error;
+    return withCageThrough(
+        fractal,
+        {low, {high.x(), low.y(), low.z()}, {low.x(), high.y(), low.z()}, {low.x(), low.y(), high.z()}});
+}
+
+} // namespace document

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "ifs/extent/extent.h"
+
+#include <QString>
+
+#include <optional>
+
+// Edits of the cage in space as functions from fractal to fractal; cage_edits.h has those of both dimensions,
+// which call these for an entry in space.
+namespace document {
+
+// The fractal with its cage moved there. In the mode Rewrite the code follows and the cage rests; where no
+// code does, because the cage is flat, it is placed.
+Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage, CageMode mode);
+
+// Why the placement cannot become the code of an entry in space, or be taken out of it; empty when it can.
+QString spaceBakeObstacle(const Fractal& fractal);
+QString spaceUnbakeObstacle(const Fractal& fractal);
+// The same picture with the cage at rest; and with the code of the tetrahedron 0, e₁, e₂, e₃ and the cage
+// where the picture is. nullopt when there is an obstacle.
+std::optional<Fractal> spaceBaked(const Fractal& fractal);
+std::optional<Fractal> spaceUnbaked(const Fractal& fractal);
+
+// Why no cage can be fitted around the picture of an entry in space; empty when one can.
+QString spaceFitObstacle(const Fractal& fractal);
+// The displayed picture held by its smallest tetrahedron with three equal legs along the axes, over all eight
+// orientations or for one; nullopt without an attractor or while the placement is flat.
+std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
+                                             const std::optional<ifs::Orientation<3>>& orientation = {});
+// The displayed picture held by the corner of its certified bounding box with the least coordinates and its
+// three neighbours, whose edges span the box.
+std::optional<Fractal> withBoxFitted(const Fractal& fractal);
+
+} // namespace document

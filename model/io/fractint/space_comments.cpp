@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "io/fractint/space_comments.h"
+
+#include "io/fractint/metadata_line.h"
+#include "io/text/number.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace io {
+
+namespace {
+
+using attractor::LookInSpace;
+using attractor::SolidColour;
+
+constexpr std::array<std::pair<LookInSpace, const char*>, 6> lookNames{{
+    {LookInSpace::Stone, "stone"},
+    {LookInSpace::Ink, "ink"},
+    {LookInSpace::Cloud, "cloud"},
+    {LookInSpace::XRay, "x-ray"},
+    {LookInSpace::Depth, "depth"},
+    {LookInSpace::Normals, "normals"},
+}};
+
+constexpr std::array<std::pair<SolidColour, const char*>, 5> colourNames{{
+    {SolidColour::Plain, "none"},
+    {SolidColour::Map, "map"},
+    {SolidColour::Address, "address"},
+    {SolidColour::Height, "height"},
+    {SolidColour::Depth, "depth"},
+}};
+
+constexpr const char* open = "-"; // a side of the clip without a plane
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+template <class Names, class Value> const char* nameIn(const Names& names, Value value) {
+    const auto found = std::ranges::find(names, value, &Names::value_type::first);
+    return found == names.end() ? "" : found->second;
+}
+
+template <class Value, class Names> std::optional<Value> valueIn(const Names& names, const QByteArray& name) {
+    const auto found = std::ranges::find_if(names, [&](const auto& entry) { return name == entry.second; });
+    return found == names.end() ? std::nullopt : std::optional<Value>(found->first);
+}
+
+QByteArray bound(double value) {
+    return std::isfinite(value) ? formatNumber(value) : QByteArray(open);
+}
+
+std::optional<double> number(const QByteArray& text) {
+    return parseNumber(QString::fromLatin1(text));
+}
+
+} // namespace
+
+const char* nameOf(LookInSpace look) {
+    return nameIn(lookNames, look);
+}
+
+std::optional<LookInSpace> lookInSpaceNamed(const QByteArray& name) {
+    return valueIn<LookInSpace>(lookNames, name);
+}
+
+const char* nameOf(SolidColour colour) {
+    return nameIn(colourNames, colour);
+}
+
+std::optional<SolidColour> solidColourNamed(const QByteArray& name) {
+    return valueIn<SolidColour>(colourNames, name);
+}
+
+QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance) {
+    const attractor::SpaceAppearance standard;
+    QByteArrayList lines;
+    if (appearance.look != standard.look) lines << metadataLine("space-look", nameOf(appearance.look));
+    if (appearance.colourBy) lines << metadataLine("solid-colour", nameOf(*appearance.colourBy));
+    if (appearance.lightAzimuth != standard.lightAzimuth ||
+        appearance.lightElevation != standard.lightElevation)
+        lines << metadataLines(
+            "light", {formatNumber(appearance.lightAzimuth), formatNumber(appearance.lightElevation)});
+    if (appearance.fog != standard.fog) lines << metadataLine("fog", formatNumber(appearance.fog));
+    if (!appearance.clip) return lines;
+    const attractor::SpaceClip& clip = *appearance.clip;
+    QByteArrayList normal;
+    for (int i = 0; i < 3; ++i)
+        normal << formatNumber(clip.normal[i]);
+    return lines << metadataLines("clip-normal", normal)
+                 << metadataLines("clip-range", {bound(clip.lowest), bound(clip.highest)});
+}
+
+bool SpaceComments::read(const QByteArray& key, const QByteArrayList& values) {
+    if (values.isEmpty()) return false;
+    if (key == "space-look") {
+        const auto look = lookInSpaceNamed(values[0]);
+        m_appearance.look = look.value_or(m_appearance.look);
+        return look && values.size() == 1;
+    }
+    if (key == "solid-colour") {
+        const auto colour = solidColourNamed(values[0]);
+        if (colour) m_appearance.colourBy = colour;
+        return colour && values.size() == 1;
+    }
+    if (key == "light") {
+        const auto azimuth = number(values[0]), elevation = number(values.back());
+        if (values.size() != 2 || !azimuth || !elevation) return false;
+        m_appearance.lightAzimuth = *azimuth;
+        m_appearance.lightElevation = *elevation;
+        return true;
+    }
+    if (key == "fog") {
+        const auto fog = number(values[0]);
+        if (values.size() != 1 || !fog || !(*fog >= 0 && *fog <= attractor::SpaceAppearance::maxFog))
+            return false;
+        m_appearance.fog = *fog;
+        return true;
+    }
+    const bool isRange = key == "clip-range";
+    if (!isRange && key != "clip-normal") return false;
+    std::vector<double> into = isRange ? m_range : m_normal; // all of the line, or nothing
+    const std::size_t most = isRange ? 2 : 3;
+    for (const QByteArray& value : values) {
+        const bool isOpen = isRange && value == open;
+        const auto read = isOpen ? std::optional(into.empty() ? -infinite : infinite) : number(value);
+        if (!read || into.size() == most) return false;
+        into.push_back(*read);
+    }
+    (isRange ? m_range : m_normal) = into;
+    return true;
+}
+
+attractor::SpaceAppearance SpaceComments::appearance() const {
+    attractor::SpaceAppearance result = m_appearance;
+    if (m_normal.size() != 3 || m_range.size() != 2) return result;
+    const attractor::SpaceClip clip{{m_normal[0], m_normal[1], m_normal[2]}, m_range[0], m_range[1]};
+    if (isUsable(clip)) result.clip = clip;
+    return result;
+}
+
+} // namespace io

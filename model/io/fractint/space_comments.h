@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/space_appearance.h"
+
+#include <QByteArray>
+#include <QByteArrayList>
+
+#include <optional>
+#include <vector>
+
+// How an entry in space is shown, in comment lines. docs/formats.md, "Our own lines".
+namespace io {
+
+// The names of looks and colours that files and the command line use.
+const char* nameOf(attractor::LookInSpace look);
+std::optional<attractor::LookInSpace> lookInSpaceNamed(const QByteArray& name);
+const char* nameOf(attractor::SolidColour colour);
+std::optional<attractor::SolidColour> solidColourNamed(const QByteArray& name);
+
+// None where everything is as in a new entry.
+QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance);
+
+// Collects the lines of one entry.
+class SpaceComments {
+public:
+    // False when the key or its values are not understood.
+    bool read(const QByteArray& key, const QByteArrayList& values);
+
+    // What the lines say; a clip that makes no sense is left out.
+    attractor::SpaceAppearance appearance() const;
+
+private:
+    attractor::SpaceAppearance m_appearance;
+    std::vector<double> m_normal;
+    std::vector<double> m_range; // infinite where a side is open
+};
+
+} // namespace io

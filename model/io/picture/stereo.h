@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/light/tone_map16.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace io {
+
+enum class Stereo {
+    None,
+    SideBySide, // the left eye's picture to the left
+    Anaglyph,   // for glasses with red before the left eye and cyan before the right one
+};
+
+// What both eyes see, in one picture. `width` is that of each of them; they have equally many pixels. Pixels
+// are 0xAARRGGBB, premultiplied, or Rgba16. docs/mathematics.md, "Stereo".
+std::vector<std::uint32_t> joined(Stereo stereo, const std::vector<std::uint32_t>& left,
+                                  const std::vector<std::uint32_t>& right, int width);
+std::vector<attractor::Rgba16> joined(Stereo stereo, const std::vector<attractor::Rgba16>& left,
+                                      const std::vector<attractor::Rgba16>& right, int width);
+
+} // namespace io

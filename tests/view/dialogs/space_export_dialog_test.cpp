@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/space_systems.h"
+#include "dialogs/export/space_export_dialog.h"
+#include "document/space_geometry.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using view::SpaceExportDialog;
+
+class SpaceExportDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        document::Fractal fractal;
+        fractal.name = QStringLiteral("menger");
+        fractal.shape = document::Shape<3>{systems::menger()};
+        m_document = std::make_unique<document::Document>();
+        m_document->setFile(document::fileOf(fractal));
+        attractor::OrbitCamera camera;
+        camera.size = {160, 120};
+        camera.orientation = attractor::orbit(30, 20);
+        camera = document::fittedTo(fractal, camera, 0.05);
+        m_dialog = std::make_unique<SpaceExportDialog>(m_document.get(), camera);
+        m_dialog->show();
+    }
+
+    void aPictureIsWhatTheCameraShows() {
+        QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QStringLiteral("a.png")));
+        const QImage picture(path(QStringLiteral("a.png")));
+        QCOMPARE(picture.size(), QSize(160, 120));
+        QVERIFY(!picture.textKeys().isEmpty()); // the system is in it
+        for (auto* box : m_dialog->findChildren<QComboBox*>())
+            if (box->count() == 3 && box->itemText(1).contains(QStringLiteral("side")))
+                box->setCurrentIndex(1);
+        QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QStringLiteral("both.png")));
+        const QImage both(path(QStringLiteral("both.png")));
+        QCOMPARE(both.size(), QSize(160, 120));
+        QVERIFY(both.copy(0, 0, 80, 120) != both.copy(80, 0, 80, 120));
+    }
+
+    void bodiesAreWrittenWithTheirFacts() {
+        for (const auto& [format, name] : {std::pair{SpaceExportDialog::Format::Stl, "a.stl"},
+                                           {SpaceExportDialog::Format::Obj, "a.obj"},
+                                           {SpaceExportDialog::Format::Glb, "a.glb"},
+                                           {SpaceExportDialog::Format::Ply, "a.ply"}}) {
+            for (auto* field : m_dialog->findChildren<QSpinBox*>())
+                if (field->maximum() == io::SolidOptions::maxResolution) field->setValue(16);
+            QVERIFY(exportedAs(format, QLatin1String(name)));
+            QVERIFY(QFileInfo(path(QLatin1String(name))).size() > 1000);
+            QVERIFY2(m_dialog->message().contains(QStringLiteral("mm")), qPrintable(m_dialog->message()));
+        }
+    }
+
+    void openScadGetsOneMatrixForEachMap() {
+        QVERIFY(exportedAs(SpaceExportDialog::Format::OpenScad, QStringLiteral("a.scad")));
+        QFile file(path(QStringLiteral("a.scad")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("multmatrix"));
+    }
+
+    void whatCannotBeWrittenSaysSo() {
+        m_dialog->setFormat(SpaceExportDialog::Format::Png);
+        m_dialog->exportTo(QStringLiteral("/nowhere/at/all.png"));
+        QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nowhere")), 20000);
+    }
+
+private:
+    QString path(const QString& name) const { return m_folder.filePath(name); }
+    bool exportedAs(SpaceExportDialog::Format format, const QString& name) {
+        m_dialog->setFormat(format);
+        QSignalSpy exported(m_dialog.get(), &SpaceExportDialog::exported);
+        m_dialog->exportTo(path(name));
+        return !exported.isEmpty() || exported.wait(60000);
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<SpaceExportDialog> m_dialog;
+};
+
+QTEST_MAIN(SpaceExportDialogTest)
+#include "space_export_dialog_test.moc"

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/space_export_dialog.h"
+
+#include "dialogs/export/export_size_editor.h"
+#include "dialogs/export/start_export.h"
+#include "document/space_geometry.h"
+#include "document/unique_names.h"
+#include "io/solid/openscad.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/save_beside.h"
+#include "widgets/tooltip_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+SpaceExportDialog::SpaceExportDialog(document::Document* document, const attractor::OrbitCamera& camera,
+                                     QWidget* parent)
+    : QDialog(parent), m_fractal(document->fractal()), m_camera(camera), m_form(new QFormLayout) {
+    setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
+    m_format = new QComboBox(this);
+    m_format->addItems({tr("Picture (.png)"), tr("Body to print (.stl)"), tr("Body (.obj)"),
+                        tr("Body (.glb)"), tr("Body (.ply)"), tr("OpenSCAD program (.scad)")});
+    m_format->setWhatsThis(
+        tr("A picture as the camera shows it, a watertight body that contains the attractor, or "
+           "the maps as a program for OpenSCAD."));
+    m_form->addRow(tr("&Format:"), m_format);
+    createPicture();
+    createBody();
+    m_message = new QLabel(this);
+    m_message->setWordWrap(true);
+    m_message->setTextFormat(Qt::PlainText);
+    m_message->setAccessibleName(tr("Result"));
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_progress->hide();
+    auto* buttons = new QDialogButtonBox(this);
+    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_start->setWhatsThis(tr("Asks for a file name and writes the file."));
+    m_close = buttons->addButton(QDialogButtonBox::Close);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(m_form);
+    layout->addWidget(m_message);
+    layout->addWidget(m_progress);
+    layout->addStretch();
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &SpaceExportDialog::chooseFile);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
+    update();
+}
+
+SpaceExportDialog::~SpaceExportDialog() = default;
+
+void SpaceExportDialog::createPicture() {
+    m_size = new ExportSizeEditor({m_camera.size.width, m_camera.size.height}, this);
+    m_form->addRow(tr("&Size:"), m_size);
+    m_supersample = new QSpinBox(this);
+    m_supersample->setRange(1, 4);
+    m_supersample->setValue(2);
+    m_supersample->setWhatsThis(tr("Draws so many pixels along each side of one: smoother edges."));
+    m_form->addRow(tr("S&upersampling:"), m_supersample);
+    m_depth = new QComboBox(this);
+    m_depth->addItems({tr("8 bits"), tr("16 bits")});
+    m_depth->setWhatsThis(tr("Bits for each channel. Depths always have 16."));
+    m_form->addRow(tr("&Colours:"), m_depth);
+    m_transparent = new QCheckBox(tr("&Transparent background"), this);
+    m_transparent->setWhatsThis(tr("Leaves out what is around the solid."));
+    m_form->addRow(QString(), m_transparent);
+    m_stereo = new QComboBox(this);
+    m_stereo->addItems({tr("One picture"), tr("Both eyes, side by side"), tr("Red and cyan glasses")});
+    m_stereo->setWhatsThis(tr("For both eyes: two pictures side by side, or one in red and cyan."));
+    m_form->addRow(tr("St&ereo:"), m_stereo);
+}
+
+void SpaceExportDialog::createBody() {
+    const auto millimetres = [this](double value, double most, const QString& explanation) {
+        auto* field = new QDoubleSpinBox(this);
+        field->setRange(0, most);
+        field->setDecimals(2);
+        field->setSuffix(tr(" mm"));
+        field->setValue(value);
+        field->setWhatsThis(explanation);
+        return field;
+    };
+    m_longest = millimetres(80, 100'000, tr("The longest side of the body."));
+    m_longest->setMinimum(1);
+    m_form->addRow(tr("&Longest side:"), m_longest);
+    m_resolution = new QSpinBox(this);
+    m_resolution->setRange(8, io::SolidOptions::maxResolution);
+    m_resolution->setValue(128);
+    m_resolution->setWhatsThis(tr("Voxels along the longest side: finer steps, and more of them."));
+    m_form->addRow(tr("&Resolution:"), m_resolution);
+    m_wall = millimetres(0, 1000, tr("Thinner parts are made so thick, so that they can be printed."));
+    m_form->addRow(tr("Smallest &wall:"), m_wall);
+    m_fill = new QCheckBox(tr("Fill closed ca&vities"), this);
+    m_fill->setWhatsThis(tr("Fills what is closed off from outside."));
+    m_form->addRow(QString(), m_fill);
+}
+
+SpaceExportDialog::Format SpaceExportDialog::format() const {
+    return static_cast<Format>(m_format->currentIndex());
+}
+
+void SpaceExportDialog::setFormat(Format format) {
+    m_format->setCurrentIndex(int(format));
+}
+
+QString SpaceExportDialog::message() const {
+    return m_message->text();
+}
+
+QString SpaceExportDialog::suffix() const {
+    static constexpr const char* suffixes[] = {"png", "stl", "obj", "glb", "ply", "scad"};
+    return QLatin1String(suffixes[m_format->currentIndex()]);
+}
+
+io::SpaceExport SpaceExportDialog::picture() const {
+    io::SpaceExport result;
+    result.fractal = m_fractal;
+    if (m_transparent->isChecked()) result.fractal.appearance.background.alpha = 0;
+    result.look = m_fractal.inSpace.look;
+    result.solid = document::solidAppearance(result.fractal);
+    result.stereo = static_cast<io::Stereo>(m_stereo->currentIndex());
+    const bool isNumbers =
+        result.look == attractor::LookInSpace::Depth || result.look == attractor::LookInSpace::Normals;
+    if (isNumbers) result.stereo = io::Stereo::None;
+    attractor::OrbitCamera camera = m_camera;
+    const QSize size = m_size->pixels();
+    camera.size = {size.width(), size.height()};
+    if (result.stereo == io::Stereo::SideBySide) camera.size.width = std::max(1, size.width() / 2);
+    // What is seen stays seen: a narrower picture shows more above and below.
+    const double before = double(m_camera.size.width) / m_camera.size.height;
+    const double after = double(camera.size.width) / camera.size.height;
+    if (after < before) camera.height *= before / after;
+    result.request = document::spaceRequest(result.fractal, camera);
+    result.request.threads = io::threadsOfThisMachine();
+    const auto pixels = std::uint64_t(camera.size.width) * std::uint64_t(camera.size.height);
+    result.request.samples = std::max<std::uint64_t>(100 * pixels, 1'000'000);
+    result.supersample = m_supersample->value();
+    if (m_depth->currentIndex() == 1) result.depth = io::PngFormat::Depth::Bits16;
+    result.dotsPerInch = m_size->dotsPerInch();
+    return result;
+}
+
+io::SolidExport SpaceExportDialog::body() {
+    io::SolidExport result;
+    result.fractal = m_fractal;
+    result.options.longest = m_longest->value();
+    result.options.resolution = m_resolution->value();
+    result.options.wall = m_wall->value();
+    result.options.fillsCavities = m_fill->isChecked();
+    result.format = *io::meshFormat(suffix());
+    result.whenMade = [this, options = result.options](const io::SolidFacts& facts) {
+        const QString summary = io::summaryOf(facts, options);
+        QMetaObject::invokeMethod(
+            this, [this, summary] { m_summary = summary; }, Qt::QueuedConnection);
+    };
+    return result;
+}
+
+void SpaceExportDialog::update() {
+    const bool isPicture = format() == Format::Png;
+    const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
+    const bool isNumbers = isDepth || m_fractal.inSpace.look == attractor::LookInSpace::Normals;
+    m_form->setRowVisible(m_size, isPicture);
+    m_form->setRowVisible(m_supersample,
+                          isPicture && !isNumbers && !attractor::showsCloud(m_fractal.inSpace.look));
+    m_form->setRowVisible(m_depth, isPicture && !isDepth);
+    m_form->setRowVisible(m_transparent, isPicture && !isNumbers);
+    m_form->setRowVisible(m_stereo, isPicture && !isNumbers);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_longest, m_resolution, m_wall, m_fill})
+        m_form->setRowVisible(row, isBody());
+    m_message->setText(isPicture ? QString()
+                       : isBody()
+                           ? tr("A closed surface around the attractor, without its slice, for a printer.")
+                           : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+}
+
+void SpaceExportDialog::chooseFile() {
+    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
+    const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
+    const QString path = chooseFileToSave(this, tr("Export"), fileName, filter, suffix());
+    if (!path.isEmpty()) exportTo(path);
+}
+
+void SpaceExportDialog::exportTo(const QString& path) {
+    m_summary.clear();
+    if (format() == Format::OpenScad) {
+        const io::OpenScad program = io::openScad(m_fractal);
+        io::ExportOutcome outcome;
+        outcome.failure = program.failure;
+        if (!outcome.failure) {
+            const QPointer self(this);
+            const auto [isCancelled, failure] = saveBeside(path, program.text, this);
+            if (!self) return;
+            outcome.stopped = isCancelled;
+            outcome.failure = failure;
+        }
+        return finish(outcome, path);
+    }
+    io::Export what;
+    if (isBody())
+        what = body();
+    else
+        what = picture();
+    m_progress->setValue(0);
+    m_progress->show();
+    m_start->setEnabled(false);
+    m_close->setText(tr("&Stop"));
+    m_job = startExport(
+        std::move(what), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+}
+
+void SpaceExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
+    m_job.reset();
+    m_progress->hide();
+    m_start->setEnabled(true);
+    m_close->setText(tr("&Close"));
+    if (outcome.stopped)
+        m_message->setText(tr("Export stopped; nothing was written."));
+    else if (outcome.failure)
+        m_message->setText(*outcome.failure);
+    else
+        m_message->setText(tr("Written to %1.").arg(path) +
+                           (m_summary.isEmpty() ? QString() : u'\n' + m_summary));
+    if (!outcome.stopped && !outcome.failure) emit exported(path);
+}
+
+} // namespace view

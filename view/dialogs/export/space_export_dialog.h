@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/orbit_camera.h"
+#include "document/document.h"
+#include "io/export_job.h"
+
+#include <QDialog>
+
+#include <memory>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace view {
+
+class ExportSizeEditor;
+
+// Exports an entry in space: the picture as the camera shows it, or a body to print. The work goes on in a
+// thread of the model; closing the dialog stops it.
+class SpaceExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // `camera` in pixels of the screen.
+    SpaceExportDialog(document::Document* document, const attractor::OrbitCamera& camera,
+                      QWidget* parent = nullptr);
+    ~SpaceExportDialog() override;
+
+    enum class Format { Png, Stl, Obj, Glb, Ply, OpenScad };
+    void setFormat(Format format);
+    void exportTo(const QString& path); // what the Export button does once a file is chosen
+    QString message() const;            // what came of it
+
+signals:
+    void exported(const QString& path);
+
+private:
+    void createPicture();
+    void createBody();
+    Format format() const;
+    bool isBody() const { return format() != Format::Png && format() != Format::OpenScad; }
+    QString suffix() const;
+    io::SpaceExport picture() const;
+    io::SolidExport body();
+    void update();
+    void chooseFile();
+    void finish(const io::ExportOutcome& outcome, const QString& path);
+
+    document::Fractal m_fractal; // as it was when the dialog opened
+    attractor::OrbitCamera m_camera;
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_format = nullptr;
+    ExportSizeEditor* m_size = nullptr;
+    QSpinBox* m_supersample = nullptr;
+    QComboBox* m_depth = nullptr;
+    QCheckBox* m_transparent = nullptr;
+    QComboBox* m_stereo = nullptr;
+    QDoubleSpinBox* m_longest = nullptr;
+    QSpinBox* m_resolution = nullptr;
+    QDoubleSpinBox* m_wall = nullptr;
+    QCheckBox* m_fill = nullptr;
+    QLabel* m_message = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_close = nullptr;
+    QString m_summary;                    // of the body that was written
+    std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
+};
+
+} // namespace view

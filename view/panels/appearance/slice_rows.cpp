@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "panels/appearance/slice_rows.h"
+
+#include "document/space_geometry.h"
+#include "panels/appearance/appearance_slider.h"
+#include "widgets/number_field.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+using attractor::SpaceClip;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double usualThickness = 0.1; // of the extent along the normal
+const std::array<ifs::Vector<3>, 4> directions{ifs::Vector<3>::UnitX(), ifs::Vector<3>::UnitY(),
+                                               ifs::Vector<3>::UnitZ(), ifs::Vector<3>::Ones()};
+
+SliceRows::Kind kindOf(const std::optional<SpaceClip>& clip) {
+    if (!clip) return SliceRows::Kind::Whole;
+    return std::isfinite(clip->lowest) && std::isfinite(clip->highest) ? SliceRows::Kind::Slice
+                                                                       : SliceRows::Kind::Half;
+}
+
+// In units of space: of the middle of a slice, or of the border of a half.
+double offsetOf(const SpaceClip& clip) {
+    const double sum = std::isfinite(clip.lowest) ? clip.lowest : clip.highest;
+    return (std::isfinite(clip.highest) ? (sum + clip.highest) / 2 : sum) / clip.normal.norm();
+}
+
+double thicknessOf(const SpaceClip& clip) {
+    return (clip.highest - clip.lowest) / clip.normal.norm();
+}
+
+void place(SpaceClip& clip, double offset, double thickness) {
+    const double length = clip.normal.norm();
+    if (std::isfinite(clip.lowest)) clip.lowest = (offset - thickness / 2) * length;
+    clip.highest = (offset + thickness / 2) * length;
+}
+
+} // namespace
+
+SliceRows::SliceRows(QFormLayout* form, document::Document* document, QWidget* parent)
+    : QObject(parent), m_form(form), m_document(document), m_edit(document) {
+    makeRows(form, parent);
+}
+
+void SliceRows::makeRows(QFormLayout* form, QWidget* parent) {
+    m_kind = new QComboBox(parent);
+    m_kind->setAccessibleName(tr("Slice"));
+    m_kind->setWhatsThis(
+        tr("Cuts the picture open: what is in front of a plane is left out, or all but a slice. "
+           "Drag the plane by the handle in its middle."));
+    m_kind->addItem(tr("Whole"), int(Kind::Whole));
+    m_kind->addItem(tr("Half"), int(Kind::Half));
+    m_kind->addItem(tr("Slice"), int(Kind::Slice));
+    connect(m_kind, &QComboBox::activated, this,
+            [this] { choose(static_cast<Kind>(m_kind->currentData().toInt())); });
+    form->addRow(tr("Slice"), m_kind);
+    makeNormal(form, parent);
+    m_offset =
+        new AppearanceSlider(tr("Position of the plane"), -1, 1, AppearanceSlider::Scale::Linear, parent);
+    m_thickness =
+        new AppearanceSlider(tr("Thickness of the slice"), 0, 1, AppearanceSlider::Scale::Linear, parent);
+    const auto link = [this](AppearanceSlider* slider, const QString& text, auto change) {
+        connect(slider, &AppearanceSlider::tried, this, [this, text, change](double value) {
+            editClip(text, [&](SpaceClip& clip) { change(clip, value); });
+        });
+        connect(slider, &AppearanceSlider::accepted, this, [this] { m_edit.commit(); });
+        connect(slider, &AppearanceSlider::rejected, this, [this] { m_edit.cancel(); });
+    };
+    link(m_offset, tr("Move the Slice"), [](SpaceClip& clip, double value) {
+        place(clip, value, kindOf(clip) == Kind::Slice ? thicknessOf(clip) : 0);
+    });
+    link(m_thickness, tr("Thickness of the slice"),
+         [](SpaceClip& clip, double value) { place(clip, offsetOf(clip), value); });
+    form->addRow(tr("Position"), m_offset);
+    form->addRow(tr("Thickness"), m_thickness);
+}
+
+void SliceRows::makeNormal(QFormLayout* form, QWidget* parent) {
+    m_direction = new QComboBox(parent);
+    m_direction->setAccessibleName(tr("Direction of the plane"));
+    m_direction->setWhatsThis(
+        tr("Lays the plane across an axis or the diagonal; the fields below take any normal."));
+    const QString names[] = {tr("Across X"), tr("Across Y"), tr("Across Z"), tr("Across the diagonal")};
+    for (const QString& name : names)
+        m_direction->addItem(name);
+    m_direction->addItem(tr("As typed"));
+    connect(m_direction, &QComboBox::activated, this, [this](int index) {
+        if (index < int(directions.size())) turnTo(directions[std::size_t(index)], tr("Turn the Slice"));
+    });
+    form->addRow(tr("Direction"), m_direction);
+    m_normalBox = new QWidget(parent);
+    auto* line = new QHBoxLayout(m_normalBox);
+    line->setContentsMargins(0, 0, 0, 0);
+    const QString axes[] = {tr("x of the normal"), tr("y of the normal"), tr("z of the normal")};
+    for (int axis = 0; axis < 3; ++axis) {
+        auto*& field = m_normal[std::size_t(axis)];
+        field = new NumberField(m_normalBox);
+        field->setAccessibleName(axes[axis]);
+        field->setToolTip(tr("The direction across which the plane lies"));
+        line->addWidget(field);
+        connect(field, &NumberField::edited, this, [this, axis](double value) { editNormal(axis, value); });
+        connect(field, &NumberField::committed, this, [this] { m_edit.commit(); });
+        connect(field, &NumberField::cancelled, this, [this] { m_edit.cancel(); });
+    }
+    form->addRow(tr("Normal"), m_normalBox);
+}
+
+// A half keeps what is below its plane; both begin in the middle of the picture.
+void SliceRows::choose(Kind kind) {
+    m_edit.commit();
+    document::Fractal fractal = m_document->fractal();
+    std::optional<SpaceClip>& clip = fractal.inSpace.clip;
+    if (kind == Kind::Whole) {
+        clip.reset();
+    } else {
+        SpaceClip made = clip.value_or(SpaceClip{ifs::Vector<3>::UnitZ(), 0, 0});
+        const auto extent = document::extentAlong(fractal, made.normal.normalized());
+        const double offset = clip ? offsetOf(*clip) : (extent.low + extent.high) / 2;
+        made.lowest = kind == Kind::Half ? -infinite : 0;
+        place(made, offset, kind == Kind::Half ? 0 : usualThickness * (extent.high - extent.low));
+        clip = made;
+    }
+    m_document->edit(kind == Kind::Whole ? tr("Show the Whole Solid") : tr("Cut the Solid"),
+                     std::move(fractal));
+}
+
+// The plane goes on through the point of its normal that is in the middle of the picture.
+void SliceRows::turnTo(const ifs::Vector<3>& normal, const QString& text) {
+    m_edit.commit();
+    document::Fractal fractal = m_document->fractal();
+    if (!fractal.inSpace.clip) return;
+    SpaceClip& clip = *fractal.inSpace.clip;
+    const double thickness = kindOf(clip) == Kind::Slice ? thicknessOf(clip) : 0;
+    const auto extent = document::extentAlong(fractal, normal.normalized());
+    clip.normal = normal;
+    place(clip, (extent.low + extent.high) / 2, thickness);
+    m_document->edit(text, std::move(fractal));
+}
+
+void SliceRows::editNormal(int axis, double value) {
+    const std::optional<SpaceClip> before = m_edit.before().inSpace.clip;
+    if (!before) return;
+    SpaceClip turned = *before;
+    turned.normal[axis] = value;
+    if (!(turned.normal.norm() > 0)) return;
+    const double thickness = kindOf(*before) == Kind::Slice ? thicknessOf(*before) : 0;
+    place(turned, offsetOf(*before), thickness);
+    if (isUsable(turned)) editClip(tr("Turn the Slice"), [&](SpaceClip& clip) { clip = turned; });
+}
+
+void SliceRows::editClip(const QString& text, const std::function<void(SpaceClip&)>& change) {
+    m_edit.preview(text, [&](document::Fractal& fractal) {
+        if (!fractal.inSpace.clip) return;
+        SpaceClip changed = *fractal.inSpace.clip;
+        change(changed);
+        if (isUsable(changed)) fractal.inSpace.clip = changed;
+    });
+}
+
+void SliceRows::showExtent() {
+    const document::Fractal& fractal = m_document->fractal();
+    const auto extent = document::extentAlong(fractal, fractal.inSpace.clip->normal.normalized());
+    m_offset->setRange(extent.low, extent.high);
+    m_thickness->setRange(0, extent.high - extent.low);
+}
+
+void SliceRows::follow(bool isLive) {
+    const document::Fractal& fractal = m_document->fractal();
+    const bool isSpace = document::space(fractal) != nullptr;
+    if (!isSpace && !std::exchange(m_isShown, false)) return;
+    m_isShown = isSpace;
+    const std::optional<SpaceClip>& clip = fractal.inSpace.clip;
+    const Kind kind = kindOf(clip);
+    m_form->setRowVisible(m_kind, isSpace);
+    m_form->setRowVisible(m_direction, isSpace && clip);
+    m_form->setRowVisible(m_normalBox, isSpace && clip);
+    m_form->setRowVisible(m_offset, isSpace && clip);
+    m_form->setRowVisible(m_thickness, isSpace && kind == Kind::Slice);
+    m_kind->setCurrentIndex(m_kind->findData(int(kind)));
+    if (!isSpace || !clip) return;
+    if (!isLive) showExtent();
+    const auto same = std::ranges::find_if(directions, [&](const ifs::Vector<3>& direction) {
+        return clip->normal.normalized().isApprox(direction.normalized(), 1e-12);
+    });
+    m_direction->setCurrentIndex(int(same - directions.begin()));
+    for (int axis = 0; axis < 3; ++axis)
+        m_normal[std::size_t(axis)]->setValue(clip->normal[axis]);
+    m_offset->setValue(offsetOf(*clip));
+    if (kind == Kind::Slice) m_thickness->setValue(thicknessOf(*clip));
+}
+
+} // namespace view

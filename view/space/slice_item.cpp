@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "space/slice_item.h"
+
+#include <QLineF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+constexpr double grip = 12; // pixels around the handle that hold it
+constexpr double arrowLength = 34;
+constexpr double maxCoordinate = 1e6;
+
+QPointF pixelOf(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point) {
+    const ifs::Vector<2> pixel = toScreen(camera, point).pixel;
+    const auto within = [](double x) {
+        return std::isfinite(x) ? std::clamp(x, -maxCoordinate, maxCoordinate) : -maxCoordinate;
+    };
+    return {within(pixel.x()), within(pixel.y())};
+}
+
+} // namespace
+
+void SliceItem::layOut(const attractor::OrbitCamera& camera, const std::optional<SlicePlane>& plane) {
+    prepareGeometryChange();
+    m_plane = plane;
+    m_bounds = {0, 0, double(camera.size.width), double(camera.size.height)};
+    m_corners.clear();
+    if (!plane) return update();
+    for (const ifs::Vector<3>& corner : plane->corners)
+        m_corners << pixelOf(camera, corner);
+    m_handle = pixelOf(camera, plane->centre);
+    // As long as it is seen: an arrow towards the eye is short.
+    const double unit = arrowLength / pixelsPerUnit(camera);
+    m_arrow = pixelOf(camera, plane->centre + unit * plane->normal) - m_handle;
+    update();
+}
+
+void SliceItem::setHeld(bool hovered, bool pressed) {
+    m_isHovered = hovered;
+    m_isPressed = pressed;
+    update();
+}
+
+bool SliceItem::isHandleAt(const QPointF& position) const {
+    return m_plane && isVisible() && QLineF(m_handle, position).length() <= grip;
+}
+
+void SliceItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    if (!m_plane) return;
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QColor colour = m_isHovered || m_isPressed ? m_style.accent : m_style.line;
+    QPainterPath border;
+    border.addPolygon(m_corners);
+    border.closeSubpath();
+    strokeWithHalo(*painter, border, m_style, colour, m_style.lineWidth / 2, Qt::DashLine);
+    QPainterPath arrow;
+    for (const QPointF& tip : {m_handle + m_arrow, m_handle - m_arrow}) {
+        arrow.moveTo(m_handle);
+        arrow.lineTo(tip);
+    }
+    strokeWithHalo(*painter, arrow, m_style, colour, m_style.lineWidth);
+    painter->setPen(QPen(m_style.rim, 1.5));
+    painter->setBrush(m_isHovered || m_isPressed ? m_style.accent : m_style.core);
+    const QPointF diamond[] = {m_handle + QPointF(0, -8), m_handle + QPointF(8, 0), m_handle + QPointF(0, 8),
+                               m_handle + QPointF(-8, 0)};
+    painter->drawPolygon(diamond, 4);
+}
+
+} // namespace view

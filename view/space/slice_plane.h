@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/orbit_camera.h"
+#include "attractor/request/space_appearance.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace view {
+
+// The plane by which a clip is held: the middle of a slice, the border of a half-space.
+struct SlicePlane {
+    ifs::Vector<3> centre = ifs::Vector<3>::Zero();
+    ifs::Vector<3> normal = ifs::Vector<3>::UnitX(); // a unit vector
+    std::array<ifs::Vector<3>, 4> corners;           // of a square around the centre
+};
+
+// As large as what is cut: the centre and the reach of these points, at least one.
+SlicePlane slicePlane(const attractor::SpaceClip& clip, const std::vector<ifs::Vector<3>>& around);
+
+// The clip moved along its normal, in units of space.
+attractor::SpaceClip slid(attractor::SpaceClip clip, double distance);
+
+// How far along the normal the hand takes the plane between two pixels: to the point of the line through the
+// centre that is closest to the line of sight. Where one looks along the normal, up and down move it away and
+// back.
+double slideBetween(const attractor::OrbitCamera& camera, const SlicePlane& plane, const ifs::Vector<2>& from,
+                    const ifs::Vector<2>& to);
+
+} // namespace view

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "space/space_outlines_item.h"
+
+#include "canvas/items/analysis_item.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+constexpr double maxCoordinate = 1e6; // the painter's coordinates overflow
+
+// What lies behind the eye is not seen.
+bool isSeen(const attractor::OrbitCamera& camera, const attractor::ScreenPoint& point) {
+    constexpr double nearest = 1e-3; // of the eye's distance
+    return point.pixel.allFinite() &&
+           (camera.projection == attractor::OrbitCamera::Projection::Orthographic ||
+            point.depth > (nearest - 1) * eyeDistance(camera));
+}
+
+} // namespace
+
+void SpaceOutlinesItem::setShapes(std::vector<document::SpaceOutline> shapes) {
+    m_shapes = std::move(shapes);
+    layOut(m_camera);
+}
+
+void SpaceOutlinesItem::layOut(const attractor::OrbitCamera& camera) {
+    prepareGeometryChange();
+    m_camera = camera;
+    m_seen.clear();
+    m_bounds = {0, 0, double(camera.size.width), double(camera.size.height)};
+    for (const document::SpaceOutline& shape : m_shapes) {
+        Seen& seen = m_seen.emplace_back();
+        std::vector<std::pair<QPointF, bool>> pixels;
+        for (const ifs::Vector<3>& point : shape.points) {
+            const attractor::ScreenPoint at = toScreen(camera, point);
+            const auto within = [](double x) { return std::clamp(x, -maxCoordinate, maxCoordinate); };
+            pixels.emplace_back(QPointF(within(at.pixel.x()), within(at.pixel.y())), isSeen(camera, at));
+        }
+        for (const auto& [a, b] : shape.edges)
+            if (pixels[std::size_t(a)].second && pixels[std::size_t(b)].second)
+                seen.edges.emplace_back(pixels[std::size_t(a)].first, pixels[std::size_t(b)].first);
+        if (shape.edges.empty())
+            for (const auto& [pixel, isThere] : pixels)
+                if (isThere) seen.points.push_back(pixel);
+    }
+    update();
+}
+
+void SpaceOutlinesItem::setStyle(const OverlayStyle& style) {
+    OverlayItem::setStyle(style);
+    m_style.halo.setAlpha(std::max(230, m_style.halo.alpha())); // thin coloured lines, over any picture
+}
+
+void SpaceOutlinesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    constexpr std::size_t fewToOutline = 100;
+    const bool many = m_shapes.size() > fewToOutline;
+    painter->setRenderHint(QPainter::Antialiasing);
+    for (std::size_t k = 0; k < m_shapes.size(); ++k) {
+        const document::SpaceOutline& shape = m_shapes[k];
+        const QColor colour = shape.colour
+                                  ? QColor(shape.colour->red, shape.colour->green, shape.colour->blue)
+                                  : outlineColour(shape.kind, m_style.onDark);
+        QPainterPath path;
+        for (const QLineF& edge : m_seen[k].edges) {
+            path.moveTo(edge.p1());
+            path.lineTo(edge.p2());
+        }
+        if (many)
+            painter->strokePath(path, QPen(colour, 1));
+        else if (!path.isEmpty())
+            strokeWithHalo(*painter, path, m_style, colour, m_style.lineWidth * 0.75);
+        painter->setPen(QPen(m_style.rim, 1.5));
+        painter->setBrush(colour);
+        for (const QPointF& point : m_seen[k].points)
+            painter->drawEllipse(point, 4.5, 4.5);
+    }
+}
+
+} // namespace view
