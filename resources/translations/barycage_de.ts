@@ -1819,6 +1819,18 @@
         <source>The picture carries too much text: the limit is 40 MB in all.</source>
         <translation>Das Bild trägt zu viel Text: Die Grenze liegt bei insgesamt 40 MB.</translation>
     </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>Das Bild kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>Die Datei ist kein PNG-Bild.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>Das Bild ist beschädigt oder unvollständig. Zeichnen Sie es neu.</translation>
+    </message>
 </context>
 <context>
     <name>PngWriter</name>
@@ -3183,6 +3195,64 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>VideoSystem</name>
+    <message>
+        <source>The file is not a video.</source>
+        <translation>Die Datei ist kein Video.</translation>
+    </message>
+    <message>
+        <source>The video contains no system: it was not written by Barycage, it is damaged, or another program removed the text that holds it.</source>
+        <translation>Das Video enthält kein System: Es wurde nicht von Barycage geschrieben, es ist beschädigt, oder ein anderes Programm hat den Text entfernt, der es enthält.</translation>
+    </message>
+    <message>
+        <source>The system in the video is larger than 8 MB.</source>
+        <translation>Das System im Video ist größer als 8 MB.</translation>
+    </message>
+</context>
+<context>
+    <name>VideoWriter</name>
+    <message>
+        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <translation>Im Ordner für temporäre Dateien ist kein Platz für die Einzelbilder: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Die Bibliotheken von FFmpeg auf diesem Rechner können keine %1-Dateien schreiben: Der Encoder %2 fehlt. Wählen Sie ein anderes Format.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>Das Video kann nicht geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a frame of the video.</source>
+        <translation>Für ein Einzelbild des Videos reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>The palette of the GIF cannot be made.</source>
+        <translation>Die Palette des GIF kann nicht erstellt werden.</translation>
+    </message>
+    <message>
+        <source>A frame of the GIF cannot be made.</source>
+        <translation>Ein Einzelbild des GIF kann nicht erstellt werden.</translation>
+    </message>
+    <message>
+        <source>The animation cannot be stored in the video.</source>
+        <translation>Die Animation kann nicht im Video gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>A side of %1 pixels is too long for this format; the limit is %2.</source>
+        <translation>Eine Seite von %1 Pixeln ist für dieses Format zu lang; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>This format shows at most %1 frames per second. Choose a lower rate.</source>
+        <translation>Dieses Format zeigt höchstens %1 Bilder pro Sekunde. Wählen Sie eine niedrigere Rate.</translation>
+    </message>
+    <message>
+        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <translation>Dieses Barycage wurde ohne die Bibliotheken von FFmpeg gebaut und schreibt keine Videos. Schreiben Sie die Einzelbilder stattdessen als PNG-Bilder.</translation>
     </message>
 </context>
 <context>

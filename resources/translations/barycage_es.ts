@@ -1819,6 +1819,18 @@
         <source>The picture carries too much text: the limit is 40 MB in all.</source>
         <translation>La imagen lleva demasiado texto: el límite es de 40 MB en total.</translation>
     </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>No se puede abrir la imagen.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>El archivo no es una imagen PNG.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>La imagen está dañada o incompleta. Dibújela de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>PngWriter</name>
@@ -3183,6 +3195,64 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>VideoSystem</name>
+    <message>
+        <source>The file is not a video.</source>
+        <translation>El archivo no es un vídeo.</translation>
+    </message>
+    <message>
+        <source>The video contains no system: it was not written by Barycage, it is damaged, or another program removed the text that holds it.</source>
+        <translation>El vídeo no contiene ningún sistema: no lo escribió Barycage, está dañado, u otro programa eliminó el texto que lo contiene.</translation>
+    </message>
+    <message>
+        <source>The system in the video is larger than 8 MB.</source>
+        <translation>El sistema del vídeo ocupa más de 8 MB.</translation>
+    </message>
+</context>
+<context>
+    <name>VideoWriter</name>
+    <message>
+        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <translation>En la carpeta de archivos temporales no hay espacio para los fotogramas: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Las bibliotecas de FFmpeg de este equipo no pueden escribir archivos %1: falta el codificador %2. Elija otro formato.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>No se puede escribir el vídeo: %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a frame of the video.</source>
+        <translation>No hay memoria suficiente para un fotograma del vídeo.</translation>
+    </message>
+    <message>
+        <source>The palette of the GIF cannot be made.</source>
+        <translation>No se puede crear la paleta del GIF.</translation>
+    </message>
+    <message>
+        <source>A frame of the GIF cannot be made.</source>
+        <translation>No se puede crear un fotograma del GIF.</translation>
+    </message>
+    <message>
+        <source>The animation cannot be stored in the video.</source>
+        <translation>No se puede guardar la animación en el vídeo.</translation>
+    </message>
+    <message>
+        <source>A side of %1 pixels is too long for this format; the limit is %2.</source>
+        <translation>Un lado de %1 píxeles es demasiado largo para este formato; el límite es %2.</translation>
+    </message>
+    <message>
+        <source>This format shows at most %1 frames per second. Choose a lower rate.</source>
+        <translation>Este formato muestra como máximo %1 fotogramas por segundo. Elija una frecuencia menor.</translation>
+    </message>
+    <message>
+        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <translation>Este Barycage se compiló sin las bibliotecas de FFmpeg y no escribe vídeos. Escriba los fotogramas como imágenes PNG.</translation>
     </message>
 </context>
 <context>

@@ -1819,6 +1819,18 @@
         <source>The picture carries too much text: the limit is 40 MB in all.</source>
         <translation>L’image contient trop de texte&#x202f;: la limite est de 40 Mo en tout.</translation>
     </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>L’image ne peut pas être ouverte.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>Le fichier n’est pas une image PNG.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>L’image est endommagée ou incomplète. Dessinez-la à nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>PngWriter</name>
@@ -3183,6 +3195,64 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>VideoSystem</name>
+    <message>
+        <source>The file is not a video.</source>
+        <translation>Le fichier n’est pas une vidéo.</translation>
+    </message>
+    <message>
+        <source>The video contains no system: it was not written by Barycage, it is damaged, or another program removed the text that holds it.</source>
+        <translation>La vidéo ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, elle est endommagée, ou un autre programme a retiré le texte qui le contient.</translation>
+    </message>
+    <message>
+        <source>The system in the video is larger than 8 MB.</source>
+        <translation>Le système de la vidéo dépasse 8 Mo.</translation>
+    </message>
+</context>
+<context>
+    <name>VideoWriter</name>
+    <message>
+        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <translation>Le dossier des fichiers temporaires n’a pas assez de place pour les images&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Les bibliothèques de FFmpeg de cette machine ne peuvent pas écrire de fichiers %1&#x202f;: l’encodeur %2 manque. Choisissez un autre format.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>La vidéo ne peut pas être écrite&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a frame of the video.</source>
+        <translation>La mémoire ne suffit pas pour une image de la vidéo.</translation>
+    </message>
+    <message>
+        <source>The palette of the GIF cannot be made.</source>
+        <translation>La palette du GIF ne peut pas être créée.</translation>
+    </message>
+    <message>
+        <source>A frame of the GIF cannot be made.</source>
+        <translation>Une image du GIF ne peut pas être créée.</translation>
+    </message>
+    <message>
+        <source>The animation cannot be stored in the video.</source>
+        <translation>L’animation ne peut pas être enregistrée dans la vidéo.</translation>
+    </message>
+    <message>
+        <source>A side of %1 pixels is too long for this format; the limit is %2.</source>
+        <translation>Un côté de %1 pixels est trop long pour ce format&#x202f;; la limite est %2.</translation>
+    </message>
+    <message>
+        <source>This format shows at most %1 frames per second. Choose a lower rate.</source>
+        <translation>Ce format montre au plus %1 images par seconde. Choisissez une cadence plus basse.</translation>
+    </message>
+    <message>
+        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <translation>Ce Barycage a été compilé sans les bibliothèques de FFmpeg et n’écrit pas de vidéos. Écrivez plutôt les images en PNG.</translation>
     </message>
 </context>
 <context>

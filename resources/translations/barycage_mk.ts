@@ -1824,6 +1824,18 @@
         <source>The picture carries too much text: the limit is 40 MB in all.</source>
         <translation>Сликата носи премногу текст: границата е вкупно 40 MB.</translation>
     </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>Сликата не може да се отвори.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>Датотеката не е PNG-слика.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>Сликата е оштетена или нецелосна. Нацртајте ја повторно.</translation>
+    </message>
 </context>
 <context>
     <name>PngWriter</name>
@@ -3189,6 +3201,64 @@
     <message>
         <source>Close</source>
         <translation>Затвори</translation>
+    </message>
+</context>
+<context>
+    <name>VideoSystem</name>
+    <message>
+        <source>The file is not a video.</source>
+        <translation>Датотеката не е видео.</translation>
+    </message>
+    <message>
+        <source>The video contains no system: it was not written by Barycage, it is damaged, or another program removed the text that holds it.</source>
+        <translation>Видеото не содржи систем: не го запишал Barycage, оштетено е или друга програма го отстранила текстот што го содржи.</translation>
+    </message>
+    <message>
+        <source>The system in the video is larger than 8 MB.</source>
+        <translation>Системот во видеото е поголем од 8 MB.</translation>
+    </message>
+</context>
+<context>
+    <name>VideoWriter</name>
+    <message>
+        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <translation>Во папката за привремени датотеки нема место за кадрите: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Библиотеките на FFmpeg на овој компјутер не можат да запишуваат датотеки %1: недостасува кодерот %2. Изберете друг формат.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>Видеото не може да се запише: %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a frame of the video.</source>
+        <translation>Нема доволно меморија за кадар од видеото.</translation>
+    </message>
+    <message>
+        <source>The palette of the GIF cannot be made.</source>
+        <translation>Палетата на GIF-от не може да се направи.</translation>
+    </message>
+    <message>
+        <source>A frame of the GIF cannot be made.</source>
+        <translation>Кадар од GIF-от не може да се направи.</translation>
+    </message>
+    <message>
+        <source>The animation cannot be stored in the video.</source>
+        <translation>Анимацијата не може да се зачува во видеото.</translation>
+    </message>
+    <message>
+        <source>A side of %1 pixels is too long for this format; the limit is %2.</source>
+        <translation>Страна од %1 пиксели е предолга за овој формат; границата е %2.</translation>
+    </message>
+    <message>
+        <source>This format shows at most %1 frames per second. Choose a lower rate.</source>
+        <translation>Овој формат прикажува најмногу %1 кадри во секунда. Изберете помала брзина.</translation>
+    </message>
+    <message>
+        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <translation>Овој Barycage е изграден без библиотеките на FFmpeg и не запишува видеа. Запишете ги кадрите како PNG-слики.</translation>
     </message>
 </context>
 <context>
