@@ -53,8 +53,8 @@ void turnBack(const std::vector<Motion<2>>& motions, const Moment& moment, int l
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
-    template ifs::IteratedFunctionSystem<Dim> movedBack<Dim>(                                                \
-        const std::vector<Motion<Dim>>&, const Moment&, int, ifs::IteratedFunctionSystem<Dim>);
+    template ifs::IteratedFunctionSystem<Dim> movedBack<Dim>(const std::vector<Motion<Dim>>&, const Moment&, \
+                                                             int, ifs::IteratedFunctionSystem<Dim>);
 BARYCAGE_INSTANTIATE(2)
 BARYCAGE_INSTANTIATE(3)
 #undef BARYCAGE_INSTANTIATE

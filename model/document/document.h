@@ -23,11 +23,11 @@ struct Change {
         System = 0x01, // maps, weights, order, on/off
         Cage = 0x02,
         Appearance = 0x04,
-        Name = 0x08,    // and comments
-        Entries = 0x10, // added, removed, reordered
-        Current = 0x20, // another entry is shown
-        File = 0x40,    // another file altogether
-        Time = 0x80,    // another moment of the animation is shown
+        Name = 0x08,       // and comments
+        Entries = 0x10,    // added, removed, reordered
+        Current = 0x20,    // another entry is shown
+        File = 0x40,       // another file altogether
+        Time = 0x80,       // another moment of the animation is shown
         Animation = 0x100, // its keys, motions, length, …
         Everything = 0x1ff,
     };
@@ -79,7 +79,8 @@ public:
     // The moment that is shown: no part of the file, no step of the history. 0 for another entry.
     const animation::Moment& moment() const { return m_moment; }
     const std::optional<attractor::View>& view() const { return m_shown.view; } // where keys move it
-    enum class Pace { Rest, Running }; // Running: more moments are to come at once
+    double orbit() const { return m_shown.orbit; } // degrees that the camera in space has gone round
+    enum class Pace { Rest, Running };             // Running: more moments are to come at once
     void setMoment(const animation::Moment& moment, Pace pace = Pace::Rest);
 
     // One undo step each, described by `text` in the imperative; nothing happens when nothing would change.
@@ -118,6 +119,7 @@ private:
     struct Shown {
         std::shared_ptr<const Fractal> fractal;
         std::optional<attractor::View> view;
+        double orbit = 0;
     };
 
     void apply(const State& state);
@@ -139,7 +141,7 @@ private:
         animation::Moment moment;
         std::optional<int> keyedFrame; // at which the preview has keys
         Change::Parts previewed;       // what listeners have been told was live
-        int kind = -1;           // of steps that become one
+        int kind = -1;                 // of steps that become one
     };
     std::optional<Gesture> endGesture();
 

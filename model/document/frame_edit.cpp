@@ -88,8 +88,7 @@ private:
 
     void putMaps(const ifs::IteratedFunctionSystem<Dim>& before,
                  const ifs::IteratedFunctionSystem<Dim>& after) {
-        const auto back =
-            animation::movedBack<Dim>(m_animation.motions, m_moment, m_animation.length, after);
+        const auto back = animation::movedBack<Dim>(m_animation.motions, m_moment, m_animation.length, after);
         const auto& keyed = std::get<Shape<Dim>>(m_keyed.shape).system;
         ifs::IteratedFunctionSystem<Dim> result = after;
         for (std::size_t i = 0; i < after.maps.size(); ++i) {
@@ -129,7 +128,8 @@ private:
         for (const MovedBranch<Dim>& old : before)
             if (!trackOf(after, old.word, &MovedBranch<Dim>::word)) {
                 std::erase_if(m_shape.moved, [&](const auto& branch) { return branch.word == old.word; });
-                std::erase_if(m_animation.branches, [&](const auto& track) { return track.word == old.word; });
+                std::erase_if(m_animation.branches,
+                              [&](const auto& track) { return track.word == old.word; });
             }
         for (const MovedBranch<Dim>& branch : after) {
             const auto* old = trackOf(before, branch.word, &MovedBranch<Dim>::word);

@@ -95,7 +95,8 @@ void FrameEditTest::whatHasKeysGetsOne() {
     Fractal wanted = frameAt(entry, animation::moment(7)).fractal;
     moveVertex(wanted);
     QCOMPARE(frameAt(edit.fractal, animation::moment(7)).fractal, wanted); // exactly as it was dropped
-    QCOMPARE(frameAt(edit.fractal, animation::moment(0)).fractal, frameAt(entry, animation::moment(0)).fractal);
+    QCOMPARE(frameAt(edit.fractal, animation::moment(0)).fractal,
+             frameAt(entry, animation::moment(0)).fractal);
 }
 
 void FrameEditTest::theFirstKeyKeepsTheStart() {
@@ -104,8 +105,10 @@ void FrameEditTest::theFirstKeyKeepsTheStart() {
     QCOMPARE(animationOf(entry).maps.front().keys.size(), std::size_t(2));
     const FrameEdit edit = edited(entry, 12, shrinkMap);
     QCOMPARE(animationOf(edit.fractal).maps.front().keys.size(), std::size_t(2));
-    QCOMPARE(frameAt(edit.fractal, animation::moment(0)).fractal, frameAt(entry, animation::moment(0)).fractal);
-    const double middle = system2(frameAt(edit.fractal, animation::moment(6)).fractal)->maps[1].map.linear(0, 0);
+    QCOMPARE(frameAt(edit.fractal, animation::moment(0)).fractal,
+             frameAt(entry, animation::moment(0)).fractal);
+    const double middle =
+        system2(frameAt(edit.fractal, animation::moment(6)).fractal)->maps[1].map.linear(0, 0);
     QVERIFY(middle > 0.25 && middle < 0.5);
 }
 
@@ -187,8 +190,8 @@ void FrameEditTest::branchesAreKeyed() {
     plane(entry)->moved = {{word, ifs::affineMap(1, 0, 0, 1, 0.125, 0)}};
     entry = keyed(entry, {Track::Kind::Branch, word}, 8);
     QCOMPARE(animationOf(entry).branches.front().keys.size(), std::size_t(2));
-    const FrameEdit edit = edited(
-        entry, 8, [](Fractal& shown) { plane(shown)->moved[0].change.translation.x() = 0.5; });
+    const FrameEdit edit =
+        edited(entry, 8, [](Fractal& shown) { plane(shown)->moved[0].change.translation.x() = 0.5; });
     QCOMPARE(animationOf(edit.fractal).branches.front().keys[1].value.translation.x(), 0.5);
     QCOMPARE(plane(edit.fractal)->moved, plane(entry)->moved);
     const FrameEdit put = edited(entry, 8, [](Fractal& shown) { plane(shown)->moved.clear(); });

@@ -29,7 +29,8 @@ template <class Tracks, class Name> auto* named(Tracks& tracks, const Name& name
 }
 
 // Calls `use` with the keys of the track, which may be none.
-template <int Dim, class Use> void visitKeys(animation::Animation<Dim>& animation, const Track& track, Use use) {
+template <int Dim, class Use>
+void visitKeys(animation::Animation<Dim>& animation, const Track& track, Use use) {
     using Kind = Track::Kind;
     if (track.kind == Kind::Cage) return use(animation.cage);
     if (track.kind == Kind::Look) return use(animation.look);
@@ -72,8 +73,7 @@ template <class Value> void putInOrder(animation::Keys<Value>& keys) {
     keys = std::move(result);
 }
 
-template <int Dim>
-std::vector<TrackKeys> tracksOfShape(const Shape<Dim>& shape) {
+template <int Dim> std::vector<TrackKeys> tracksOfShape(const Shape<Dim>& shape) {
     std::vector<TrackKeys> result;
     animation::Animation<Dim> animation = shape.animation.value_or(animation::Animation<Dim>());
     const auto add = [&](Track track) {
@@ -104,8 +104,7 @@ template <int Dim> Shape<Dim> keyedShape(Fractal entry, int frame) {
     return std::get<Shape<Dim>>(frameAt(entry, animation::moment(frame)).fractal.shape);
 }
 
-template <class Value>
-void addKey(animation::Keys<Value>& keys, int frame, const Value& value) {
+template <class Value> void addKey(animation::Keys<Value>& keys, int frame, const Value& value) {
     if (keys.empty())
         animation::setFirstKey(keys, frame, value);
     else
@@ -157,8 +156,7 @@ public:
         : m_entry(entry), m_shape(shape), m_track(track) {}
 
     void operator()(const animation::CagePose<Dim>& vertices) const {
-        if (m_shape.cage && m_shape.cage->current.size() == vertices.size())
-            m_shape.cage->current = vertices;
+        if (m_shape.cage && m_shape.cage->current.size() == vertices.size()) m_shape.cage->current = vertices;
     }
     void operator()(const animation::MapPose<Dim>& pose) const {
         for (auto& map : m_shape.system.maps)
@@ -234,7 +232,8 @@ Fractal withKey(Fractal entry, const Track& track, int frame, const std::optiona
     const Fractal before = entry;
     inItsDimension(entry, [&]<int Dim>(Shape<Dim>& shape) {
         auto& animation = animationOf<Dim>(shape);
-        const int at = int(animation::folded(animation::moment(frame), animation.loop, animation.length).numerator);
+        const int at =
+            int(animation::folded(animation::moment(frame), animation.loop, animation.length).numerator);
         visitKeys<Dim>(animation, track, NewKey<Dim>(before, track, at, view));
     });
     return entry;
@@ -287,8 +286,8 @@ Fractal withKeysMoved(Fractal entry, std::span<const KeyAt> keys, int by, KeyMov
                 });
                 if (how != KeyMove::Copy)
                     std::erase_if(present, [&](const auto& key) {
-                        return std::ranges::find(moved, key.frame, [](const auto& one) { return one.frame; }) !=
-                               moved.end();
+                        return std::ranges::find(moved, key.frame,
+                                                 [](const auto& one) { return one.frame; }) != moved.end();
                     });
                 for (auto& key : moved) {
                     key.frame += by;
@@ -325,7 +324,8 @@ Pasted withKeysPasted(Fractal entry, std::span<const CopiedKey> keys, int frame)
         auto& animation = animationOf<Dim>(shape);
         for (const CopiedKey& copied : keys) {
             const int at = frame + copied.at.frame;
-            const bool isKnown = std::ranges::find(tracks, copied.at.track, &TrackKeys::track) != tracks.end();
+            const bool isKnown =
+                std::ranges::find(tracks, copied.at.track, &TrackKeys::track) != tracks.end();
             if (!isKnown || at > animation.length) continue;
             visitKeys<Dim>(animation, copied.at.track, [&]<class Value>(animation::Keys<Value>& present) {
                 const auto* key = std::get_if<animation::Key<Value>>(&copied.key);

@@ -77,8 +77,7 @@ double distanceTo(const ifs::SupportFunction<2>& attractor, const ifs::AffineMap
     for (int i = 0; i < directions; ++i) {
         const double angle = 2 * std::numbers::pi * i / directions;
         const ifs::Vector<2> u(std::cos(angle), std::sin(angle));
-        const auto extent =
-            attractor(piece.linear.transpose() * u, tolerance * attractor.radius());
+        const auto extent = attractor(piece.linear.transpose() * u, tolerance * attractor.radius());
         distance = std::max(distance, u.dot(point - piece.translation) - extent.value - extent.error);
     }
     return distance;
@@ -140,8 +139,8 @@ std::optional<Fractal> withOrbit(const Fractal& entry) {
         animation::Orbit<Dim> orbit;
         if constexpr (Dim == 2) {
             const auto box = displayedBox(entry);
-            orbit.centre = box ? ifs::Vector<2>((box->min + box->max) / 2)
-                               : displayed<2>(entry, middle<2>(shape));
+            orbit.centre =
+                box ? ifs::Vector<2>((box->min + box->max) / 2) : displayed<2>(entry, middle<2>(shape));
         }
         return withMotion<Dim>(entry, orbit);
     });
@@ -155,9 +154,8 @@ std::optional<Fractal> withBreathing(const Fractal& entry) {
 }
 
 std::optional<Fractal> withPaletteCycle(const Fractal& entry) {
-    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>&) {
-        return withMotion<Dim>(entry, animation::PaletteCycle{});
-    });
+    return ofItsDimension(
+        entry, [&]<int Dim>(const Shape<Dim>&) { return withMotion<Dim>(entry, animation::PaletteCycle{}); });
 }
 
 std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis) {

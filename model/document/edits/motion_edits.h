@@ -23,9 +23,9 @@ std::optional<Fractal> withBreathing(const Fractal& entry);
 std::optional<Fractal> withPaletteCycle(const Fractal& entry);
 
 // Camera keys at both ends from a view to its image under a map that only scales what is displayed: as one
-// piece is a small copy of the whole, the last frame is the first. nullopt unless the entry is in the plane and
-// has such a piece, with all others certainly out of sight at the end. `aspect` is that of the picture, width
-// by height, ≥ 1 or below. docs/mathematics.md, "Animation".
+// piece is a small copy of the whole, the last frame is the first. nullopt unless the entry is in the plane
+// and has such a piece, with all others certainly out of sight at the end. `aspect` is that of the picture,
+// width by height, ≥ 1 or below. docs/mathematics.md, "Animation".
 std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis);
 
 } // namespace document

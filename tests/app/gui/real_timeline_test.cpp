@@ -33,7 +33,8 @@ private:
 
 void RealTimelineTest::openTimeline() {
     for (auto* button : window().findChild<QToolBar*>(QStringLiteral("tools"))->findChildren<QToolButton*>())
-        if (button->defaultAction() && button->defaultAction()->text().remove(u'&') == QLatin1String("Animate"))
+        if (button->defaultAction() &&
+            button->defaultAction()->text().remove(u'&') == QLatin1String("Animate"))
             click(button);
     QTRY_VERIFY(panel().isVisible());
     QTest::qWait(200); // until the canvas has its new size

@@ -127,8 +127,7 @@ void AnimationEditsTest::keysArePastedWhereTheyFit() {
 }
 
 void AnimationEditsTest::easesAreSet() {
-    const Fractal held =
-        withEase(animated(), std::vector<KeyAt>{{cage, 10}}, {animation::Ease::Kind::Hold});
+    const Fractal held = withEase(animated(), std::vector<KeyAt>{{cage, 10}}, {animation::Ease::Kind::Hold});
     const auto& keys = plane(held)->animation->cage;
     QVERIFY(keys[0].ease.kind == animation::Ease::Kind::Both);
     QVERIFY(keys[1].ease.kind == animation::Ease::Kind::Hold);

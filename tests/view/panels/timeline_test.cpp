@@ -146,8 +146,7 @@ void TimelineTest::morphsAreEntriesOfTheirOwn() {
     flat.name = QStringLiteral("other");
     document::plane(flat)->system.maps[0].map.linear *= 0.5;
     other.fractal = std::make_shared<const document::Fractal>(flat);
-    document::Inserted added =
-        document::inserted(m_document->file(), {other}, document::EntryId::None);
+    document::Inserted added = document::inserted(m_document->file(), {other}, document::EntryId::None);
     m_document->editFile(QStringLiteral("Add"), added.file, m_document->currentId());
     const document::Fractal before = m_document->fractal();
     QMenu* entries = m_panel->motions().back()->menu();
@@ -228,8 +227,7 @@ void TimelineTest::keysAreDragged_data() {
     QTest::addColumn<std::vector<int>>("frames");
     QTest::newRow("plain") << Qt::KeyboardModifiers() << std::vector<int>{0, 18, 20};
     QTest::newRow("with later ones") << Qt::KeyboardModifiers(Qt::AltModifier) << std::vector<int>{0, 18, 28};
-    QTest::newRow("copied") << Qt::KeyboardModifiers(Qt::ControlModifier)
-                            << std::vector<int>{0, 10, 18, 20};
+    QTest::newRow("copied") << Qt::KeyboardModifiers(Qt::ControlModifier) << std::vector<int>{0, 10, 18, 20};
 }
 
 void TimelineTest::keysAreDragged() {

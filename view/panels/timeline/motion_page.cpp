@@ -29,8 +29,7 @@ QToolButton* tile(QAction* action) {
 
 } // namespace
 
-MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent)
-    : QWidget(parent) {
+MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent) {
     auto* tiles = new QHBoxLayout;
     tiles->setSpacing(4);
     for (QAction* action : actions)

@@ -67,7 +67,8 @@ void Timeline::follow(const document::Change& change) {
         m_row = 0;
         m_selected.clear();
     }
-    const bool movesOnly = change.parts & Change::Time && !(change.parts & Change::Animation);
+    // While something is dragged or played, only keys can change what the rows show.
+    const bool movesOnly = change.live || change.parts & Change::Time;
     if (isAnother || change.parts & (Change::Animation | Change::Entries) ||
         (!movesOnly && change.parts & (Change::System | Change::Cage | Change::Appearance))) {
         read();
@@ -93,9 +94,9 @@ void Timeline::read() {
 void Timeline::keepSelection() {
     std::erase_if(m_selected, [this](const KeyAt& key) {
         const auto track = std::ranges::find(m_tracks, key.track, &document::TrackKeys::track);
-        return track == m_tracks.end() || std::ranges::find(track->keys, key.frame,
-                                                            &document::TrackKeys::Key::frame) ==
-                                              track->keys.end();
+        return track == m_tracks.end() ||
+               std::ranges::find(track->keys, key.frame, &document::TrackKeys::Key::frame) ==
+                   track->keys.end();
     });
 }
 
@@ -239,9 +240,9 @@ void Timeline::deleteSelected() {
         m_document->editEntry(tr("Delete keys"),
                               document::withoutKeys(m_document->entryFractal(), m_selected));
     else if (m_row < rowCount() && !isTrack(m_row))
-        m_document->editEntry(tr("Delete the motion “%1”").arg(rowName(m_row)),
-                              document::withoutMotion(m_document->entryFractal(),
-                                                      std::size_t(m_row) - m_tracks.size()));
+        m_document->editEntry(
+            tr("Delete the motion “%1”").arg(rowName(m_row)),
+            document::withoutMotion(m_document->entryFractal(), std::size_t(m_row) - m_tracks.size()));
 }
 
 void Timeline::moveSelected(int by, document::KeyMove how) {
@@ -253,8 +254,7 @@ void Timeline::moveSelected(int by, document::KeyMove how) {
     std::vector<KeyAt> moved = m_selected;
     for (KeyAt& key : moved)
         key.frame += by;
-    m_document->editEntry(text,
-                          document::withKeysMoved(m_document->entryFractal(), m_selected, by, how));
+    m_document->editEntry(text, document::withKeysMoved(m_document->entryFractal(), m_selected, by, how));
     select(std::move(moved));
 }
 

@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -25,10 +26,23 @@ constexpr qsizetype maxListed = 60; // entries in a menu
 constexpr double usualAspect = 16.0 / 9;
 
 constexpr const char* windNames[] = {
-    QT_TRANSLATE_NOOP("view::TimelinePanel", "Breeze"),    QT_TRANSLATE_NOOP("view::TimelinePanel", "Gusts"),
-    QT_TRANSLATE_NOOP("view::TimelinePanel", "Storm"),     QT_TRANSLATE_NOOP("view::TimelinePanel", "Under Water"),
-    QT_TRANSLATE_NOOP("view::TimelinePanel", "Breathing"), QT_TRANSLATE_NOOP("view::TimelinePanel", "Weave"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Breeze"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Gusts"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Storm"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Under Water"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Breathing"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Weave"),
 };
+
+// In a narrow window, and with large letters.
+QScrollArea* scrolling(QWidget* page) {
+    auto* area = new QScrollArea;
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(page);
+    return area;
+}
 
 QString morphObstacle(document::MorphFlaw flaw) {
     switch (flaw) {
@@ -63,7 +77,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     m_transport = new TransportBar(&m_timeline, add);
     m_page = new MotionPage(m_actions);
     m_pages = new QStackedWidget;
-    m_pages->addWidget(m_page);
+    m_pages->addWidget(scrolling(m_page));
     m_pages->addWidget(m_tracks);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -96,8 +110,7 @@ void TimelinePanel::showTracks() {
 
 void TimelinePanel::follow() {
     const bool hadFocus = m_page->isAncestorOf(focusWidget()) && m_page->isVisible();
-    m_pages->setCurrentWidget(m_timeline.isEmpty() && !m_wantsTracks ? static_cast<QWidget*>(m_page)
-                                                                     : m_tracks);
+    m_pages->setCurrentIndex(m_timeline.isEmpty() && !m_wantsTracks ? 0 : 1);
     if (hadFocus && showsTracks()) m_tracks->setFocus();
     for (QAction* action : m_actions)
         action->setEnabled(m_timeline.rowCount() > 0);
@@ -114,7 +127,8 @@ QAction* TimelinePanel::addMotion(const char* iconName, const QString& name, con
 }
 
 void TimelinePanel::createMotions() {
-    const auto apply = [this](QAction* action, const QString& text, const Make& make, const QString& failure) {
+    const auto apply = [this](QAction* action, const QString& text, const Make& make,
+                              const QString& failure) {
         connect(action, &QAction::triggered, this,
                 [this, text, make, failure] { this->apply(text, make, failure); });
     };
@@ -135,8 +149,7 @@ void TimelinePanel::createMotions() {
         tr("Zoom in endlessly"),
         [this](const document::Fractal& entry) {
             const auto view = m_timeline.view();
-            return document::withEndlessZoom(entry, usualAspect,
-                                             view ? view->yAxis : attractor::YAxis::Up);
+            return document::withEndlessZoom(entry, usualAspect, view ? view->yAxis : attractor::YAxis::Up);
         },
         tr("No map only scales the fractal to a copy that stands clear of the others."));
     addMotion("morph", tr("Morph To"), tr("The fractal becomes another entry of this file, and returns."))
@@ -151,11 +164,12 @@ void TimelinePanel::addWinds() {
     for (std::size_t i = 0; i < presets.size(); ++i) {
         const QString name = tr(windNames[i]);
         QAction* action = m_winds->addAction(name, this, [this, name, i] {
-            apply(tr("Wind: %1").arg(name),
-                  [i](const document::Fractal& entry) {
-                      return document::withWind(entry, animation::swayPresets()[i]);
-                  },
-                  tr("There are no maps to move."));
+            apply(
+                tr("Wind: %1").arg(name),
+                [i](const document::Fractal& entry) {
+                    return document::withWind(entry, animation::swayPresets()[i]);
+                },
+                tr("There are no maps to move."));
         });
         action->setWhatsThis(tr("All branches sway about where they begin."));
     }
@@ -189,7 +203,8 @@ void TimelinePanel::morphTo(document::EntryId id) {
     const qsizetype index = document::indexOf(file, id);
     if (index < 0) return;
     const document::Timing timing = m_timeline.timing();
-    auto outcome = document::morphed(m_document->fractal(), *file.entries.at(index).fractal, timing.length, {});
+    auto outcome =
+        document::morphed(m_document->fractal(), *file.entries.at(index).fractal, timing.length, {});
     if (!outcome.fractal) return emit message(morphObstacle(outcome.flaw));
     document::Entry entry;
     entry.fractal = std::make_shared<const document::Fractal>(document::withTiming(

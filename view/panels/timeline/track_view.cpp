@@ -2,8 +2,8 @@
 #include "panels/timeline/track_view.h"
 
 #include "desktop/settings.h"
-#include "panels/timeline/track_menu.h"
 #include "panels/timeline/timeline.h"
+#include "panels/timeline/track_menu.h"
 #include "widgets/number_text.h"
 
 #include <QApplication>
@@ -50,11 +50,11 @@ TrackView::TrackView(Timeline* timeline, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Tracks and keys"));
-    setWhatsThis(
-        tr("One row for each part that can move. The diamond in front makes a key at the playhead, or "
-           "deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler "
-           "to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for "
-           "its ease."));
+    setWhatsThis(tr(
+        "One row for each part that can move. The diamond in front makes a key at the playhead, or "
+        "deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler "
+        "to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for "
+        "its ease."));
     viewport()->setMouseTracking(false);
     m_unit->setCheckable(true);
     m_unit->setAutoRaise(true);
@@ -260,8 +260,7 @@ void TrackView::pressKey(const KeyAt& key) {
 void TrackView::mouseMoveEvent(QMouseEvent* event) {
     m_pointer = event->position();
     m_modifiers = event->modifiers();
-    m_hasMoved = m_hasMoved ||
-                 (m_pointer - m_pressed).manhattanLength() >= QApplication::startDragDistance();
+    m_hasMoved = m_hasMoved || (m_pointer - m_pressed).manhattanLength() >= QApplication::startDragDistance();
     if (m_drag == Drag::Playhead) m_timeline->setFrame(frameAt(m_pointer.x()));
     if (!m_hasMoved) return;
     if (m_drag == Drag::Keys) dragKeysTo(m_pointer);
@@ -276,8 +275,8 @@ KeyMove TrackView::moveKind() const {
 
 void TrackView::dragKeysTo(const QPointF& point) {
     const int by = snapped(int(std::lround((point.x() - m_pressed.x()) / m_scale)));
-    m_by = document::possibleMove(m_timeline->document().entryFractal(), m_timeline->selected(), by,
-                                  moveKind());
+    m_by =
+        document::possibleMove(m_timeline->document().entryFractal(), m_timeline->selected(), by, moveKind());
 }
 
 // The key that is held comes to the playhead, to the ends, and to keys of other tracks nearby.
@@ -319,7 +318,8 @@ void TrackView::mouseReleaseEvent(QMouseEvent* event) {
 
 void TrackView::wheelEvent(QWheelEvent* event) {
     const int turned = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
-    if (event->modifiers() & Qt::ControlModifier) return zoomAt(event->position().x(), std::exp2(turned / 480.0));
+    if (event->modifiers() & Qt::ControlModifier)
+        return zoomAt(event->position().x(), std::exp2(turned / 480.0));
     QAbstractScrollArea::wheelEvent(event);
 }
 

@@ -32,12 +32,13 @@ QSpinBox* spinBox(const QString& name, const QString& explanation, int min, int 
     return box;
 }
 
-QWidget* labelled(const QString& text, QWidget* field, QHBoxLayout* row) {
+QLabel* labelled(const QString& text, QWidget* field, QHBoxLayout* row) {
     auto* label = new QLabel(text);
     label->setBuddy(field);
     row->addWidget(label);
     row->addWidget(field);
-    return field;
+    row->addSpacing(8);
+    return label;
 }
 
 } // namespace
@@ -62,14 +63,10 @@ TransportBar::TransportBar(Timeline* timeline, QWidget* last, QWidget* parent)
     row->addWidget(m_play);
     row->addWidget(next);
     row->addSpacing(8);
-    labelled(tr("Frame:"), m_frame, row);
-    row->addSpacing(8);
-    labelled(tr("Length:"), m_length, row);
-    row->addSpacing(8);
-    labelled(tr("fps:"), m_rate, row);
-    row->addSpacing(8);
-    labelled(tr("Loop:"), m_loop, row);
-    row->addSpacing(12);
+    m_dispensable << m_pictures;
+    m_dispensable << labelled(tr("Frame:"), m_frame, row) << labelled(tr("Length:"), m_length, row)
+                  << labelled(tr("fps:"), m_rate, row) << labelled(tr("Loop:"), m_loop, row);
+    m_dispensable << m_rate << m_length << m_loop << last;
     row->addWidget(m_pictures);
     row->addStretch(1);
     row->addWidget(last);
@@ -87,11 +84,30 @@ TransportBar::TransportBar(Timeline* timeline, QWidget* last, QWidget* parent)
     showFrame();
 }
 
+QSize TransportBar::minimumSizeHint() const {
+    return {m_play->sizeHint().width() * 3 + m_frame->sizeHint().width() + 40, sizeHint().height()};
+}
+
+void TransportBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitInto(width());
+}
+
+void TransportBar::fitInto(int width) {
+    for (QWidget* part : m_dispensable)
+        part->show();
+    for (QWidget* part : m_dispensable) {
+        if (layout()->minimumSize().width() <= width) return;
+        part->hide();
+    }
+}
+
 void TransportBar::makeFields() {
     m_loop->setAccessibleName(tr("Loop"));
     m_loop->setToolTip(tr("What comes after the last frame"));
-    m_loop->setWhatsThis(tr("Off: the animation stops at its last frame. Cycle: it begins again, and the "
-                            "frame at its length is frame 0. There and Back: it runs backwards to its start."));
+    m_loop->setWhatsThis(
+        tr("Off: the animation stops at its last frame. Cycle: it begins again, and the "
+           "frame at its length is frame 0. There and Back: it runs backwards to its start."));
     for (const auto& [loop, name] : {std::tuple{animation::Loop::Off, tr("Off", "loop")},
                                      {animation::Loop::Cycle, tr("Cycle")},
                                      {animation::Loop::ThereAndBack, tr("There and Back")}})

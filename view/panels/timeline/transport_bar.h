@@ -27,7 +27,14 @@ public:
     QSpinBox* rate() const { return m_rate; }
     QComboBox* loop() const { return m_loop; }
 
+    // Where there is less room than for all of it, it goes without names, and then without more.
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitInto(int width);
     void makeFields();
     void showAnimation();
     void showFrame();
@@ -40,7 +47,8 @@ private:
     QSpinBox* m_length;
     QSpinBox* m_rate;
     QComboBox* m_loop;
-    QLabel* m_pictures; // how many a second
+    QLabel* m_pictures;            // how many a second
+    QList<QWidget*> m_dispensable; // the first ones first
     QTimer m_count;
 };
 
