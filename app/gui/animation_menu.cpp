@@ -25,6 +25,8 @@ AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* pa
     addPlaying();
     addSeparator();
     addKeys();
+    addSeparator();
+    addMenu(panel->motionMenu());
     panel->timeline().setViewSource([context]() -> std::optional<attractor::View> {
         const attractor::Camera& camera = context.canvas->camera();
         if (context.stage->showsSpace() || camera.height <= 0) return std::nullopt;

@@ -165,7 +165,8 @@ void CanvasView::followDocument(const document::Change& change) {
     const bool isAnother = change.parts & (Change::Current | Change::File);
     if (isAnother && tool() == Tool::DefineTriangle) setTool(Tool::Cage);
     if (isAnother && m_wasShown) fit();
-    if (const auto& view = m_document->view(); view && (isAnother || change.parts & Change::Time))
+    if (const auto& view = m_document->view();
+        view && m_wasShown && (isAnother || change.parts & Change::Time))
         m_navigation.moveTo(attractor::cameraOf(*view, {viewport()->width(), viewport()->height()}));
 }
 

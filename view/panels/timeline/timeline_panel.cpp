@@ -72,6 +72,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     add->setText(tr("Add Motion"));
     add->setToolTip(tr("Add a motion that needs no keys, or a morph to another entry"));
     add->setMenu(m_motions);
+    m_motions->setTitle(tr("Add &Motion"));
     m_motions->setToolTipsVisible(true);
     m_tracks = new TrackView(&m_timeline);
     m_transport = new TransportBar(&m_timeline, add);

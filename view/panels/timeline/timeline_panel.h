@@ -26,6 +26,7 @@ public:
     TrackView* trackView() const { return m_tracks; }
     TransportBar* transport() const { return m_transport; }
     const QList<QAction*>& motions() const { return m_actions; }
+    QMenu* motionMenu() const { return m_motions; }
     bool showsTracks() const;
     void showTracks(); // even while nothing moves
 

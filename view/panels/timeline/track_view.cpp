@@ -250,8 +250,8 @@ void TrackView::mousePressEvent(QMouseEvent* event) {
 void TrackView::pressKey(const KeyAt& key) {
     m_held = key;
     std::vector<KeyAt> keys = m_timeline->selected();
-    const bool isSelected = std::ranges::find(keys, key) != keys.end();
-    if (isSelected) return;
+    m_wasSelected = std::ranges::find(keys, key) != keys.end();
+    if (m_wasSelected) return;
     if (!(m_modifiers & (Qt::ShiftModifier | Qt::ControlModifier))) keys.clear();
     keys.push_back(key);
     m_timeline->select(std::move(keys));
@@ -308,10 +308,15 @@ void TrackView::mouseReleaseEvent(QMouseEvent* event) {
     const Drag ended = std::exchange(m_drag, Drag::None);
     if (ended == Drag::Keys) {
         const int by = std::exchange(m_by, 0);
+        const bool toggles = m_modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
+        std::vector<KeyAt> others = m_timeline->selected();
+        std::erase(others, m_held);
         if (m_hasMoved)
             m_timeline->moveSelected(by, moveKind());
-        else if (!(m_modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
+        else if (!toggles)
             m_timeline->select({m_held});
+        else if (m_wasSelected)
+            m_timeline->select(std::move(others));
     }
     viewport()->update();
 }
