@@ -6,6 +6,7 @@
 #include "document/document.h"
 #include "document/edits/animation_edits.h"
 #include "document/fractal_geometry.h"
+#include "document/motion_paths.h"
 
 #include <QtTest>
 
@@ -74,6 +75,7 @@ private slots:
     void dragsGoOnWhileTimeRuns();
     void stepsNameTheFrame();
     void timeIsNoStepOfTheHistory();
+    void pathsGoThroughTheKeys();
 };
 
 void FrameEditTest::whatHasNoKeysChangesForAllTimes() {
@@ -316,6 +318,24 @@ void FrameEditTest::timeIsNoStepOfTheHistory() {
     QVERIFY(plane(document.entryFractal())->animation);
     document.setFile(fileOf(sierpinskiTriangle()));
     QCOMPARE(document.moment(), animation::Moment());
+}
+
+void FrameEditTest::pathsGoThroughTheKeys() {
+    QVERIFY(motionPaths(still()).vertices.empty());
+    Fractal entry = edited(keyed(still(), {Track::Kind::Cage}, 0), 12, moveVertex).fractal;
+    entry = edited(keyed(entry, {Track::Kind::Map, {ifs::MapId(2)}}, 0), 6, shrinkMap).fractal;
+    const MotionPaths paths = motionPaths(entry);
+    QCOMPARE(paths.vertices.size(), std::size_t(3));
+    QCOMPARE(paths.vertices[1].points.size(), std::size_t(length + 1));
+    QCOMPARE(paths.vertices[1].keys.size(), std::size_t(2));
+    for (const int frame : {0, 12})
+        QCOMPARE(paths.vertices[1].points[std::size_t(frame)],
+                 cage2(frameAt(entry, animation::moment(frame)).fractal)->current[1]);
+    QCOMPARE(paths.maps.size(), std::size_t(1));
+    QCOMPARE(paths.maps[0].keys[1], paths.maps[0].points[6]);
+    plane(entry)->animation->length = 1000; // not every frame is looked at
+    QVERIFY(motionPaths(entry).vertices[0].points.size() <= 245);
+    QCOMPARE(motionPaths(entry).vertices[1].keys.size(), std::size_t(2)); // but every key
 }
 
 QTEST_APPLESS_MAIN(FrameEditTest)

@@ -234,6 +234,7 @@ void TimelineTest::keysAreDragged() {
     QFETCH(Qt::KeyboardModifiers, modifiers);
     QFETCH(std::vector<int>, frames);
     keyCageAt({10, 20});
+    timeline().select({});
     const int before = steps();
     const document::Fractal stored = m_document->entryFractal();
     drag(tracks().keyPosition(0, 10), tracks().keyPosition(0, 18), modifiers);

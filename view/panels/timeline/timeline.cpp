@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::size_t manyMaps = 500; // more rows than anybody looks through
 
-// Copied keys serve all windows of the program.
-std::vector<document::CopiedKey>& clipboardOfKeys() {
-    static std::vector<document::CopiedKey> keys;
-    return keys;
-}
-
 struct MotionName {
     QString operator()(const auto& motion) const { return name(motion); }
 
@@ -150,8 +144,9 @@ bool Timeline::isEmpty() const {
 
 void Timeline::setTiming(const QString& text, const document::Timing& timing) {
     if (timing == m_timing || rowCount() == 0) return;
+    const int before = frame();
     m_document->editEntry(text, document::withTiming(m_document->entryFractal(), timing));
-    if (frame() > lastFrame()) setFrame(lastFrame());
+    if (before > lastFrame()) setFrame(lastFrame());
 }
 
 void Timeline::setRow(int row) {
@@ -264,17 +259,16 @@ void Timeline::setEase(animation::Ease::Kind kind) {
 }
 
 void Timeline::copy() {
-    if (!m_selected.empty()) clipboardOfKeys() = document::copiedKeys(m_document->entryFractal(), m_selected);
+    if (!m_selected.empty()) m_copied = document::copiedKeys(m_document->entryFractal(), m_selected);
 }
 
 bool Timeline::canPaste() const {
-    return !clipboardOfKeys().empty();
+    return !m_copied.empty();
 }
 
 void Timeline::paste() {
     if (!canPaste()) return;
-    document::Pasted pasted =
-        document::withKeysPasted(m_document->entryFractal(), clipboardOfKeys(), frame());
+    document::Pasted pasted = document::withKeysPasted(m_document->entryFractal(), m_copied, frame());
     if (pasted.keys.empty()) return emit message(tr("None of these keys fits this fractal."));
     m_document->editEntry(tr("Paste keys"), std::move(pasted.fractal));
     select(std::move(pasted.keys));

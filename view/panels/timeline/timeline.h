@@ -82,6 +82,7 @@ private:
     document::Timing m_timing;
     int m_row = 0;
     std::vector<document::KeyAt> m_selected;
+    std::vector<document::CopiedKey> m_copied;
 };
 
 } // namespace view
