@@ -32,6 +32,10 @@ constexpr Detail details[] = {
          "ActionDetails",
          "Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag "
          "changes: a new map for this branch, the last map of its address, or only this branch.")},
+    {"animate",
+     QT_TRANSLATE_NOOP("ActionDetails",
+                       "Choose a motion that needs no keys, or make keys: what has keys gets another one "
+                       "wherever you change it, what has none changes for the whole animation.")},
     {"define",
      QT_TRANSLATE_NOOP(
          "ActionDetails",

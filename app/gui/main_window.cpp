@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
 
+#include "animation_menu.h"
 #include "bars/construction_bar.h"
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
@@ -26,6 +27,7 @@
 #include "panels/history/history_panel.h"
 #include "panels/maps/maps_panel.h"
 #include "panels/problems/problems_panel.h"
+#include "panels/timeline/timeline_panel.h"
 #include "stage.h"
 #include "status_line.h"
 #include "view_menu.h"
@@ -49,6 +51,8 @@
 #include <QScreen>
 #include <QToolBar>
 #include <QToolButton>
+
+#include <utility>
 
 namespace {
 
@@ -76,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_construction(new view::Construction(&m_document, m_bridge, this)),
       m_stage(new Stage(&m_document, m_bridge, m_solid, this)),
       m_canvas(m_stage->plane()),
+      m_timeline(new view::TimelinePanel(&m_document, this)),
       m_status(new StatusLine(this)),
       m_messages(new WindowMessages(this)),
       m_fileCommands(new FileCommands({this, &m_document, m_canvas, m_messages, m_stage}, &m_file)) {
@@ -90,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_bridge->setQuality(view::Preferences::stored().quality);
     createMenus();
     createPanels();
+    createTimeline();
     explainPanels();
     createToolBar();
     auto* zoom = new view::ZoomBox(m_canvas);
@@ -121,10 +127,11 @@ void MainWindow::createMenus() {
     m_editMenu = new EditMenu(context);
     auto* cage = new CageMenu(context);
     auto* maps = new MapsMenu(context);
+    m_animationMenu = new AnimationMenu(context, m_timeline);
     m_viewMenu = new ViewMenu(context, [this](bool on) { present(on); });
     createConstructionBar();
     createOptionsBar();
-    m_menus = {file, m_editMenu, cage, maps, m_viewMenu, new HelpMenu(context)};
+    m_menus = {file, m_editMenu, cage, maps, m_animationMenu, m_viewMenu, new HelpMenu(context)};
     for (ActionMenu* menu : m_menus) {
         menuBar()->addMenu(menu);
         menu->setToolTipsVisible(true); // disabled actions explain themselves there
@@ -219,6 +226,25 @@ void MainWindow::createPanels() {
             [this](const document::Fractal& fractal) { addEntry(m_document, fractal); });
 }
 
+void MainWindow::createTimeline() {
+    QDockWidget* timeline =
+        dock(m_timeline, tr("Timeline"), QStringLiteral("timeline"), Qt::BottomDockWidgetArea);
+    timeline->hide();
+    m_animationMenu->setDock(timeline);
+    const auto count = [this] { m_timeline->timeline().playback().countPicture(); };
+    connect(m_bridge, &view::RenderBridge::frameChanged, m_timeline, [this, count] {
+        if (m_bridge->frame() && m_bridge->frame()->passes == 1) count();
+    });
+    connect(m_solid, &view::SolidBridge::frameChanged, m_timeline, count);
+    connect(&m_document, &document::Document::changed, m_stage,
+            [this, last = 0.0](const document::Change& change) mutable {
+                const double turned = m_document.orbit() - std::exchange(last, m_document.orbit());
+                if (!(change.parts & document::Change::Time) || turned == 0 || !m_stage->showsSpace()) return;
+                view::SpaceNavigation& navigation = m_stage->space()->navigation();
+                navigation.moveTo(animation::orbited(navigation.camera(), turned), change.live);
+            });
+}
+
 void MainWindow::explainPanels() {
     for (const auto& [id, text] :
          {std::pair{"entries",
@@ -231,6 +257,8 @@ void MainWindow::explainPanels() {
            tr("Colours, brightness and background of the picture. They are saved with the fractal.")},
           {"analysis", tr("Mathematical properties of this fractal. Point to a name to see what it means.")},
           {"history", tr("Every step since the file was opened. Select one to go back or forward to it.")},
+          {"timeline",
+           tr("The animation of this fractal: its motions, and the keys of everything that can move.")},
           {"problems",
            tr("Problems found in the file, with line and column. The text in the file is kept unchanged.")}})
         if (auto* panel = findChild<QDockWidget*>(QLatin1String(id))) {

@@ -12,6 +12,7 @@
 #include "session.h"
 
 class ActionMenu;
+class AnimationMenu;
 class EditMenu;
 class FileCommands;
 class QDockWidget;
@@ -20,6 +21,9 @@ class Stage;
 class StatusLine;
 class ViewMenu;
 class WindowMessages;
+namespace view {
+class TimelinePanel;
+}
 
 // A document, its canvas and its panels. Owns them all; deletes itself when closed.
 class MainWindow : public SessionWindow {
@@ -57,6 +61,7 @@ protected:
 private:
     void createMenus();
     void createPanels();
+    void createTimeline();
     void explainPanels();
     void createConstructionBar();
     void createOptionsBar();
@@ -79,12 +84,14 @@ private:
     view::Construction* m_construction;
     Stage* m_stage;
     view::CanvasView* m_canvas; // of the plane
+    view::TimelinePanel* m_timeline;
     StatusLine* m_status;
     WindowMessages* m_messages;
     FileCommands* m_fileCommands;
 
     EditMenu* m_editMenu = nullptr;
     ViewMenu* m_viewMenu = nullptr;
+    AnimationMenu* m_animationMenu = nullptr;
     QList<ActionMenu*> m_menus;
     struct {
         QByteArray geometry;

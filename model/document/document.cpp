@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/document.h"
 
+#include "document/frame_edit.h"
 #include "document/free_in_background.h"
 
 #include <QUndoCommand>
@@ -84,6 +85,14 @@ template <int Dim> bool isHeldAlike(const Shape<Dim>* a, const Shape<Dim>* b) {
     return a && b ? a->cage == b->cage && a->moved == b->moved : a == b;
 }
 
+template <int Dim> bool isMovedAlike(const Shape<Dim>* a, const Shape<Dim>* b) {
+    return a && b ? a->animation == b->animation : !(a && a->animation) && !(b && b->animation);
+}
+
+bool isMovedAlike(const Fractal& a, const Fractal& b) {
+    return &a == &b || (isMovedAlike(plane(a), plane(b)) && isMovedAlike(space(a), space(b)));
+}
+
 } // namespace
 
 Change::Parts difference(const Fractal& a, const Fractal& b) {
@@ -99,6 +108,7 @@ Change::Parts difference(const Fractal& a, const Fractal& b) {
 Document::Document(QObject* parent) : QObject(parent), m_file(fileOf(sierpinskiTriangle())) {
     m_current = m_file.entries.front().id;
     m_index = 0;
+    refresh();
 }
 
 Document::~Document() {
@@ -110,7 +120,7 @@ const Entry& Document::currentEntry() const {
 }
 
 bool Document::isModified() const {
-    return !m_undoStack.isClean() || (m_gesture && fractal() != *m_gesture->link->before);
+    return !m_undoStack.isClean() || (m_gesture && entryFractal() != *m_gesture->entry);
 }
 
 void Document::setFile(FractalFile file, EntryId current) {
@@ -121,6 +131,8 @@ void Document::setFile(FractalFile file, EntryId current) {
     m_undoStack.clear();
     m_undoStack.setClean();
     m_typedNumbers.clear();
+    m_moment = {};
+    refresh();
     announce(Change::Everything);
 }
 
@@ -128,10 +140,49 @@ void Document::setCurrent(EntryId id) {
     const qsizetype index = indexOf(m_file, id);
     if (index < 0 || id == m_current) return;
     commitGesture();
-    const auto before = currentEntry().fractal;
+    const auto before = m_shown.fractal, entry = currentEntry().fractal;
     m_current = id;
     m_index = index;
-    announce(Change::Current | difference(*before, fractal()));
+    m_moment = {};
+    refresh();
+    Change::Parts parts = Change::Current | difference(*before, fractal());
+    parts.setFlag(Change::Animation, !isMovedAlike(*entry, entryFractal()));
+    announce(parts);
+}
+
+void Document::setMoment(const animation::Moment& moment, Pace pace) {
+    const bool stops = pace == Pace::Rest && m_run;
+    if (moment == m_moment && !stops) return;
+    const auto before = m_shown.fractal;
+    m_moment = moment;
+    refresh();
+    const Change::Parts parts = m_run | Change::Time | difference(*before, fractal());
+    m_run = pace == Pace::Running ? parts : Change::Parts();
+    announce(parts, pace == Pace::Running ? Live::Yes : Live::No);
+}
+
+void Document::refresh() {
+    const auto& entry = currentEntry().fractal;
+    if (!animationFacts(*entry)) {
+        m_shown = {entry, {}, 0};
+        return;
+    }
+    AnimatedFrame frame = frameAt(*entry, m_moment);
+    m_shown = {std::make_shared<const Fractal>(std::move(frame.fractal)), frame.view, frame.orbit};
+}
+
+Change::Parts Document::replace(const std::shared_ptr<const Fractal>& entry) {
+    if (m_index < 0) return {};
+    const auto before = std::exchange(m_file.entries[m_index].fractal, entry);
+    const auto shown = m_shown.fractal;
+    refresh();
+    Change::Parts parts = difference(*shown, fractal());
+    parts.setFlag(Change::Animation, !isMovedAlike(*before, *entry));
+    return parts;
+}
+
+QString Document::textOf(const QString& text, std::optional<int> keyedFrame) {
+    return keyedFrame ? tr("%1 (frame %2)", "what is done, at which frame").arg(text).arg(*keyedFrame) : text;
 }
 
 void Document::markSaved(const FractalFile& saved) {
@@ -147,7 +198,14 @@ void Document::markSaved(const FractalFile& saved) {
 
 void Document::edit(const QString& text, Fractal after) {
     commitGesture();
-    if (m_index < 0 || after == fractal()) return;
+    if (m_index < 0) return;
+    FrameEdit edit = withFrameEdited(entryFractal(), m_moment, fractal(), std::move(after));
+    editEntry(textOf(text, edit.isKeyed ? std::optional(edit.frame) : std::nullopt), std::move(edit.fractal));
+}
+
+void Document::editEntry(const QString& text, Fractal after) {
+    commitGesture();
+    if (m_index < 0 || after == entryFractal()) return;
     push(text, {m_current, currentEntry().fractal, {}},
          {m_current, std::make_shared<const Fractal>(std::move(after)), {}});
 }
@@ -169,23 +227,20 @@ void Document::push(const QString& text, State before, State after, int kind) {
 
 void Document::apply(const State& state) {
     Change::Parts parts;
-    const auto before = currentEntry().fractal;
+    const auto before = m_shown.fractal, entry = currentEntry().fractal;
     if (const auto gesture = endGesture()) parts |= gesture->previewed;
     if (state.file) {
         parts.setFlag(Change::Entries, entriesDiffer(m_file, *state.file, state.current));
         m_file = *state.file;
     }
     parts.setFlag(Change::Current, state.current != m_current);
+    if (state.current != m_current) m_moment = {};
     m_current = state.current;
     m_index = indexOf(m_file, m_current);
     if (state.fractal && m_index >= 0) m_file.entries[m_index].fractal = state.fractal;
+    refresh();
+    parts.setFlag(Change::Animation, !isMovedAlike(*entry, entryFractal()));
     announce(parts | difference(*before, fractal()));
-}
-
-void Document::show(const std::shared_ptr<const Fractal>& fractal, Change::Parts parts, Live live) {
-    if (!parts) return;
-    m_file.entries[m_index].fractal = fractal;
-    announce(parts, live);
 }
 
 void Document::announce(Change::Parts parts, Live live) {
@@ -195,25 +250,28 @@ void Document::announce(Change::Parts parts, Live live) {
 
 EditGesture Document::beginGesture(const QString& text) {
     commitGesture();
-    const auto link = std::make_shared<EditGesture::Link>(EditGesture::Link{this, currentEntry().fractal});
-    m_gesture = {link, text, {}, -1};
+    const auto link = std::make_shared<EditGesture::Link>(EditGesture::Link{this, m_shown.fractal});
+    m_gesture = {link, text, currentEntry().fractal, m_moment, {}, {}, -1};
     return EditGesture(link);
 }
 
 void Document::previewGesture(Fractal fractal) {
     if (!m_gesture || m_index < 0) return;
-    const auto shown = std::make_shared<const Fractal>(std::move(fractal));
-    const Change::Parts parts = difference(this->fractal(), *shown);
+    FrameEdit edit =
+        withFrameEdited(*m_gesture->entry, m_gesture->moment, *m_gesture->link->before, std::move(fractal));
+    m_gesture->keyedFrame = edit.isKeyed ? std::optional(edit.frame) : std::nullopt;
+    const Change::Parts parts = replace(std::make_shared<const Fractal>(std::move(edit.fractal)));
     m_gesture->previewed |= parts;
-    show(shown, parts, Live::Yes);
+    if (parts) announce(parts, Live::Yes);
 }
 
 void Document::commitGesture() {
     if (!m_gesture) return;
-    const auto before = m_gesture->link->before, after = currentEntry().fractal;
+    const auto before = m_gesture->entry, after = currentEntry().fractal;
     if (*after == *before) return cancelGesture();
     // The step's own announcement ends what was live; the gesture stays until then so that nothing is missed.
-    push(m_gesture->text, {m_current, before, {}}, {m_current, after, {}}, m_gesture->kind);
+    push(textOf(m_gesture->text, m_gesture->keyedFrame), {m_current, before, {}}, {m_current, after, {}},
+         m_gesture->kind);
 }
 
 void Document::describeGesture(const QString& text, int kind) {
@@ -225,8 +283,7 @@ void Document::describeGesture(const QString& text, int kind) {
 void Document::cancelGesture() {
     const auto gesture = endGesture();
     if (!gesture) return;
-    const auto& before = gesture->link->before;
-    show(before, gesture->previewed | difference(fractal(), *before), Live::No);
+    if (const Change::Parts parts = gesture->previewed | replace(gesture->entry)) announce(parts);
 }
 
 std::optional<Document::Gesture> Document::endGesture() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/animated_fractal.h"
 #include "document/edit_gesture.h"
 #include "document/fractal_file.h"
 #include "document/typed_numbers.h"
@@ -22,18 +23,20 @@ struct Change {
         System = 0x01, // maps, weights, order, on/off
         Cage = 0x02,
         Appearance = 0x04,
-        Name = 0x08,    // and comments
-        Entries = 0x10, // added, removed, reordered
-        Current = 0x20, // another entry is shown
-        File = 0x40,    // another file altogether
-        Everything = 0x7f,
+        Name = 0x08,       // and comments
+        Entries = 0x10,    // added, removed, reordered
+        Current = 0x20,    // another entry is shown
+        File = 0x40,       // another file altogether
+        Time = 0x80,       // another moment of the animation is shown
+        Animation = 0x100, // its keys, motions, length, …
+        Everything = 0x1ff,
     };
     Q_DECLARE_FLAGS(Parts, Part)
     Parts parts;
-    bool live = false; // in the middle of a gesture: more of the same is to come
+    bool live = false; // in the middle of a gesture, or while time runs: more of the same is to come
 };
 
-// The parts in which two fractals differ.
+// The parts in which two fractals differ, as they are shown: all but Animation.
 Change::Parts difference(const Fractal& a, const Fractal& b);
 
 // What moving the cage does to the code.
@@ -45,6 +48,7 @@ enum class CageMode {
 // The open file, the entry being edited, and the history. Lives in the GUI thread.
 // One step of the history holds whole values before and after; undoing an edit shows the entry it belongs to.
 // Undo or redo while a gesture is open drops what the gesture was showing.
+// Of an animation, one moment is shown and edited: docs/decisions/0010.
 class Document : public QObject, private GestureHost {
     Q_OBJECT
 
@@ -54,7 +58,12 @@ public:
 
     const FractalFile& file() const { return m_file; }
     const Entry& currentEntry() const; // of a file without entries: an entry without id and system
-    const Fractal& fractal() const { return *currentEntry().fractal; } // the entry being edited
+    // What is seen and edited: the entry at the moment, as an ordinary fractal without an animation. Of an
+    // entry that is not animated, its fractal itself.
+    const Fractal& fractal() const { return *m_shown.fractal; }
+    const std::shared_ptr<const Fractal>& sharedFractal() const { return m_shown.fractal; }
+    // The entry with its animation, if it has one.
+    const Fractal& entryFractal() const { return *currentEntry().fractal; }
     EntryId currentId() const { return m_current; }
     std::uint64_t revision() const { return m_revision; } // grows with every change
     QUndoStack* undoStack() { return &m_undoStack; }
@@ -67,9 +76,19 @@ public:
     // read back.
     void markSaved(const FractalFile& saved);
 
+    // The moment that is shown: no part of the file, no step of the history. 0 for another entry.
+    const animation::Moment& moment() const { return m_moment; }
+    const std::optional<attractor::View>& view() const { return m_shown.view; } // where keys move it
+    double orbit() const { return m_shown.orbit; } // degrees that the camera in space has gone round
+    enum class Pace { Rest, Running };             // Running: more moments are to come at once
+    void setMoment(const animation::Moment& moment, Pace pace = Pace::Rest);
+
     // One undo step each, described by `text` in the imperative; nothing happens when nothing would change.
     // An open gesture is committed first.
+    // `after` is derived from fractal(); of an animation, what has keys gets a key at the moment
+    // (withFrameEdited()), and the description then names the frame.
     void edit(const QString& text, Fractal after);
+    void editEntry(const QString& text, Fractal after); // derived from entryFractal()
     void editFile(const QString& text, FractalFile after, EntryId current = EntryId::None);
 
     // A gesture on the current entry, whose step will be described by `text`.
@@ -96,9 +115,17 @@ private:
         std::optional<FractalFile> file;
     };
     enum class Live { No, Yes };
+    // What of the current entry is shown at the moment.
+    struct Shown {
+        std::shared_ptr<const Fractal> fractal;
+        std::optional<attractor::View> view;
+        double orbit = 0;
+    };
 
     void apply(const State& state);
-    void show(const std::shared_ptr<const Fractal>& fractal, Change::Parts parts, Live live);
+    void refresh();
+    Change::Parts replace(const std::shared_ptr<const Fractal>& entry); // what differs then
+    static QString textOf(const QString& text, std::optional<int> keyedFrame);
     void announce(Change::Parts parts, Live live = Live::No);
     void push(const QString& text, State before, State after, int kind = -1);
 
@@ -110,8 +137,11 @@ private:
     struct Gesture {
         std::shared_ptr<EditGesture::Link> link;
         QString text;
-        Change::Parts previewed; // what listeners have been told was live
-        int kind = -1;           // of steps that become one
+        std::shared_ptr<const Fractal> entry; // when it began, as the moment
+        animation::Moment moment;
+        std::optional<int> keyedFrame; // at which the preview has keys
+        Change::Parts previewed;       // what listeners have been told was live
+        int kind = -1;                 // of steps that become one
     };
     std::optional<Gesture> endGesture();
 
@@ -119,6 +149,9 @@ private:
     EntryId m_current = EntryId::None;
     qsizetype m_index = -1; // of the current entry
     std::uint64_t m_revision = 0;
+    animation::Moment m_moment;
+    Change::Parts m_run; // what has been announced since time began to run
+    Shown m_shown;
     QUndoStack m_undoStack;
     TypedNumbers m_typedNumbers;
     CageMode m_cageMode = CageMode::Place;

@@ -64,7 +64,7 @@ void AnalysisBridge::ask(Haste haste) {
     }
     if (!isWatched()) return;
     m_isStale = false;
-    m_thread->submit({.fractal = m_document->currentEntry().fractal,
+    m_thread->submit({.fractal = m_document->sharedFractal(),
                       .outlines = m_outlined,
                       .cylinderDepth = m_cylinderDepth,
                       .revision = ++m_requested},

@@ -85,7 +85,9 @@ void RenderBridge::follow(const document::Change& change) {
         return;
     m_live = change.live;
     const bool otherPicture = change.parts & (Change::Current | Change::File);
-    const bool edited = !change.live && (change.parts & (Change::System | Change::Appearance));
+    const bool moved = change.parts & Change::Time; // brightness must not jump from frame to frame
+    const bool edited = !change.live && !moved && (change.parts & (Change::System | Change::Appearance));
+    if (moved && m_exposing == Exposing::Kept) m_exposing = Exposing::Eased;
     if (otherPicture || edited) m_exposing = Exposing::Measured;
     request(m_live ? Haste::InTurn : Haste::Now);
 }

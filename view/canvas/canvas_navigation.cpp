@@ -53,7 +53,7 @@ void CanvasNavigation::fit() {
     using Extent = std::optional<document::Box>;
     m_isFitted = true;
     m_extent.setFuture({});
-    const auto fractal = m_scene.document().currentEntry().fractal;
+    const auto fractal = m_scene.document().sharedFractal();
     const document::System2* system = document::system2(*fractal);
     if (!system || system->maps.size() < manyMaps) return fitTo(document::displayedBox(*fractal));
     const QFuture<Extent> extent = io::inBackground<Extent>(

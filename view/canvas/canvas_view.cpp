@@ -163,9 +163,12 @@ void CanvasView::followDocument(const document::Change& change) {
                  ->underMouse()) // what is said of the point under the pointer has changed with the cage
         QMetaObject::invokeMethod(&m_input, &CanvasInput::reportPointer, Qt::QueuedConnection);
     if (!change.live && !m_said.isEmpty()) describeFocus();
-    if (!(change.parts & (Change::Current | Change::File))) return;
-    if (tool() == Tool::DefineTriangle) setTool(Tool::Cage);
-    if (m_wasShown) fit();
+    const bool isAnother = change.parts & (Change::Current | Change::File);
+    if (isAnother && tool() == Tool::DefineTriangle) setTool(Tool::Cage);
+    if (isAnother && m_wasShown) fit();
+    if (const auto& view = m_document->view();
+        view && m_wasShown && (isAnother || change.parts & Change::Time))
+        m_navigation.moveTo(attractor::cameraOf(*view, {viewport()->width(), viewport()->height()}));
 }
 
 // Cage and picture move together: during a gesture nothing is painted until the picture has come, unless that

@@ -59,7 +59,7 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     : QDialog(parent),
       m_document(document),
       m_source(source),
-      m_parent(document->currentEntry().fractal),
+      m_parent(document->sharedFractal()),
       m_thumbnails(new Thumbnails(this)) {
     setWindowTitle(source == Source::Current ? tr("Variations of “%1”").arg(titleText(m_parent->name))
                                              : tr("Random Fractals"));

@@ -62,6 +62,7 @@ void addGestures(QTreeWidget* tree) {
         {ShortcutsDialog::tr("Next or previous part of the window"), ShortcutsDialog::tr("F6, Shift+F6")},
         {ShortcutsDialog::tr("Zoom at the pointer"), ShortcutsDialog::tr("wheel")},
         {ShortcutsDialog::tr("Pan"), ShortcutsDialog::tr("middle drag, or Space + drag")},
+        {ShortcutsDialog::tr("Play or stop the animation"), ShortcutsDialog::tr("Space")},
     };
     const QList<QStringList> onGradient{
         {ShortcutsDialog::tr("Select another stop"),
@@ -73,8 +74,25 @@ void addGestures(QTreeWidget* tree) {
          ShortcutsDialog::tr("Enter or Space, or double-click it")},
         {ShortcutsDialog::tr("Cancel the change"), ShortcutsDialog::tr("Esc")},
     };
+    const QList<QStringList> onTimeline{
+        {ShortcutsDialog::tr("Move the playhead"), ShortcutsDialog::tr("drag in the ruler, or Left, Right")},
+        {ShortcutsDialog::tr("Previous or next key"), ShortcutsDialog::tr("Ctrl + Left, Right")},
+        {ShortcutsDialog::tr("First or last frame"), ShortcutsDialog::tr("Home, End")},
+        {ShortcutsDialog::tr("Select another row"), ShortcutsDialog::tr("Up, Down")},
+        {ShortcutsDialog::tr("Make or delete the key of the row"), ShortcutsDialog::tr("Enter")},
+        {ShortcutsDialog::tr("Move the selected keys"), ShortcutsDialog::tr("drag them")},
+        {ShortcutsDialog::tr("Move all later keys of the row, too"),
+         ShortcutsDialog::tr("Alt while dragging")},
+        {ShortcutsDialog::tr("Copy the keys"), ShortcutsDialog::tr("Ctrl while dragging")},
+        {ShortcutsDialog::tr("Copy, paste, select all keys"), ShortcutsDialog::tr("Ctrl+C, Ctrl+V, Ctrl+A")},
+        {ShortcutsDialog::tr("Delete the selected keys, or the motion"), ShortcutsDialog::tr("Del")},
+        {ShortcutsDialog::tr("Choose how a key leads to the next"), ShortcutsDialog::tr("right-click it")},
+        {ShortcutsDialog::tr("Zoom the ruler"), ShortcutsDialog::tr("Ctrl + wheel")},
+    };
     for (const QStringList& line : onCanvas)
         addLine(tree, ShortcutsDialog::tr("On the canvas"), line);
+    for (const QStringList& line : onTimeline)
+        addLine(tree, ShortcutsDialog::tr("In the timeline"), line);
     for (const QStringList& line : onGradient)
         addLine(tree, ShortcutsDialog::tr("On the strip of the gradient"), line);
 }

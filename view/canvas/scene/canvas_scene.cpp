@@ -4,6 +4,7 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/attractor_item.h"
 #include "canvas/items/cage_item.h"
+#include "canvas/items/motion_path_item.h"
 #include "canvas/scene/frame_layout.h"
 #include "document/fractal_geometry.h"
 
@@ -28,6 +29,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_handles(*document, m_selection),
       m_attractor(std::make_unique<AttractorItem>()),
       m_grid(std::make_unique<GridItem>()),
+      m_pathItem(std::make_unique<MotionPathItem>()),
       m_cageItem(std::make_unique<CageItem>()),
       m_mapFrames(std::make_unique<MapFramesItem>()),
       m_gizmo(std::make_unique<GizmoItem>()) {
@@ -65,7 +67,7 @@ std::vector<OverlayItem*> CanvasScene::overlays() {
         items.insert(items.end(), more.begin(), more.end());
     };
     add(m_marks.itemsBelowHandles());
-    add({m_cageItem.get(), m_mapFrames.get(), m_gizmo.get()});
+    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get()});
     add(m_marks.itemsAboveHandles());
     add(m_notes.items());
     return items;
@@ -103,6 +105,12 @@ void CanvasScene::follow(const document::Change& change) {
     const std::size_t vertices = m_handles.vertexCount();
     m_handles.follow(change);
     if (change.parts & (Change::Current | Change::File)) m_selection.clear();
+    const bool isMoved = !change.live && change.parts & (Change::Animation | Change::System | Change::Cage) &&
+                         !(change.parts & Change::Time);
+    if (isMoved || change.parts & (Change::Current | Change::File)) {
+        m_paths = document::motionPaths(m_document->entryFractal());
+        requestLayout();
+    }
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         requestLayout();
         m_selection.setMaps(m_selection.maps());   // those that are left
@@ -174,6 +182,7 @@ void CanvasScene::layoutItems() {
     m_isLayoutStale = false;
     m_cageItem->setPolygon(cagePolygon());
     layoutFrames();
+    layoutPaths();
     if (m_handles.cage()) {
         m_gizmoLayout = gizmoLayout(pixelsOf(m_camera, m_handles.heldPoints()),
                                     pixelOf(m_camera, m_handles.pivot()), sceneRect());
@@ -202,6 +211,16 @@ std::vector<QPointF> CanvasScene::handlePositions() const {
         for (const QPointF& knob : {m_gizmoLayout.pivot, m_gizmoLayout.rotate, m_gizmoLayout.scale})
             positions.push_back(knob);
     return positions;
+}
+
+// Of what is in hand: the cage, or the maps.
+void CanvasScene::layoutPaths() {
+    std::vector<MotionPathItem::Way> ways;
+    if (m_handles.target() != HandleTarget::Branch)
+        for (const document::MotionPath& path :
+             m_handles.target() == HandleTarget::Cage ? m_paths.vertices : m_paths.maps)
+            ways.push_back({pixelsOf(m_camera, path.points), pixelsOf(m_camera, path.keys)});
+    m_pathItem->setWays(std::move(ways));
 }
 
 void CanvasScene::layoutFrames() {
@@ -249,6 +268,7 @@ void CanvasScene::updateVisibility() {
     const bool cage = m_overlaysVisible && m_cageVisible && m_handles.cage();
     m_cageItem->setVisible(cage);
     m_mapFrames->setVisible(cage);
+    m_pathItem->setVisible(cage);
     m_gizmo->setVisible(cage && m_handles.isAnythingHeld());
 }
 

@@ -10,6 +10,7 @@
 #include "canvas/scene/handle_model.h"
 #include "canvas/scene/hit_tester.h"
 #include "canvas/scene/transient_marks.h"
+#include "document/motion_paths.h"
 
 #include <QGraphicsScene>
 
@@ -21,6 +22,7 @@ namespace view {
 
 class AttractorItem;
 class CageItem;
+class MotionPathItem;
 
 // What is on the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
 // Places the items. Follows the document and never edits it.
@@ -85,6 +87,7 @@ private:
     void requestLayout();
     void layoutItems(); // all that depends on camera, cage and maps
     void layoutFrames();
+    void layoutPaths();
     std::vector<QPointF> handlePositions() const;
     void mark();
     void restyle();
@@ -111,7 +114,9 @@ private:
     int m_batches = 0;
 
     std::unique_ptr<AttractorItem> m_attractor;
+    document::MotionPaths m_paths; // of the animation
     std::unique_ptr<GridItem> m_grid;
+    std::unique_ptr<MotionPathItem> m_pathItem;
     std::unique_ptr<CageItem> m_cageItem;
     std::unique_ptr<MapFramesItem> m_mapFrames;
     std::unique_ptr<GizmoItem> m_gizmo;

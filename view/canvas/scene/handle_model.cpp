@@ -44,7 +44,7 @@ void HandleModel::follow(const document::Change& change) {
 }
 
 const document::MapHandles* HandleModel::maps() const {
-    if (!m_maps && m_cage) m_maps.emplace(m_document.currentEntry().fractal, *m_cage);
+    if (!m_maps && m_cage) m_maps.emplace(m_document.sharedFractal(), *m_cage);
     return m_maps ? &*m_maps : nullptr;
 }
 
@@ -52,7 +52,7 @@ const document::MapHandles* HandleModel::branchMap() const {
     if (!m_isBranchMapKnown) {
         m_isBranchMapKnown = true;
         m_branchMap.reset();
-        auto shown = m_cage ? document::branchHandles(m_document.currentEntry().fractal, *m_cage, m_branch,
+        auto shown = m_cage ? document::branchHandles(m_document.sharedFractal(), *m_cage, m_branch,
                                                       document::BranchEdit::Display)
                             : std::nullopt;
         if (shown) m_branchMap.emplace(std::move(shown->handles));

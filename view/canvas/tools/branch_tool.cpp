@@ -32,7 +32,8 @@ void BranchTool::start() {
 void BranchTool::follow(const document::Change& change) {
     using document::Change;
     if (!(change.parts & (Change::System | Change::Current | Change::File)) || isBusy()) return;
-    const auto now = scene().document().currentEntry().fractal;
+    if (change.parts & Change::Time) return; // the same maps, elsewhere
+    const auto now = scene().document().sharedFractal();
     const auto known = std::ranges::find_if(
         m_selected, [&](const Selected& selected) { return selected.fractal.lock() == now; });
     if (known == m_selected.end() && m_address.empty()) return;
@@ -109,7 +110,7 @@ MapsTool::HeldMaps BranchTool::hold(const CanvasPart&) {
     if (m_before) {
         select(m_addressAtPress); // begun anew
     } else {
-        m_before = scene().document().currentEntry().fractal;
+        m_before = scene().document().sharedFractal();
         m_addressAtPress = m_address;
     }
     auto branch = document::branchHandles(m_before, *handles().cage(), handles().branch(), m_edit);
@@ -143,7 +144,7 @@ void BranchTool::ended() {
         emit message(tr("This branch is now map 1. You can change it further in the table."));
     }
     if (m_before && !isUndone) {
-        m_selected.push_front({scene().document().currentEntry().fractal, m_address});
+        m_selected.push_front({scene().document().sharedFractal(), m_address});
         m_selected.push_front({m_before, m_addressAtPress});
         if (m_selected.size() > maxSelected) m_selected.resize(maxSelected);
     }

@@ -63,7 +63,7 @@ std::vector<std::size_t> MapsTool::enclosedBy(const QRectF& band) const {
 
 MapsTool::HeldMaps MapsTool::hold(const CanvasPart& part) {
     if (part.map >= 0 && !selection().isMapSelected(part.map)) selectOnly(part.map);
-    return {document::MapHandles(scene().document().currentEntry().fractal, *handles().cage()),
+    return {document::MapHandles(scene().document().sharedFractal(), *handles().cage()),
             selection().mapIndices()};
 }
 

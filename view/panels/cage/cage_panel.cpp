@@ -559,7 +559,7 @@ void CagePanel::showSimplex() {
     if (!isVisible()) return;
     m_enclosing.cancel();
     m_enclosing.setFuture(
-        io::inBackground<QString>([fractal = m_document->currentEntry().fractal](QPromise<QString>& text) {
+        io::inBackground<QString>([fractal = m_document->sharedFractal()](QPromise<QString>& text) {
             text.addResult(enclosingSimplexText(*fractal));
         }));
 }

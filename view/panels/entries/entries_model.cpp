@@ -135,7 +135,7 @@ QModelIndex EntriesModel::indexOf(EntryId id) const {
 }
 
 void EntriesModel::follow(const document::Change& change) {
-    if (change.live) return;
+    if (change.live || change.parts & document::Change::Time) return; // thumbnails do not move
     if (change.parts & document::Change::File) {
         const QScopedValueRollback<bool> guard(m_syncing, true);
         beginResetModel();

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "animation_menu.h"
+
+#include "panels/timeline/space_tap.h"
+#include "panels/timeline/timeline_panel.h"
+#include "panels/timeline/track_view.h"
+#include "stage.h"
+#include "widgets/icon.h"
+
+#include <QDockWidget>
+
+AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* panel)
+    : ActionMenu(context, tr("&Animation")), m_panel(panel) {
+    m_animate = add({"animate", tr("A&nimate"), {}, tr("Show the timeline under the canvas")}, [this] {
+        if (m_animate->isChecked()) {
+            showDock();
+            m_panel->trackView()->setFocus();
+        } else {
+            m_dock->hide();
+        }
+    });
+    m_animate->setCheckable(true);
+    addToolBarGroup({m_animate});
+    addSeparator();
+    addPlaying();
+    addSeparator();
+    addKeys();
+    addSeparator();
+    addMenu(panel->motionMenu());
+    panel->timeline().setViewSource([context]() -> std::optional<attractor::View> {
+        const attractor::Camera& camera = context.canvas->camera();
+        if (context.stage->showsSpace() || camera.height <= 0) return std::nullopt;
+        return attractor::View{camera.centre, camera.height / camera.pixelsPerUnit, camera.yAxis};
+    });
+    connect(panel, &view::TimelinePanel::message, context.messages, &WindowMessages::say);
+}
+
+void AnimationMenu::setDock(QDockWidget* dock) {
+    m_dock = dock;
+    m_animate->setChecked(!dock->isHidden());
+    connect(dock->toggleViewAction(), &QAction::toggled, m_animate, &QAction::setChecked);
+}
+
+void AnimationMenu::showDock() {
+    m_dock->show();
+    m_dock->raise();
+}
+
+void AnimationMenu::addPlaying() {
+    view::Timeline& timeline = m_panel->timeline();
+    view::Playback& playback = timeline.playback();
+    const auto toggle = [&playback] { playback.setPlaying(!playback.isPlaying()); };
+    QAction* play =
+        add({"play", tr("&Play"), {}, tr("Play or stop the animation (Space on the canvas)")}, toggle);
+    connect(&playback, &view::Playback::playingChanged, play, [play](bool playing) {
+        play->setIcon(view::icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+        play->setText(playing ? tr("&Pause") : tr("&Play"));
+    });
+    for (QAbstractScrollArea* canvas :
+         std::initializer_list<QAbstractScrollArea*>{context().stage->plane(), context().stage->space()})
+        connect(new view::SpaceTap(canvas), &view::SpaceTap::tapped, this, toggle);
+    add({nullptr, tr("P&revious Frame"), QKeySequence(tr(",")), tr("Move the playhead back one frame")},
+        [&timeline] { timeline.setFrame(timeline.frame() - 1); });
+    add({nullptr, tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead on one frame")},
+        [&timeline] { timeline.setFrame(timeline.frame() + 1); });
+    add({"key-previous", tr("Pre&vious Key"), QKeySequence(tr("Alt+,")),
+         tr("Move the playhead to the key before it")},
+        [&timeline] { timeline.stepToKey(-1); });
+    add({"key-next", tr("Nex&t Key"), QKeySequence(tr("Alt+.")), tr("Move the playhead to the next key")},
+        [&timeline] { timeline.stepToKey(1); });
+}
+
+void AnimationMenu::addKeys() {
+    view::Timeline& timeline = m_panel->timeline();
+    const auto withTracks = [this](void (view::Timeline::*set)()) {
+        return [this, set] {
+            m_panel->showTracks();
+            showDock();
+            (m_panel->timeline().*set)();
+        };
+    };
+    add({"key", tr("Set &Key"), QKeySequence(tr("K")), tr("Key the current track at the playhead")},
+        withTracks(&view::Timeline::setKey));
+    add({nullptr, tr("Set Keys of &All Tracks"), QKeySequence(tr("Shift+K")),
+         tr("Key all tracks that have keys at the playhead, or all tracks if none has")},
+        withTracks(&view::Timeline::setAllKeys));
+    add({"remove", tr("&Delete Keys"), {}, tr("Delete the selected keys")},
+        [&timeline] { timeline.deleteSelected(); });
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/motion_edits.h"
+
+#include "document/animated_fractal.h"
+#include "document/fractal_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace document {
+
+namespace {
+
+constexpr double swell = 0.1;
+constexpr int directions = 64;     // in which a piece is looked at
+constexpr double margin = 0.98;    // of the largest view that sees nothing else
+constexpr double roundOff = 1e-9;  // of a map that only scales
+constexpr double tolerance = 1e-4; // of a support value, of the size of the attractor
+
+template <int Dim> ifs::Vector<Dim> displayed(const Fractal& fractal, const ifs::Vector<Dim>& point) {
+    if constexpr (Dim == 2)
+        return placement(fractal)(point);
+    else
+        return point;
+}
+
+template <int Dim> std::vector<ifs::Vector<Dim>> fixedPoints(const Shape<Dim>& shape) {
+    std::vector<ifs::Vector<Dim>> result;
+    for (const auto& map : ifs::activeMaps(shape.system).maps)
+        if (const auto fixed = ifs::fixedPoint<Dim>(map)) result.push_back(*fixed);
+    return result;
+}
+
+// Where a plant stands: of the fixed points, which belong to the attractor, the lowest on the screen.
+template <int Dim> ifs::Vector<Dim> root(const Fractal& fractal, const Shape<Dim>& shape) {
+    const auto points = fixedPoints<Dim>(shape);
+    const auto height = [&](const ifs::Vector<Dim>& point) { return displayed<Dim>(fractal, point).y(); };
+    if (points.empty()) return ifs::Vector<Dim>::Zero();
+    return *std::ranges::min_element(points, {}, height);
+}
+
+template <int Dim> ifs::Vector<Dim> middle(const Shape<Dim>& shape) {
+    ifs::Vector<Dim> sum = ifs::Vector<Dim>::Zero();
+    const auto points = fixedPoints<Dim>(shape);
+    for (const auto& point : points)
+        sum += point;
+    return points.empty() ? sum : ifs::Vector<Dim>(sum / double(points.size()));
+}
+
+template <int Dim> Fractal withMotion(Fractal entry, animation::Motion<Dim> motion) {
+    auto& shape = std::get<Shape<Dim>>(entry.shape);
+    if (!shape.animation) shape.animation.emplace();
+    shape.animation->loop = animation::Loop::Cycle;
+    shape.animation->motions.push_back(std::move(motion));
+    return entry;
+}
+
+// Whether the shapes have maps; then what `make` returns for the one there is.
+template <class Make> std::optional<Fractal> ofItsDimension(const Fractal& entry, Make make) {
+    if (const auto* shape = plane(entry); shape && !shape->system.maps.empty())
+        return make.template operator()<2>(*shape);
+    if (const auto* shape = space(entry); shape && !shape->system.maps.empty())
+        return make.template operator()<3>(*shape);
+    return std::nullopt;
+}
+
+Fractal asStrongAsCanBe(const Fractal& entry) {
+    return withSafeStrength(entry, animationFacts(entry)->motions - 1);
+}
+
+// How far the piece w(A) is from a point, or less: the largest distance to a line that has it on one side.
+double distanceTo(const ifs::SupportFunction<2>& attractor, const ifs::AffineMap<2>& piece,
+                  const ifs::Vector<2>& point) {
+    double distance = 0;
+    for (int i = 0; i < directions; ++i) {
+        const double angle = 2 * std::numbers::pi * i / directions;
+        const ifs::Vector<2> u(std::cos(angle), std::sin(angle));
+        const auto extent = attractor(piece.linear.transpose() * u, tolerance * attractor.radius());
+        distance = std::max(distance, u.dot(point - piece.translation) - extent.value - extent.error);
+    }
+    return distance;
+}
+
+struct SmallCopy {
+    ifs::Vector<2> centre; // displayed
+    double ratio = 1;
+    double radius = 0; // of the largest ball about the centre that, scaled, meets no other piece
+};
+
+std::optional<SmallCopy> largestCopy(const System2& shown) {
+    const auto active = ifs::activeMaps(shown);
+    const auto attractor = ifs::SupportFunction<2>::of(active.maps);
+    std::optional<SmallCopy> best;
+    if (!attractor) return best;
+    for (std::size_t j = 0; j < active.maps.size(); ++j) {
+        const ifs::AffineMap<2>& map = active.maps[j];
+        const double ratio = map.linear(0, 0);
+        const auto centre = ifs::fixedPoint<2>(map);
+        if (!centre || ratio <= roundOff || ratio >= 1 - roundOff ||
+            (map.linear - ratio * ifs::Matrix<2>::Identity()).norm() > roundOff)
+            continue;
+        double clear = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < active.maps.size(); ++i)
+            if (i != j) clear = std::min(clear, distanceTo(*attractor, active.maps[i], *centre));
+        const double radius = std::min(clear / ratio, 4 * attractor->radius());
+        if (radius > (best ? best->radius : 0)) best = SmallCopy{*centre, ratio, radius};
+    }
+    return best;
+}
+
+} // namespace
+
+std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset) {
+    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
+        return asStrongAsCanBe(
+            withMotion<Dim>(entry, animation::swayOf<Dim>(preset, {}, root<Dim>(entry, shape))));
+    });
+}
+
+std::optional<Fractal> withTurn(const Fractal& entry) {
+    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) -> std::optional<Fractal> {
+        const auto turned = [&](animation::MapIds maps) {
+            return withMotion<Dim>(entry, animation::Turn<Dim>{std::move(maps), 1, middle<Dim>(shape)});
+        };
+        if (Fractal all = turned({}); !firstWithoutAttractor(all)) return all;
+        animation::MapIds able;
+        for (const auto& map : shape.system.maps)
+            if (!firstWithoutAttractor(turned({map.id}))) able.push_back(map.id);
+        while (!able.empty() && firstWithoutAttractor(turned(able)))
+            able.pop_back();
+        return able.empty() ? std::nullopt : std::optional(turned(able));
+    });
+}
+
+std::optional<Fractal> withOrbit(const Fractal& entry) {
+    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
+        animation::Orbit<Dim> orbit;
+        if constexpr (Dim == 2) {
+            const auto box = displayedBox(entry);
+            orbit.centre =
+                box ? ifs::Vector<2>((box->min + box->max) / 2) : displayed<2>(entry, middle<2>(shape));
+        }
+        return withMotion<Dim>(entry, orbit);
+    });
+}
+
+std::optional<Fractal> withBreathing(const Fractal& entry) {
+    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
+        return asStrongAsCanBe(
+            withMotion<Dim>(entry, animation::Breathe<Dim>{{}, swell, 1, middle<Dim>(shape)}));
+    });
+}
+
+std::optional<Fractal> withPaletteCycle(const Fractal& entry) {
+    return ofItsDimension(
+        entry, [&]<int Dim>(const Shape<Dim>&) { return withMotion<Dim>(entry, animation::PaletteCycle{}); });
+}
+
+std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis) {
+    const auto system = plane(entry) && plane(entry)->moved.empty() ? effectiveSystem(entry) : std::nullopt;
+    const auto copy = system ? largestCopy(*system) : std::nullopt;
+    if (!copy) return std::nullopt;
+    const double height = margin * 2 * copy->radius / std::hypot(1, aspect);
+    const attractor::View from{copy->centre, height, yAxis};
+    const attractor::View to{copy->centre, height * copy->ratio, yAxis};
+    Fractal result = entry;
+    Shape<2>& shape = *plane(result);
+    if (!shape.animation) shape.animation.emplace();
+    shape.animation->loop = animation::Loop::Cycle;
+    shape.animation->camera = {{0, from, {}}, {shape.animation->length, to, {}}};
+    return result;
+}
+
+} // namespace document

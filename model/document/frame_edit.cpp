@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "document/frame_edit.h"
+
+#include "animation/key_edits.h"
+#include "animation/moved_back.h"
+#include "document/animated_fractal.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace document {
+
+namespace {
+
+template <int Dim>
+const ifs::WeightedMap<Dim>* mapOf(const ifs::IteratedFunctionSystem<Dim>& system, ifs::MapId id) {
+    const auto found = std::ranges::find(system.maps, id, &ifs::WeightedMap<Dim>::id);
+    return found == system.maps.end() ? nullptr : &*found;
+}
+
+template <class Tracks, class Name, class Member>
+auto* trackOf(Tracks& tracks, const Name& name, Member member) {
+    const auto found = std::ranges::find(tracks, name, member);
+    return found == tracks.end() ? nullptr : &*found;
+}
+
+animation::MapIds* mapsOf(auto& motion) {
+    if constexpr (requires { motion.maps; })
+        return &motion.maps;
+    else
+        return nullptr;
+}
+
+// One edit, part by part.
+template <int Dim> class Edit {
+public:
+    Edit(const Fractal& entry, const animation::Moment& moment, const Fractal& before, const Fractal& after)
+        : m_entry{entry},
+          m_shape(std::get<Shape<Dim>>(m_entry.fractal.shape)),
+          m_animation(*m_shape.animation),
+          m_moment(animation::folded(moment, m_animation.loop, m_animation.length)),
+          m_before(before),
+          m_after(after),
+          m_keyed(keyedFrame(entry, moment)) {
+        m_entry.frame = int(m_moment.numerator / m_moment.denominator);
+    }
+
+    FrameEdit result() && {
+        const Shape<Dim>& before = std::get<Shape<Dim>>(m_before.shape);
+        const Shape<Dim>& after = std::get<Shape<Dim>>(m_after.shape);
+        m_entry.fractal.name = m_after.name;
+        m_entry.fractal.headerComment = m_after.headerComment;
+        m_entry.fractal.comments = m_after.comments;
+        if (!(after.system == before.system)) {
+            forgetMaps(after.system);
+            putMaps(before.system, after.system);
+        }
+        if (after.cage != before.cage) putCage(after.cage);
+        if (after.moved != before.moved) putBranches(before.moved, after.moved);
+        if (!(m_after.appearance == m_before.appearance)) putAppearance();
+        return std::move(m_entry);
+    }
+
+private:
+    // What the keys alone show.
+    static Fractal keyedFrame(Fractal entry, const animation::Moment& moment) {
+        std::get<Shape<Dim>>(entry.shape).animation->motions.clear();
+        return frameAt(entry, moment).fractal;
+    }
+
+    template <class Value> void write(animation::Keys<Value>& keys, Value value) {
+        animation::setKey(keys, m_entry.frame, std::move(value));
+        m_entry.isKeyed = true;
+    }
+
+    void forgetMaps(const ifs::IteratedFunctionSystem<Dim>& after) {
+        const auto isGone = [&](ifs::MapId id) { return !mapOf<Dim>(after, id); };
+        std::erase_if(m_animation.maps, [&](const auto& track) { return isGone(track.map); });
+        std::erase_if(m_animation.branches,
+                      [&](const auto& track) { return std::ranges::any_of(track.word, isGone); });
+        std::erase_if(m_animation.motions, [&](animation::Motion<Dim>& motion) {
+            animation::MapIds* maps = std::visit([](auto& which) { return mapsOf(which); }, motion);
+            if (!maps || maps->empty()) return false;
+            std::erase_if(*maps, isGone);
+            return maps->empty(); // which would mean all maps
+        });
+    }
+
+    void putMaps(const ifs::IteratedFunctionSystem<Dim>& before,
+                 const ifs::IteratedFunctionSystem<Dim>& after) {
+        const auto back = animation::movedBack<Dim>(m_animation.motions, m_moment, m_animation.length, after);
+        const auto& keyed = std::get<Shape<Dim>>(m_keyed.shape).system;
+        ifs::IteratedFunctionSystem<Dim> result = after;
+        for (std::size_t i = 0; i < after.maps.size(); ++i) {
+            ifs::WeightedMap<Dim>& map = result.maps[i];
+            const auto* old = mapOf<Dim>(before, map.id);
+            const auto* kept = mapOf<Dim>(m_shape.system, map.id);
+            const auto* unmoved = mapOf<Dim>(keyed, map.id);
+            const bool isMapSame = old && unmoved && old->map == map.map;
+            const bool isSame = isMapSame && old->weight == map.weight;
+            map.map = isMapSame ? unmoved->map : back.maps[i].map;
+            auto* track = trackOf(m_animation.maps, map.id, &animation::MapTrack<Dim>::map);
+            if (track && !isSame) write(track->keys, animation::MapPose<Dim>{map.map, map.weight});
+            if (kept && (track || isSame)) {
+                map.map = kept->map;
+                map.weight = kept->weight;
+            }
+        }
+        m_shape.system = std::move(result);
+    }
+
+    void putCage(std::optional<ifs::ControlCage<Dim>> cage) {
+        if constexpr (Dim == 2)
+            if (cage) animation::turnBack(m_animation.motions, m_moment, m_animation.length, *cage);
+        auto& keys = m_animation.cage;
+        if (cage && !keys.empty() && keys.front().value.size() == cage->current.size()) {
+            write(keys, cage->current);
+            if (m_shape.cage && m_shape.cage->current.size() == cage->current.size())
+                cage->current = m_shape.cage->current;
+        } else {
+            keys.clear();
+        }
+        m_shape.cage = std::move(cage);
+    }
+
+    void putBranches(const std::vector<MovedBranch<Dim>>& before,
+                     const std::vector<MovedBranch<Dim>>& after) {
+        for (const MovedBranch<Dim>& old : before)
+            if (!trackOf(after, old.word, &MovedBranch<Dim>::word)) {
+                std::erase_if(m_shape.moved, [&](const auto& branch) { return branch.word == old.word; });
+                std::erase_if(m_animation.branches,
+                              [&](const auto& track) { return track.word == old.word; });
+            }
+        for (const MovedBranch<Dim>& branch : after) {
+            const auto* old = trackOf(before, branch.word, &MovedBranch<Dim>::word);
+            if (old && *old == branch) continue;
+            if (auto* track = trackOf(m_animation.branches, branch.word, &animation::BranchTrack<Dim>::word))
+                write(track->keys, branch.change);
+            else if (auto* kept = trackOf(m_shape.moved, branch.word, &MovedBranch<Dim>::word))
+                *kept = branch;
+            else
+                m_shape.moved.push_back(branch);
+        }
+    }
+
+    void putAppearance() {
+        const animation::Look before = animation::lookOf(m_before.appearance);
+        animation::Look after = animation::lookOf(m_after.appearance);
+        attractor::Appearance& kept = m_entry.fractal.appearance;
+        animation::Look still = animation::lookOf(kept);
+        if (!(after == before)) {
+            if (after.palette == before.palette) after.palette = m_keyed.appearance.palette;
+            if (m_animation.look.empty())
+                still = after;
+            else
+                write(m_animation.look, std::move(after));
+        }
+        kept = animation::withLook(m_after.appearance, still);
+    }
+
+    FrameEdit m_entry;
+    Shape<Dim>& m_shape; // of the entry, as all that follows
+    animation::Animation<Dim>& m_animation;
+    animation::Moment m_moment; // folded
+    const Fractal& m_before;
+    const Fractal& m_after;
+    Fractal m_keyed;
+};
+
+template <int Dim> bool isAnimated(const Shape<Dim>* shape) {
+    return shape && shape->animation;
+}
+
+} // namespace
+
+FrameEdit withFrameEdited(const Fractal& entry, const animation::Moment& moment, const Fractal& before,
+                          Fractal after) {
+    if (isAnimated(plane(entry)) && plane(after)) return Edit<2>(entry, moment, before, after).result();
+    if (isAnimated(space(entry)) && space(after)) return Edit<3>(entry, moment, before, after).result();
+    return {std::move(after)};
+}
+
+} // namespace document

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <vector>
+
+namespace document {
+
+// Where a point of an animation in the plane goes, displayed: at evenly spaced frames, every one if there are
+// not too many.
+struct MotionPath {
+    std::vector<ifs::Vector<2>> points;
+    std::vector<ifs::Vector<2>> keys; // at the frames of its keys
+};
+
+// Of the vertices of the cage in their order, and of the centres of the maps that have keys: the images of
+// the middle of the cage. Empty where there are no such keys.
+struct MotionPaths {
+    std::vector<MotionPath> vertices;
+    std::vector<MotionPath> maps;
+};
+MotionPaths motionPaths(const Fractal& entry);
+
+} // namespace document

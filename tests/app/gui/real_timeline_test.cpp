@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "document/animated_fractal.h"
+#include "panels/timeline/timeline_panel.h"
+#include "panels/timeline/track_view.h"
+#include "panels/timeline/transport_bar.h"
+#include "support/window_on_x.h"
+
+#include <QDockWidget>
+#include <QPushButton>
+#include <QToolBar>
+#include <QToolButton>
+
+using ifs::Vector;
+
+// The timeline with a real pointer and real keys.
+class RealTimelineTest : public support::WindowOnX {
+    Q_OBJECT
+
+private slots:
+    void init() { openWindow(); }
+    void cleanup() { closeWindow(); }
+
+    void aKeyIsMadeAndPlayed();
+    void windInOneClick();
+
+private:
+    view::TimelinePanel& panel() const { return *window().findChild<view::TimelinePanel*>(); }
+    view::TrackView& tracks() const { return *panel().trackView(); }
+    QPoint inTracks(const QPoint& at) const { return tracks().viewport()->mapToGlobal(at); }
+    std::size_t cageKeys() const { return panel().timeline().tracks().front().keys.size(); }
+    void openTimeline();
+};
+
+void RealTimelineTest::openTimeline() {
+    for (auto* button : window().findChild<QToolBar*>(QStringLiteral("tools"))->findChildren<QToolButton*>())
+        if (button->defaultAction() &&
+            button->defaultAction()->text().remove(u'&') == QLatin1String("Animate"))
+            click(button);
+    QTRY_VERIFY(panel().isVisible());
+    QTest::qWait(200); // until the canvas has its new size
+}
+
+void RealTimelineTest::aKeyIsMadeAndPlayed() {
+    openTimeline();
+    click(named<QPushButton>(panel(), QStringLiteral("Make Keys")));
+    QTRY_VERIFY(panel().showsTracks());
+    hand().clickAt(inTracks(tracks().toggleOf(0)));
+    QTRY_COMPARE(cageKeys(), std::size_t(1));
+    const auto start = vertices();
+    hand().drag(inTracks(tracks().rulerPosition(0)),
+                {inTracks(tracks().rulerPosition(10)), inTracks(tracks().rulerPosition(24))});
+    QTRY_COMPARE(panel().timeline().frame(), 24);
+    const int before = steps();
+    dragBy(vertex(1), {-40, 30});
+    QTRY_COMPARE(steps(), before + 1);
+    QCOMPARE(cageKeys(), std::size_t(2));
+    const auto end = vertices();
+    QVERIFY(end != start);
+    photograph(QStringLiteral("timeline-keys.png"));
+
+    hand().drag(inTracks(tracks().rulerPosition(24)),
+                {inTracks(tracks().rulerPosition(12)), inTracks(tracks().rulerPosition(0))});
+    QTRY_VERIFY(vertices() == start);
+    const QImage picture = canvas().picture();
+    click(panel().transport()->play());
+    QTRY_VERIFY(panel().timeline().frame() > 6);
+    QTRY_VERIFY(canvas().picture() != picture); // what plays is seen
+    hand().clickAt(insideTheCage() + QPoint(0, 0));
+    hand().key("space");
+    QTRY_VERIFY(!panel().timeline().playback().isPlaying());
+    hand().key("Control+z");
+    QTRY_COMPARE(cageKeys(), std::size_t(1));
+    hand().key("Control+z");
+    QTRY_COMPARE(cageKeys(), std::size_t(0));
+    QVERIFY(vertices() == start);
+}
+
+void RealTimelineTest::windInOneClick() {
+    openTimeline();
+    const document::Fractal still = fractal();
+    click(named<QToolButton>(panel(), QStringLiteral("Breathe")));
+    QTRY_COMPARE(steps(), 1);
+    QTRY_VERIFY(panel().timeline().playback().isPlaying());
+    QTRY_VERIFY(fractal() != still);
+    dragBy(vertex(1), {-30, 20}); // while it moves
+    QTRY_COMPARE(steps(), 2);
+    QVERIFY(panel().timeline().playback().isPlaying());
+    hand().key("space");
+    QTRY_VERIFY(!panel().timeline().playback().isPlaying());
+    photograph(QStringLiteral("timeline-breathing.png"));
+    hand().key("Control+z");
+    hand().key("Control+z");
+    QTRY_VERIFY(document::frameAt(document().entryFractal(), {}).fractal == still);
+}
+
+int main(int argc, char** argv) {
+    RealTimelineTest test;
+    return support::run(test, argc, argv);
+}
+
+#include "real_timeline_test.moc"

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/animation_edits.h"
+
+#include "document/animated_fractal.h"
+
+#include <QtTest>
+
+using namespace document;
+
+namespace {
+
+const Track cage{Track::Kind::Cage};
+const Track first{Track::Kind::Map, {ifs::MapId(1)}};
+
+std::vector<int> framesOf(const Fractal& fractal, const Track& track) {
+    std::vector<int> frames;
+    for (const TrackKeys& one : tracksOf(fractal))
+        if (one.track == track)
+            for (const auto& key : one.keys)
+                frames.push_back(key.frame);
+    return frames;
+}
+
+// Keys of the cage at 0, 10 and 20, of the first map at 0 and 10; the length is 24.
+Fractal animated() {
+    Fractal fractal = withTiming(sierpinskiTriangle(), {{24, 1}, 24, animation::Loop::Off});
+    for (const int frame : {10, 20})
+        fractal = withKey(std::move(fractal), cage, frame, std::nullopt);
+    return withKey(std::move(fractal), first, 10, std::nullopt);
+}
+
+} // namespace
+
+class AnimationEditsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void rowsAreWhatCanMove();
+    void keysHaveTheValueShown();
+    void theLastKeyLeavesItsValue();
+    void keysMoveWithinTheAnimation();
+    void laterKeysComeAlong();
+    void copiesLeaveTheirOriginals();
+    void keysArePastedWhereTheyFit();
+    void easesAreSet();
+    void shorterAnimationsLoseKeys();
+    void everyEditIsValid();
+};
+
+void AnimationEditsTest::rowsAreWhatCanMove() {
+    const auto rows = tracksOf(sierpinskiTriangle());
+    QCOMPARE(rows.size(), std::size_t(6)); // cage, three maps, look, camera
+    QVERIFY(rows.front().track == cage && rows.back().track == Track{Track::Kind::Camera});
+    for (const TrackKeys& row : rows)
+        QVERIFY(row.keys.empty());
+    QCOMPARE(timingOf(sierpinskiTriangle()), (Timing{{24, 1}, 48, animation::Loop::Off}));
+    QVERIFY(tracksOf(Fractal()).empty()); // could not be read
+    Fractal unread;
+    QCOMPARE(withTiming(unread, {{24, 1}, 24, animation::Loop::Off}), unread);
+}
+
+void AnimationEditsTest::keysHaveTheValueShown() {
+    const Fractal fractal = animated();
+    QCOMPARE(framesOf(fractal, cage), (std::vector<int>{0, 10, 20}));
+    QCOMPARE(framesOf(fractal, first), (std::vector<int>{0, 10}));
+    for (int frame = 0; frame <= 24; ++frame)
+        QCOMPARE(system2(frameAt(fractal, animation::moment(frame)).fractal)->maps,
+                 system2(sierpinskiTriangle())->maps);
+    const attractor::View view{{1, 2}, 3};
+    const Fractal seen = withKey(fractal, {Track::Kind::Camera}, 6, view);
+    QCOMPARE(frameAt(seen, animation::moment(3)).view, std::optional(view));
+    QCOMPARE(withKey(fractal, {Track::Kind::Camera}, 6, std::nullopt), fractal);
+}
+
+void AnimationEditsTest::theLastKeyLeavesItsValue() {
+    Fractal fractal = animated();
+    auto& keys = plane(fractal)->animation->maps.front().keys;
+    for (auto& key : keys)
+        key.value.map = ifs::affineMap(0.25, 0, 0, 0.25, 1, 1);
+    const std::vector<KeyAt> one{{first, 0}}, all{{first, 0}, {first, 10}};
+    QCOMPARE(framesOf(withoutKeys(fractal, one), first), std::vector<int>{10});
+    const Fractal still = withoutKeys(fractal, all);
+    QVERIFY(framesOf(still, first).empty());
+    QCOMPARE(system2(still)->maps[0].map, keys.front().value.map);
+    QCOMPARE(frameAt(still, animation::moment(5)).fractal, frameAt(fractal, animation::moment(5)).fractal);
+}
+
+void AnimationEditsTest::keysMoveWithinTheAnimation() {
+    const std::vector<KeyAt> keys{{cage, 10}, {first, 10}};
+    const Fractal moved = withKeysMoved(animated(), keys, 5, KeyMove::Move);
+    QCOMPARE(framesOf(moved, cage), (std::vector<int>{0, 15, 20}));
+    QCOMPARE(framesOf(moved, first), (std::vector<int>{0, 15}));
+    QCOMPARE(possibleMove(animated(), keys, 100, KeyMove::Move), 14);
+    QCOMPARE(possibleMove(animated(), keys, -100, KeyMove::Move), -10);
+    // What was at the new frame gives way.
+    QCOMPARE(framesOf(withKeysMoved(animated(), keys, 10, KeyMove::Move), cage), (std::vector<int>{0, 20}));
+    QCOMPARE(withKeysMoved(animated(), {}, 5, KeyMove::Move), animated());
+}
+
+void AnimationEditsTest::laterKeysComeAlong() {
+    const std::vector<KeyAt> keys{{cage, 10}};
+    const Fractal moved = withKeysMoved(animated(), keys, 7, KeyMove::Ripple);
+    QCOMPARE(framesOf(moved, cage), (std::vector<int>{0, 17, 27}));
+    QCOMPARE(framesOf(moved, first), (std::vector<int>{0, 10})); // not of this track
+    QCOMPARE(timingOf(moved).length, 27);
+}
+
+void AnimationEditsTest::copiesLeaveTheirOriginals() {
+    const std::vector<KeyAt> keys{{cage, 0}, {cage, 10}};
+    QCOMPARE(framesOf(withKeysMoved(animated(), keys, 4, KeyMove::Copy), cage),
+             (std::vector<int>{0, 4, 10, 14, 20}));
+}
+
+void AnimationEditsTest::keysArePastedWhereTheyFit() {
+    const std::vector<KeyAt> keys{{cage, 10}, {cage, 20}, {first, 10}};
+    const auto copied = copiedKeys(animated(), keys);
+    QCOMPARE(copied.size(), std::size_t(3));
+    const Pasted pasted = withKeysPasted(animated(), copied, 12);
+    QCOMPARE(framesOf(pasted.fractal, cage), (std::vector<int>{0, 10, 12, 20, 22}));
+    QCOMPARE(framesOf(pasted.fractal, first), (std::vector<int>{0, 10, 12}));
+    QCOMPARE(pasted.keys.size(), std::size_t(3));
+    QCOMPARE(withKeysPasted(animated(), copied, 20).keys.size(), std::size_t(2)); // one is behind the end
+    Fractal square = sierpinskiTriangle();
+    plane(square)->cage = ifs::polygonAtRest<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    plane(square)->system.maps.erase(plane(square)->system.maps.begin());
+    QVERIFY(withKeysPasted(square, copied, 0).keys.empty()); // neither the cage nor the map
+}
+
+void AnimationEditsTest::easesAreSet() {
+    const Fractal held = withEase(animated(), std::vector<KeyAt>{{cage, 10}}, {animation::Ease::Kind::Hold});
+    const auto& keys = plane(held)->animation->cage;
+    QVERIFY(keys[0].ease.kind == animation::Ease::Kind::Both);
+    QVERIFY(keys[1].ease.kind == animation::Ease::Kind::Hold);
+}
+
+void AnimationEditsTest::shorterAnimationsLoseKeys() {
+    const Fractal shorter = withTiming(animated(), {{30, 1}, 15, animation::Loop::Cycle});
+    QCOMPARE(framesOf(shorter, cage), (std::vector<int>{0, 10}));
+    QCOMPARE(timingOf(shorter), (Timing{{30, 1}, 15, animation::Loop::Cycle}));
+}
+
+void AnimationEditsTest::everyEditIsValid() {
+    const std::vector<KeyAt> keys{{cage, 0}, {cage, 10}, {first, 10}};
+    for (const KeyMove how : {KeyMove::Move, KeyMove::Copy, KeyMove::Ripple})
+        for (int by = -30; by <= 30; ++by)
+            QVERIFY(animation::isValid(*plane(withKeysMoved(animated(), keys, by, how))->animation));
+    QVERIFY(animation::isValid(*plane(withoutKeys(animated(), keys))->animation));
+}
+
+QTEST_APPLESS_MAIN(AnimationEditsTest)
+#include "animation_edits_test.moc"

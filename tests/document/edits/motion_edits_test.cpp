@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/motion_edits.h"
+
+#include "document/animated_fractal.h"
+#include "document/fractal_geometry.h"
+
+#include <QtTest>
+
+using namespace document;
+
+namespace {
+
+// Of the paper.
+Fractal maple() {
+    Fractal fractal;
+    Shape<2> shape;
+    for (const auto& [map, weight] : {std::pair{ifs::affineMap(-0.04, 0, -0.23, -0.65, -0.08, 0.26), 0.25},
+                                      {ifs::affineMap(0.61, 0, 0, 0.31, 0.07, 2.5), 0.25},
+                                      {ifs::affineMap(0.65, 0.29, -0.3, 0.48, 0.74, 0.39), 0.25},
+                                      {ifs::affineMap(0.64, -0.3, 0.16, 0.56, -0.56, 0.4), 0.25}})
+        ifs::append(shape.system, map, weight);
+    fractal.shape = std::move(shape);
+    return fractal;
+}
+
+} // namespace
+
+class MotionEditsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void loopsKeepTheirAttractorAndClose();
+    void nothingMovesWithoutMaps();
+    void windSwaysAboutTheLowestPoint();
+    void endlessZoomsEndWhereTheyBegan();
+    void zoomsNeedACopyThatStandsClear();
+};
+
+void MotionEditsTest::loopsKeepTheirAttractorAndClose() {
+    for (const Fractal& fractal : {sierpinskiTriangle(), maple()}) {
+        std::vector<std::optional<Fractal>> all{withTurn(fractal), withOrbit(fractal), withBreathing(fractal),
+                                                withPaletteCycle(fractal)};
+        for (const auto& preset : animation::swayPresets())
+            all.push_back(withWind(fractal, preset));
+        for (const auto& moving : all) {
+            QVERIFY(moving);
+            const auto facts = animationFacts(*moving);
+            QVERIFY(facts->loop == animation::Loop::Cycle && facts->motions == 1);
+            QVERIFY(animation::isValid(*plane(*moving)->animation));
+            QVERIFY(!firstWithoutAttractor(*moving));
+            const auto start = frameAt(*moving, animation::moment(0)).fractal;
+            QCOMPARE(frameAt(*moving, animation::moment(facts->length)).fractal, start);
+            QVERIFY(frameAt(*moving, animation::moment(facts->length / 3)).fractal != start);
+        }
+    }
+}
+
+void MotionEditsTest::nothingMovesWithoutMaps() {
+    Fractal empty;
+    empty.shape = Shape<2>();
+    for (const Fractal& fractal : {Fractal(), empty}) {
+        QVERIFY(!withTurn(fractal) && !withOrbit(fractal) && !withBreathing(fractal));
+        QVERIFY(!withPaletteCycle(fractal) && !withWind(fractal, animation::swayPresets()[0]));
+        QVERIFY(!withEndlessZoom(fractal, 1, attractor::YAxis::Up));
+    }
+}
+
+void MotionEditsTest::windSwaysAboutTheLowestPoint() {
+    const auto moving = withWind(maple(), animation::swayPresets()[0]);
+    const auto& sway = std::get<animation::Sway<2>>(plane(*moving)->animation->motions.front());
+    for (const auto& map : system2(maple())->maps)
+        QVERIFY(ifs::fixedPoint<2>(map.map)->y() >= sway.root.y());
+}
+
+void MotionEditsTest::endlessZoomsEndWhereTheyBegan() {
+    const auto zoom = withEndlessZoom(sierpinskiTriangle(), 1.5, attractor::YAxis::Down);
+    QVERIFY(zoom);
+    const auto& keys = plane(*zoom)->animation->camera;
+    QCOMPARE(keys.size(), std::size_t(2));
+    const attractor::View &from = keys[0].value, &to = keys[1].value;
+    QCOMPARE(to.height, from.height / 2); // all three maps halve
+    QCOMPARE(from.centre, to.centre);
+    QVERIFY(from.yAxis == attractor::YAxis::Down);
+    // The last view sees one piece only: the corner's, and nothing of the other two, half a side away.
+    const double reach = std::hypot(1, 1.5) * to.height / 2;
+    QVERIFY(reach < 0.5 * 0.5);
+    QVERIFY(reach > 0.5 * 0.4); // and is no smaller than it need be
+    const auto system = system2(sierpinskiTriangle());
+    bool isCorner = false;
+    for (const auto& map : system->maps)
+        isCorner = isCorner || (*ifs::fixedPoint<2>(map.map) - from.centre).norm() < 1e-12;
+    QVERIFY(isCorner);
+}
+
+void MotionEditsTest::zoomsNeedACopyThatStandsClear() {
+    QVERIFY(!withEndlessZoom(maple(), 1, attractor::YAxis::Up)); // every map turns or shears
+    Fractal bent = sierpinskiTriangle();
+    plane(bent)->cage = ifs::polygonAtRest<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    plane(bent)->cage->current[2] = {2, 2};
+    QVERIFY(!withEndlessZoom(bent, 1, attractor::YAxis::Up));
+    // Two halves that meet in the fixed point of a third map.
+    Fractal interval;
+    Shape<2> shape;
+    ifs::append(shape.system, ifs::affineMap(0.5, 0, 0, 0.5, 0, 0), 0.5);
+    ifs::append(shape.system, ifs::affineMap(0.75, 0, 0, 0.75, 0, 0), 0.5);
+    interval.shape = shape;
+    QVERIFY(!withEndlessZoom(interval, 1, attractor::YAxis::Up)); // both hold the same point
+}
+
+QTEST_APPLESS_MAIN(MotionEditsTest)
+#include "motion_edits_test.moc"

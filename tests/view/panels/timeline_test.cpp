@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+#include "document/animated_fractal.h"
+#include "document/edits/entries_edits.h"
+#include "panels/timeline/motion_page.h"
+#include "panels/timeline/space_tap.h"
+#include "panels/timeline/timeline_panel.h"
+#include "panels/timeline/track_view.h"
+#include "panels/timeline/transport_bar.h"
+#include "support/own_settings.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include <memory>
+
+using view::TimelinePanel;
+using view::TrackView;
+
+// The timeline of one document, driven by the pointer and keys.
+class TimelineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { support::useOwnSettings(); }
+    void init();
+    void cleanup() { m_panel.reset(); }
+
+    void motionsAreOfferedFirst();
+    void oneClickMakesALoop();
+    void morphsAreEntriesOfTheirOwn();
+    void diamondsMakeAndDeleteKeys();
+    void theRulerIsScrubbed();
+    void editsBecomeKeys();
+    void keysAreDragged_data();
+    void keysAreDragged();
+    void bandsSelectAndKeysAreCopied();
+    void timingIsEdited();
+    void playingFollowsTheClock();
+    void playingEndsWhereTheLoopDoes();
+    void theWheelZooms();
+    void spaceTapsButDragsDoNot();
+    void unreadableEntriesHaveNoRows();
+
+private:
+    view::Timeline& timeline() { return m_panel->timeline(); }
+    TrackView& tracks() { return *m_panel->trackView(); }
+    int steps() { return m_document->undoStack()->count(); }
+    std::vector<int> framesOf(int row);
+    void click(const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseClick(tracks().viewport(), Qt::LeftButton, modifiers, at);
+    }
+    void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {});
+    void keyCageAt(const std::vector<int>& frames);
+
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<TimelinePanel> m_panel;
+};
+
+void TimelineTest::init() {
+    m_document = std::make_unique<document::Document>();
+    m_panel = std::make_unique<TimelinePanel>(m_document.get());
+    m_panel->resize(900, 300);
+    m_panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+}
+
+std::vector<int> TimelineTest::framesOf(int row) {
+    std::vector<int> frames;
+    for (const auto& key : timeline().tracks()[std::size_t(row)].keys)
+        frames.push_back(key.frame);
+    return frames;
+}
+
+void TimelineTest::drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers) {
+    QWidget* viewport = tracks().viewport();
+    const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button) {
+        QMouseEvent event(type, at, viewport->mapToGlobal(at), button,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, modifiers);
+        QApplication::sendEvent(viewport, &event);
+    };
+    send(QEvent::MouseButtonPress, from, Qt::LeftButton);
+    send(QEvent::MouseMove, (from + to) / 2, Qt::NoButton);
+    send(QEvent::MouseMove, to, Qt::NoButton);
+    send(QEvent::MouseButtonRelease, to, Qt::LeftButton);
+}
+
+void TimelineTest::keyCageAt(const std::vector<int>& frames) {
+    m_panel->showTracks();
+    timeline().setRow(0);
+    for (const int frame : frames) {
+        timeline().setFrame(frame);
+        timeline().setKey();
+    }
+}
+
+void TimelineTest::motionsAreOfferedFirst() {
+    QVERIFY(!m_panel->showsTracks());
+    QCOMPARE(m_panel->motions().size(), 7);
+    const auto* page = m_panel->findChild<view::MotionPage*>();
+    QCOMPARE(page->findChildren<QToolButton*>().size(), 7);
+    m_panel->showTracks();
+    QVERIFY(m_panel->showsTracks());
+    QCOMPARE(timeline().rowCount(), 6);
+    QCOMPARE(timeline().rowName(0), QStringLiteral("Cage"));
+    QCOMPARE(timeline().rowName(2), QStringLiteral("Map 2"));
+    QCOMPARE(timeline().rowName(5), QStringLiteral("Camera"));
+    m_document->setFile(document::fileOf(document::sierpinskiTriangle())); // offered again
+    QVERIFY(!m_panel->showsTracks());
+}
+
+void TimelineTest::oneClickMakesALoop() {
+    for (QAction* action : m_panel->motions()) {
+        if (action->menu()) continue;
+        const int before = steps();
+        action->trigger();
+        QCOMPARE(steps(), before + 1);
+        QVERIFY(timeline().timing().loop == animation::Loop::Cycle);
+        QVERIFY(timeline().playback().isPlaying());
+        QVERIFY(m_panel->showsTracks());
+        QVERIFY(!timeline().isEmpty());
+        timeline().playback().setPlaying(false);
+        m_document->undoStack()->undo();
+        QVERIFY(timeline().isEmpty());
+    }
+    QAction* breeze = m_panel->motions().front()->menu()->actions().front();
+    breeze->trigger();
+    timeline().playback().setPlaying(false);
+    QCOMPARE(timeline().motions().size(), std::size_t(1));
+    QCOMPARE(timeline().rowName(6), QStringLiteral("Wind"));
+    timeline().setRow(6);
+    QTest::keyClick(&tracks(), Qt::Key_Delete);
+    QVERIFY(timeline().motions().empty());
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Delete the motion “Wind”"));
+}
+
+void TimelineTest::morphsAreEntriesOfTheirOwn() {
+    document::Entry other;
+    document::Fractal flat = document::sierpinskiTriangle();
+    flat.name = QStringLiteral("other");
+    document::plane(flat)->system.maps[0].map.linear *= 0.5;
+    other.fractal = std::make_shared<const document::Fractal>(flat);
+    document::Inserted added = document::inserted(m_document->file(), {other}, document::EntryId::None);
+    m_document->editFile(QStringLiteral("Add"), added.file, m_document->currentId());
+    const document::Fractal before = m_document->fractal();
+    QMenu* entries = m_panel->motions().back()->menu();
+    emit entries->aboutToShow();
+    QCOMPARE(entries->actions().size(), 1);
+    QCOMPARE(entries->actions().front()->text(), QStringLiteral("other"));
+    entries->actions().front()->trigger();
+    timeline().playback().setPlaying(false);
+    QCOMPARE(m_document->file().entries.size(), 3);
+    QVERIFY(document::animationFacts(m_document->entryFractal()));
+    QVERIFY(timeline().timing().loop == animation::Loop::ThereAndBack);
+    m_document->undoStack()->undo();
+    QCOMPARE(m_document->fractal(), before);
+}
+
+void TimelineTest::diamondsMakeAndDeleteKeys() {
+    m_panel->showTracks();
+    timeline().setFrame(12);
+    click(tracks().toggleOf(0));
+    QCOMPARE(framesOf(0), (std::vector<int>{0, 12}));
+    QCOMPARE(steps(), 1);
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Key of Cage (frame 12)"));
+    click(tracks().toggleOf(0));
+    QCOMPARE(framesOf(0), std::vector<int>{0});
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Delete keys"));
+    QTest::keyClick(&tracks(), Qt::Key_Down);
+    QTest::keyClick(&tracks(), Qt::Key_Return); // the same by keys, in the next row
+    QCOMPARE(framesOf(1), (std::vector<int>{0, 12}));
+    timeline().setFrame(6);
+    timeline().setAllKeys();
+    QCOMPARE(framesOf(0), (std::vector<int>{0, 6}));
+    QCOMPARE(framesOf(1), (std::vector<int>{0, 6, 12}));
+    QVERIFY(framesOf(2).empty());
+}
+
+void TimelineTest::theRulerIsScrubbed() {
+    m_panel->showTracks();
+    QSignalSpy changes(m_document.get(), &document::Document::changed);
+    drag(tracks().rulerPosition(3), tracks().rulerPosition(20));
+    QCOMPARE(timeline().frame(), 20);
+    QCOMPARE(m_document->moment(), animation::moment(20));
+    QCOMPARE(m_panel->transport()->frame()->value(), 20);
+    QVERIFY(changes.size() >= 2);
+    QCOMPARE(steps(), 0);
+    QTest::keyClick(&tracks(), Qt::Key_Period);
+    QCOMPARE(timeline().frame(), 21);
+    QTest::keyClick(&tracks(), Qt::Key_Comma);
+    QTest::keyClick(&tracks(), Qt::Key_Left);
+    QCOMPARE(timeline().frame(), 19);
+    QTest::keyClick(&tracks(), Qt::Key_Home);
+    QCOMPARE(timeline().frame(), 0);
+    QTest::keyClick(&tracks(), Qt::Key_End);
+    QCOMPARE(timeline().frame(), 48);
+    drag(tracks().rulerPosition(3), {5000, 4}); // beyond the end
+    QCOMPARE(timeline().frame(), 48);
+}
+
+void TimelineTest::editsBecomeKeys() {
+    keyCageAt({0});
+    const document::Fractal start = m_document->fractal();
+    timeline().setFrame(24);
+    document::Fractal after = m_document->fractal();
+    document::plane(after)->cage->current[0].x() -= 0.5;
+    m_document->edit(QStringLiteral("Move"), after);
+    QCOMPARE(framesOf(0), (std::vector<int>{0, 24}));
+    timeline().setFrame(0);
+    QCOMPARE(m_document->fractal(), start);
+    timeline().setFrame(24);
+    QCOMPARE(m_document->fractal(), after);
+    QTest::keyClick(&tracks(), Qt::Key_Left, Qt::ControlModifier);
+    QCOMPARE(timeline().frame(), 0);
+    QTest::keyClick(&tracks(), Qt::Key_Period, Qt::ControlModifier);
+    QCOMPARE(timeline().frame(), 24);
+}
+
+void TimelineTest::keysAreDragged_data() {
+    QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+    QTest::addColumn<std::vector<int>>("frames");
+    QTest::newRow("plain") << Qt::KeyboardModifiers() << std::vector<int>{0, 18, 20};
+    QTest::newRow("with later ones") << Qt::KeyboardModifiers(Qt::AltModifier) << std::vector<int>{0, 18, 28};
+    QTest::newRow("copied") << Qt::KeyboardModifiers(Qt::ControlModifier) << std::vector<int>{0, 10, 18, 20};
+}
+
+void TimelineTest::keysAreDragged() {
+    QFETCH(Qt::KeyboardModifiers, modifiers);
+    QFETCH(std::vector<int>, frames);
+    keyCageAt({10, 20});
+    timeline().select({});
+    const int before = steps();
+    const document::Fractal stored = m_document->entryFractal();
+    drag(tracks().keyPosition(0, 10), tracks().keyPosition(0, 18), modifiers);
+    QCOMPARE(framesOf(0), frames);
+    QCOMPARE(steps(), before + 1);
+    m_document->undoStack()->undo();
+    QCOMPARE(m_document->entryFractal(), stored);
+}
+
+void TimelineTest::bandsSelectAndKeysAreCopied() {
+    keyCageAt({10, 20});
+    timeline().select({});
+    drag(tracks().keyPosition(0, 4) + QPoint(0, -8), tracks().keyPosition(1, 24));
+    QCOMPARE(timeline().selected().size(), std::size_t(2));
+    QTest::keyClick(&tracks(), Qt::Key_C, Qt::ControlModifier);
+    timeline().setFrame(30);
+    QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(framesOf(0), (std::vector<int>{0, 10, 20, 30, 40}));
+    QCOMPARE(timeline().selected().size(), std::size_t(2));
+    timeline().setEase(animation::Ease::Kind::Hold);
+    QVERIFY(timeline().tracks()[0].keys[3].ease.kind == animation::Ease::Kind::Hold);
+    QVERIFY(timeline().tracks()[0].keys[0].ease.kind == animation::Ease::Kind::Both);
+    QTest::keyClick(&tracks(), Qt::Key_Delete);
+    QCOMPARE(framesOf(0), (std::vector<int>{0, 10, 20}));
+    QTest::keyClick(&tracks(), Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(timeline().selected().size(), std::size_t(3));
+    QTest::keyClick(&tracks(), Qt::Key_Escape);
+    QVERIFY(timeline().selected().empty());
+}
+
+void TimelineTest::timingIsEdited() {
+    keyCageAt({40});
+    const view::TransportBar& bar = *m_panel->transport();
+    const int before = steps();
+    bar.length()->setValue(30);
+    bar.rate()->setValue(12);
+    bar.loop()->setCurrentIndex(1);
+    emit bar.loop()->activated(1);
+    QCOMPARE(steps(), before + 3);
+    QCOMPARE(timeline().timing(), (document::Timing{{12, 1}, 30, animation::Loop::Cycle}));
+    QCOMPARE(framesOf(0), std::vector<int>{0});
+    QCOMPARE(timeline().lastFrame(), 29);
+    QCOMPARE(timeline().frame(), 29); // the playhead came along
+    m_document->undoStack()->undo();
+    QCOMPARE(bar.loop()->currentIndex(), 0);
+}
+
+void TimelineTest::playingFollowsTheClock() {
+    keyCageAt({40});
+    timeline().setTiming(QStringLiteral("cycle"), {{24, 1}, 48, animation::Loop::Cycle});
+    timeline().setFrame(0);
+    m_panel->transport()->play()->click();
+    QVERIFY(timeline().playback().isPlaying());
+    QTRY_VERIFY(timeline().frame() > 3);
+    document::Fractal after = m_document->fractal(); // edited while it plays
+    after.appearance.gamma = 3;
+    m_document->edit(QStringLiteral("Gamma"), after);
+    QCOMPARE(m_document->fractal().appearance.gamma, 3.0);
+    QVERIFY(timeline().playback().isPlaying());
+    m_panel->transport()->play()->click();
+    const int stopped = timeline().frame();
+    QVERIFY(!timeline().playback().isPlaying());
+    QTest::qWait(150);
+    QCOMPARE(timeline().frame(), stopped);
+}
+
+void TimelineTest::playingEndsWhereTheLoopDoes() {
+    timeline().setTiming(QStringLiteral("fast"), {{240, 1}, 12, animation::Loop::Off});
+    QTest::keyClick(&tracks(), Qt::Key_Space);
+    QTRY_VERIFY(!timeline().playback().isPlaying());
+    QCOMPARE(timeline().frame(), 12);
+    timeline().playback().setPlaying(true); // from the beginning
+    QVERIFY(timeline().playback().isPlaying());
+    timeline().setTiming(QStringLiteral("back"), {{240, 1}, 12, animation::Loop::ThereAndBack});
+    QTRY_VERIFY(timeline().playback().position() > 12); // on its way back
+    m_document->setFile(document::fileOf(document::sierpinskiTriangle()));
+    QVERIFY(!timeline().playback().isPlaying());
+}
+
+void TimelineTest::theWheelZooms() {
+    m_panel->showTracks();
+    const double before = tracks().pixelsPerFrame();
+    const QPoint at = tracks().rulerPosition(24);
+    QWheelEvent turn(at, tracks().viewport()->mapToGlobal(at), {}, {0, 480}, Qt::NoButton,
+                     Qt::ControlModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(tracks().viewport(), &turn);
+    QVERIFY(qFuzzyCompare(tracks().pixelsPerFrame(), 2 * before));
+    QVERIFY((tracks().rulerPosition(24) - at).manhattanLength() <= 2); // what is under the pointer stays
+    tracks().fitLength();
+    QCOMPARE(tracks().pixelsPerFrame(), before);
+}
+
+void TimelineTest::spaceTapsButDragsDoNot() {
+    view::SpaceTap tap(&tracks());
+    QSignalSpy tapped(&tap, &view::SpaceTap::tapped);
+    QTest::keyPress(&tracks(), Qt::Key_Space);
+    QTest::keyRelease(&tracks(), Qt::Key_Space);
+    QTRY_COMPARE(tapped.size(), 1);
+    QTest::keyPress(&tracks(), Qt::Key_Space);
+    QTest::mouseClick(tracks().viewport(), Qt::LeftButton, {}, {4, 200});
+    QTest::keyRelease(&tracks(), Qt::Key_Space);
+    QCoreApplication::processEvents();
+    QCOMPARE(tapped.size(), 1);
+}
+
+void TimelineTest::unreadableEntriesHaveNoRows() {
+    document::Fractal unread;
+    unread.name = QStringLiteral("unread");
+    m_document->setFile(document::fileOf(unread));
+    m_panel->showTracks();
+    QCOMPARE(timeline().rowCount(), 0);
+    QVERIFY(!m_panel->transport()->isEnabled());
+    const auto before = m_document->file();
+    timeline().setKey();
+    timeline().setAllKeys();
+    timeline().paste();
+    timeline().deleteSelected();
+    timeline().stepToKey(1);
+    QTest::keyClick(&tracks(), Qt::Key_Return);
+    click({5, 60});
+    QVERIFY(m_document->file() == before);
+    for (const QAction* action : m_panel->motions())
+        QVERIFY(!action->isEnabled());
+}
+
+QTEST_MAIN(TimelineTest)
+#include "timeline_test.moc"

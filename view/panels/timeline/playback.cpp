@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/playback.h"
+
+#include "document/edits/animation_edits.h"
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+constexpr int shortestTick = 4; // milliseconds
+constexpr qint64 second = 1000;
+
+} // namespace
+
+Playback::Playback(document::Document* document, QObject* parent) : QObject(parent), m_document(document) {
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_pictureClock.start();
+    connect(&m_timer, &QTimer::timeout, this, &Playback::advance);
+    connect(document, &document::Document::changed, this, [this](const document::Change& change) {
+        using document::Change;
+        if (!isPlaying()) return;
+        if (change.parts & (Change::Current | Change::File))
+            setPlaying(false);
+        else if (change.parts & Change::Animation)
+            restart(position()); // at another rate, perhaps
+    });
+}
+
+int Playback::position() const {
+    const animation::Moment& moment = m_document->moment();
+    return int(moment.numerator / moment.denominator);
+}
+
+int Playback::frames() const {
+    const document::Timing timing = document::timingOf(m_document->entryFractal());
+    return animation::frameCount(timing.loop, timing.length);
+}
+
+void Playback::setPlaying(bool playing) {
+    if (playing == isPlaying()) return;
+    if (playing) {
+        m_pictures.clear();
+        restart(position() >= frames() - 1 ? 0 : position());
+    } else {
+        m_timer.stop();
+        m_document->setMoment(m_document->moment()); // at rest
+    }
+    emit playingChanged(playing);
+}
+
+void Playback::seek(int frame) {
+    if (isPlaying())
+        restart(frame);
+    else
+        m_document->setMoment(animation::moment(frame));
+}
+
+void Playback::restart(int frame) {
+    const document::Timing timing = document::timingOf(m_document->entryFractal());
+    m_from = frame;
+    m_clock.start();
+    // Twice a frame, so that none is late by more than half of its time.
+    m_timer.start(std::max(shortestTick, int(second * timing.rate.seconds / (2 * timing.rate.frames))));
+    m_document->setMoment(animation::moment(frame), document::Document::Pace::Running);
+}
+
+void Playback::advance() {
+    const document::Timing timing = document::timingOf(m_document->entryFractal());
+    const qint64 passed =
+        m_clock.elapsed() * timing.rate.frames / (second * timing.rate.seconds); // in frames
+    const qint64 count = frames();
+    const qint64 frame = m_from + passed;
+    if (timing.loop == animation::Loop::Off && frame >= count - 1) {
+        m_timer.stop();
+        m_document->setMoment(animation::moment(count - 1), document::Document::Pace::Rest);
+        emit playingChanged(false);
+        return;
+    }
+    m_document->setMoment(animation::moment(frame % count), document::Document::Pace::Running);
+}
+
+void Playback::countPicture() {
+    if (!isPlaying()) return;
+    const qint64 now = m_pictureClock.elapsed();
+    m_pictures.push_back(now);
+    while (now - m_pictures.front() > second)
+        m_pictures.pop_front();
+}
+
+double Playback::picturesPerSecond() const {
+    if (m_pictures.size() < 2) return 0;
+    const qint64 span = m_pictures.back() - m_pictures.front();
+    return span > 0 ? double(second) * double(m_pictures.size() - 1) / double(span) : 0;
+}
+
+} // namespace view

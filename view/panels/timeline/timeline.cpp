@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/timeline.h"
+
+#include "attractor/request/appearance.h"
+#include "document/animated_fractal.h"
+
+#include <algorithm>
+#include <set>
+
+namespace view {
+
+using document::KeyAt;
+using document::Track;
+
+namespace {
+
+constexpr std::size_t manyMaps = 500; // more rows than anybody looks through
+
+struct MotionName {
+    QString operator()(const auto& motion) const { return name(motion); }
+
+    template <int Dim> static QString name(const animation::Sway<Dim>&) { return Timeline::tr("Wind"); }
+    template <int Dim> static QString name(const animation::Turn<Dim>&) { return Timeline::tr("Turn"); }
+    template <int Dim> static QString name(const animation::Orbit<Dim>&) { return Timeline::tr("Orbit"); }
+    template <int Dim> static QString name(const animation::Breathe<Dim>&) { return Timeline::tr("Breathe"); }
+    static QString name(const animation::PaletteCycle&) { return Timeline::tr("Palette Cycle"); }
+};
+
+template <int Dim> std::vector<QString> motionNames(const document::Shape<Dim>* shape) {
+    std::vector<QString> names;
+    if (shape && shape->animation)
+        for (const auto& motion : shape->animation->motions)
+            names.push_back(std::visit(MotionName(), motion));
+    return names;
+}
+
+std::vector<ifs::MapId> mapIds(const document::Fractal& fractal) {
+    std::vector<ifs::MapId> ids;
+    const auto add = [&](const auto* system) {
+        if (system)
+            for (const auto& map : system->maps)
+                ids.push_back(map.id);
+    };
+    add(document::system2(fractal));
+    add(document::system3(fractal));
+    return ids;
+}
+
+} // namespace
+
+Timeline::Timeline(document::Document* document, QObject* parent)
+    : QObject(parent), m_document(document), m_playback(document) {
+    connect(document, &document::Document::changed, this, &Timeline::follow);
+    read();
+}
+
+void Timeline::follow(const document::Change& change) {
+    using document::Change;
+    const bool isAnother = change.parts & (Change::Current | Change::File);
+    if (isAnother) {
+        m_row = 0;
+        m_selected.clear();
+    }
+    // While something is dragged or played, only keys can change what the rows show.
+    const bool movesOnly = change.live || change.parts & Change::Time;
+    if (isAnother || change.parts & (Change::Animation | Change::Entries) ||
+        (!movesOnly && change.parts & (Change::System | Change::Cage | Change::Appearance))) {
+        read();
+        emit changed();
+    }
+    if (isAnother || change.parts & (Change::Time | Change::Animation)) emit frameChanged();
+}
+
+void Timeline::read() {
+    const document::Fractal& entry = m_document->entryFractal();
+    m_tracks = document::tracksOf(entry);
+    if (m_tracks.size() > manyMaps)
+        std::erase_if(m_tracks, [](const document::TrackKeys& one) {
+            return one.track.kind == Track::Kind::Map && one.keys.empty();
+        });
+    m_motions = motionNames(document::plane(entry));
+    if (m_motions.empty()) m_motions = motionNames(document::space(entry));
+    m_timing = document::timingOf(entry);
+    m_row = std::clamp(m_row, 0, std::max(0, rowCount() - 1));
+    keepSelection();
+}
+
+void Timeline::keepSelection() {
+    std::erase_if(m_selected, [this](const KeyAt& key) {
+        const auto track = std::ranges::find(m_tracks, key.track, &document::TrackKeys::track);
+        return track == m_tracks.end() ||
+               std::ranges::find(track->keys, key.frame, &document::TrackKeys::Key::frame) ==
+                   track->keys.end();
+    });
+}
+
+QString Timeline::trackName(const Track& track) const {
+    const std::vector<ifs::MapId> ids = mapIds(m_document->entryFractal());
+    const auto number = [&](ifs::MapId id) {
+        return QString::number(std::ranges::find(ids, id) - ids.begin() + 1);
+    };
+    switch (track.kind) {
+    case Track::Kind::Cage:
+        return tr("Cage");
+    case Track::Kind::Map:
+        return tr("Map %1").arg(number(track.maps.front()));
+    case Track::Kind::Branch: {
+        QStringList numbers;
+        for (const ifs::MapId id : track.maps)
+            numbers << number(id);
+        return tr("Branch %1").arg(numbers.join(u' '));
+    }
+    case Track::Kind::Look:
+        return tr("Appearance");
+    case Track::Kind::Camera:
+        break;
+    }
+    return tr("Camera");
+}
+
+QString Timeline::rowName(int row) const {
+    return isTrack(row) ? trackName(m_tracks[std::size_t(row)].track)
+                        : m_motions[std::size_t(row) - m_tracks.size()];
+}
+
+std::optional<QColor> Timeline::rowColour(int row) const {
+    if (!isTrack(row) || m_tracks[std::size_t(row)].track.kind != Track::Kind::Map) return std::nullopt;
+    const ifs::MapId id = m_tracks[std::size_t(row)].track.maps.front();
+    const std::vector<ifs::MapId> ids = mapIds(m_document->entryFractal());
+    const auto colour = attractor::mapColour(m_document->entryFractal().appearance, id,
+                                             std::size_t(std::ranges::find(ids, id) - ids.begin()));
+    return QColor(colour.red, colour.green, colour.blue);
+}
+
+bool Timeline::hasKey(int row, int frame) const {
+    return isTrack(row) && std::ranges::any_of(m_tracks[std::size_t(row)].keys,
+                                               [&](const auto& key) { return key.frame == frame; });
+}
+
+bool Timeline::isEmpty() const {
+    return m_motions.empty() &&
+           std::ranges::all_of(m_tracks, [](const auto& one) { return one.keys.empty(); });
+}
+
+void Timeline::setTiming(const QString& text, const document::Timing& timing) {
+    if (timing == m_timing || rowCount() == 0) return;
+    const int before = frame();
+    m_document->editEntry(text, document::withTiming(m_document->entryFractal(), timing));
+    if (before > lastFrame()) setFrame(lastFrame());
+}
+
+void Timeline::setRow(int row) {
+    row = std::clamp(row, 0, std::max(0, rowCount() - 1));
+    if (row == m_row) return;
+    m_row = row;
+    emit selectionChanged();
+}
+
+int Timeline::frame() const {
+    const animation::Moment at = animation::folded(m_document->moment(), m_timing.loop, m_timing.length);
+    return int(at.numerator / at.denominator);
+}
+
+int Timeline::lastFrame() const {
+    return m_timing.loop == animation::Loop::Cycle ? std::max(0, m_timing.length - 1) : m_timing.length;
+}
+
+void Timeline::setFrame(int frame) {
+    m_playback.seek(std::clamp(frame, 0, lastFrame()));
+}
+
+void Timeline::stepToKey(int way) {
+    std::set<int> frames{0, lastFrame()};
+    for (const auto& track : m_tracks)
+        for (const auto& key : track.keys)
+            if (key.frame <= lastFrame()) frames.insert(key.frame);
+    const auto next = way > 0 ? frames.upper_bound(frame()) : frames.lower_bound(frame());
+    if (way > 0 && next != frames.end()) setFrame(*next);
+    if (way < 0 && next != frames.begin()) setFrame(*std::prev(next));
+}
+
+bool Timeline::isSelected(int row, int frame) const {
+    return isTrack(row) &&
+           std::ranges::find(m_selected, KeyAt{m_tracks[std::size_t(row)].track, frame}) != m_selected.end();
+}
+
+void Timeline::select(std::vector<KeyAt> keys) {
+    if (keys == m_selected) return;
+    m_selected = std::move(keys);
+    keepSelection();
+    emit selectionChanged();
+}
+
+void Timeline::selectAll() {
+    std::vector<KeyAt> all;
+    for (const auto& one : m_tracks)
+        for (const auto& key : one.keys)
+            all.push_back({one.track, key.frame});
+    select(std::move(all));
+}
+
+void Timeline::setKey() {
+    if (!isTrack(m_row)) return emit message(tr("Motions need no keys. Select a track first."));
+    const Track track = m_tracks[std::size_t(m_row)].track;
+    const int at = frame();
+    m_document->editEntry(tr("Key of %1 (frame %2)").arg(trackName(track)).arg(at),
+                          document::withKey(m_document->entryFractal(), track, at, view()));
+    select({{track, at}});
+}
+
+void Timeline::setAllKeys() {
+    const bool none = std::ranges::all_of(m_tracks, [](const auto& one) { return one.keys.empty(); });
+    document::Fractal entry = m_document->entryFractal();
+    const int at = frame();
+    std::vector<KeyAt> made;
+    for (const auto& one : m_tracks) {
+        if (one.keys.empty() && !none) continue;
+        entry = document::withKey(std::move(entry), one.track, at, view());
+        made.push_back({one.track, at});
+    }
+    if (made.empty()) return;
+    m_document->editEntry(tr("Keys of all tracks (frame %1)").arg(at), std::move(entry));
+    select(std::move(made));
+}
+
+void Timeline::toggleKey(int row) {
+    setRow(row);
+    if (!hasKey(row, frame())) return setKey();
+    select({{m_tracks[std::size_t(row)].track, frame()}});
+    deleteSelected();
+}
+
+void Timeline::deleteSelected() {
+    if (!m_selected.empty())
+        m_document->editEntry(tr("Delete keys"),
+                              document::withoutKeys(m_document->entryFractal(), m_selected));
+    else if (m_row < rowCount() && !isTrack(m_row))
+        m_document->editEntry(
+            tr("Delete the motion “%1”").arg(rowName(m_row)),
+            document::withoutMotion(m_document->entryFractal(), std::size_t(m_row) - m_tracks.size()));
+}
+
+void Timeline::moveSelected(int by, document::KeyMove how) {
+    by = document::possibleMove(m_document->entryFractal(), m_selected, by, how);
+    if (by == 0) return;
+    const QString text = how == document::KeyMove::Copy     ? tr("Copy keys")
+                         : how == document::KeyMove::Ripple ? tr("Move keys and all later ones")
+                                                            : tr("Move keys");
+    std::vector<KeyAt> moved = m_selected;
+    for (KeyAt& key : moved)
+        key.frame += by;
+    m_document->editEntry(text, document::withKeysMoved(m_document->entryFractal(), m_selected, by, how));
+    select(std::move(moved));
+}
+
+void Timeline::setEase(animation::Ease::Kind kind) {
+    m_document->editEntry(tr("Ease of keys"),
+                          document::withEase(m_document->entryFractal(), m_selected, {kind}));
+}
+
+void Timeline::copy() {
+    if (!m_selected.empty()) m_copied = document::copiedKeys(m_document->entryFractal(), m_selected);
+}
+
+bool Timeline::canPaste() const {
+    return !m_copied.empty();
+}
+
+void Timeline::paste() {
+    if (!canPaste()) return;
+    document::Pasted pasted = document::withKeysPasted(m_document->entryFractal(), m_copied, frame());
+    if (pasted.keys.empty()) return emit message(tr("None of these keys fits this fractal."));
+    m_document->editEntry(tr("Paste keys"), std::move(pasted.fractal));
+    select(std::move(pasted.keys));
+}
+
+} // namespace view

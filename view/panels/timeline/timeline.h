@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edits/animation_edits.h"
+#include "panels/timeline/playback.h"
+
+#include <QColor>
+#include <QObject>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace view {
+
+// The animation of the current entry as the panel shows it, and what can be done to it. Every edit is one
+// step of the history.
+class Timeline : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Timeline(document::Document* document, QObject* parent = nullptr);
+
+    document::Document& document() const { return *m_document; }
+    Playback& playback() { return m_playback; }
+    // What a key of the camera holds: what is seen at present.
+    void setViewSource(std::function<std::optional<attractor::View>()> source) { m_view = std::move(source); }
+    std::optional<attractor::View> view() const { return m_view ? m_view() : std::nullopt; }
+
+    // Rows: all tracks, then all motions.
+    const std::vector<document::TrackKeys>& tracks() const { return m_tracks; }
+    const std::vector<QString>& motions() const { return m_motions; } // their names
+    int rowCount() const { return int(m_tracks.size() + m_motions.size()); }
+    bool isTrack(int row) const { return row >= 0 && row < int(m_tracks.size()); }
+    QString rowName(int row) const;
+    std::optional<QColor> rowColour(int row) const; // that of a map
+    bool hasKey(int row, int frame) const;
+    bool isEmpty() const; // nothing moves
+    const document::Timing& timing() const { return m_timing; }
+    void setTiming(const QString& text, const document::Timing& timing);
+
+    int row() const { return m_row; }
+    void setRow(int row);
+    // The playhead, 0 … lastFrame().
+    int frame() const;
+    int lastFrame() const; // in a cycle the one before the length, which shows frame 0
+    void setFrame(int frame);
+    void stepToKey(int way); // −1, +1: the next frame that has a key in any track
+
+    const std::vector<document::KeyAt>& selected() const { return m_selected; }
+    bool isSelected(int row, int frame) const;
+    void select(std::vector<document::KeyAt> keys);
+    void selectAll();
+
+    void setKey();     // of the current track at the playhead
+    void setAllKeys(); // of all tracks that have keys; where none has, of all
+    void toggleKey(int row);
+    void deleteSelected(); // or the current motion
+    void moveSelected(int by, document::KeyMove how);
+    void setEase(animation::Ease::Kind kind);
+    void copy();
+    bool canPaste() const;
+    void paste();
+
+signals:
+    void changed();          // rows, keys, timing
+    void frameChanged();     // of the playhead
+    void selectionChanged(); // of keys, and of the row
+    void message(const QString& sentence);
+
+private:
+    void follow(const document::Change& change);
+    void read();
+    void keepSelection();
+    QString trackName(const document::Track& track) const;
+
+    document::Document* m_document;
+    Playback m_playback;
+    std::function<std::optional<attractor::View>()> m_view;
+    std::vector<document::TrackKeys> m_tracks;
+    std::vector<QString> m_motions;
+    document::Timing m_timing;
+    int m_row = 0;
+    std::vector<document::KeyAt> m_selected;
+    std::vector<document::CopiedKey> m_copied;
+};
+
+} // namespace view

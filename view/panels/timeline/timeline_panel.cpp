@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/timeline_panel.h"
+
+#include "document/edits/entries_edits.h"
+#include "document/edits/morph_edits.h"
+#include "document/edits/motion_edits.h"
+#include "panels/timeline/motion_page.h"
+#include "panels/timeline/track_view.h"
+#include "panels/timeline/transport_bar.h"
+#include "widgets/icon.h"
+#include "widgets/menu_button.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+constexpr qsizetype maxListed = 60; // entries in a menu
+constexpr double usualAspect = 16.0 / 9;
+
+constexpr const char* windNames[] = {
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Breeze"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Gusts"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Storm"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Under Water"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Breathing"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Weave"),
+};
+
+// In a narrow window, and with large letters.
+QScrollArea* scrolling(QWidget* page) {
+    auto* area = new QScrollArea;
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(page);
+    return area;
+}
+
+QString morphObstacle(document::MorphFlaw flaw) {
+    switch (flaw) {
+    case document::MorphFlaw::Dimensions:
+        return TimelinePanel::tr("A fractal of the plane cannot become one in space.");
+    case document::MorphFlaw::TooMany:
+        return TimelinePanel::tr("One of the two fractals has more than 256 maps.");
+    case document::MorphFlaw::BentCage:
+        return TimelinePanel::tr("A bent cage has no code to start from. Reset or bake it first.");
+    case document::MorphFlaw::Measure:
+        break;
+    }
+    return TimelinePanel::tr("One of the two fractals has no attractor.");
+}
+
+} // namespace
+
+TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_timeline(document),
+      m_motions(new QMenu(this)),
+      m_winds(new QMenu(this)),
+      m_entries(new QMenu(this)) {
+    createMotions();
+    auto* add = new MenuButton(this);
+    add->setText(tr("Add Motion"));
+    add->setToolTip(tr("Add a motion that needs no keys, or a morph to another entry"));
+    add->setMenu(m_motions);
+    m_motions->setTitle(tr("Add &Motion"));
+    m_motions->setToolTipsVisible(true);
+    m_tracks = new TrackView(&m_timeline);
+    m_transport = new TransportBar(&m_timeline, add);
+    m_page = new MotionPage(m_actions);
+    m_pages = new QStackedWidget;
+    m_pages->addWidget(scrolling(m_page));
+    m_pages->addWidget(m_tracks);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_transport);
+    column->addWidget(m_pages, 1);
+    connect(m_page, &MotionPage::tableWanted, this, [this] {
+        showTracks();
+        m_tracks->setFocus();
+    });
+    connect(&m_timeline, &Timeline::changed, this, &TimelinePanel::follow);
+    connect(&m_timeline, &Timeline::message, this, &TimelinePanel::message);
+    connect(document, &document::Document::changed, this, [this](const document::Change& change) {
+        using document::Change;
+        if (!(change.parts & (Change::Current | Change::File))) return;
+        m_wantsTracks = false;
+        follow();
+    });
+    follow();
+}
+
+bool TimelinePanel::showsTracks() const {
+    return m_pages->currentWidget() == m_tracks;
+}
+
+void TimelinePanel::showTracks() {
+    m_wantsTracks = true;
+    follow();
+}
+
+void TimelinePanel::follow() {
+    const bool hadFocus = m_page->isAncestorOf(focusWidget()) && m_page->isVisible();
+    m_pages->setCurrentIndex(m_timeline.isEmpty() && !m_wantsTracks ? 0 : 1);
+    if (hadFocus && showsTracks()) m_tracks->setFocus();
+    for (QAction* action : m_actions)
+        action->setEnabled(m_timeline.rowCount() > 0);
+}
+
+QAction* TimelinePanel::addMotion(const char* iconName, const QString& name, const QString& tip) {
+    auto* action = new QAction(icon(QLatin1String(iconName)), name, this);
+    action->setToolTip(tip);
+    action->setStatusTip(tip);
+    action->setWhatsThis(tip + u' ' + tr("It is one step of the history."));
+    m_actions << action;
+    m_motions->addAction(action);
+    return action;
+}
+
+void TimelinePanel::createMotions() {
+    const auto apply = [this](QAction* action, const QString& text, const Make& make,
+                              const QString& failure) {
+        connect(action, &QAction::triggered, this,
+                [this, text, make, failure] { this->apply(text, make, failure); });
+    };
+    const QString noMaps = tr("There are no maps to move.");
+    addMotion("wind", tr("Wind"), tr("All branches sway about where they begin."))->setMenu(m_winds);
+    addWinds();
+    apply(addMotion("turn", tr("Turn"), tr("The maps turn once about their places.")), tr("Turn the maps"),
+          &document::withTurn, tr("No map can turn without losing the attractor."));
+    apply(addMotion("orbit", tr("Orbit"), tr("The whole picture goes round once.")), tr("Orbit"),
+          &document::withOrbit, noMaps);
+    apply(addMotion("breathe", tr("Breathe"), tr("The maps swell and shrink.")), tr("Breathe"),
+          &document::withBreathing, noMaps);
+    apply(addMotion("palette", tr("Palette Cycle"), tr("The colours run through the palette and back.")),
+          tr("Cycle the palette"), &document::withPaletteCycle, noMaps);
+    apply(
+        addMotion("zoom-in", tr("Zoom In Endlessly"),
+                  tr("The view moves into a small copy of the whole, where the last frame is the first.")),
+        tr("Zoom in endlessly"),
+        [this](const document::Fractal& entry) {
+            const auto view = m_timeline.view();
+            return document::withEndlessZoom(entry, usualAspect, view ? view->yAxis : attractor::YAxis::Up);
+        },
+        tr("No map only scales the fractal to a copy that stands clear of the others."));
+    addMotion("morph", tr("Morph To"), tr("The fractal becomes another entry of this file, and returns."))
+        ->setMenu(m_entries);
+    connect(m_entries, &QMenu::aboutToShow, this, &TimelinePanel::listEntries);
+    m_winds->setAccessibleName(tr("Wind"));
+    m_entries->setAccessibleName(tr("Morph To"));
+}
+
+void TimelinePanel::addWinds() {
+    const auto presets = animation::swayPresets();
+    for (std::size_t i = 0; i < presets.size(); ++i) {
+        const QString name = tr(windNames[i]);
+        QAction* action = m_winds->addAction(name, this, [this, name, i] {
+            apply(
+                tr("Wind: %1").arg(name),
+                [i](const document::Fractal& entry) {
+                    return document::withWind(entry, animation::swayPresets()[i]);
+                },
+                tr("There are no maps to move."));
+        });
+        action->setWhatsThis(tr("All branches sway about where they begin."));
+    }
+}
+
+void TimelinePanel::apply(const QString& text, const Make& make, const QString& failure) {
+    auto after = make(m_document->entryFractal());
+    if (!after) return emit message(failure);
+    m_document->editEntry(text, std::move(*after));
+    m_timeline.playback().seek(0);
+    m_timeline.playback().setPlaying(true);
+}
+
+void TimelinePanel::listEntries() {
+    m_entries->clear();
+    const int dimension = document::dimension(m_document->entryFractal());
+    for (const document::Entry& entry : m_document->file().entries) {
+        if (entry.id == m_document->currentId() || document::dimension(*entry.fractal) != dimension) continue;
+        if (m_entries->actions().size() == maxListed) break;
+        QString name = entry.fractal->name;
+        m_entries->addAction(name.replace(u'&', QStringLiteral("&&")), this,
+                             [this, id = entry.id] { morphTo(id); });
+    }
+    if (m_entries->isEmpty())
+        m_entries->addAction(tr("This file has no other fractal of this dimension"))->setEnabled(false);
+}
+
+// The morph is an entry of its own, behind the one that it begins with.
+void TimelinePanel::morphTo(document::EntryId id) {
+    const document::FractalFile& file = m_document->file();
+    const qsizetype index = document::indexOf(file, id);
+    if (index < 0) return;
+    const document::Timing timing = m_timeline.timing();
+    auto outcome =
+        document::morphed(m_document->fractal(), *file.entries.at(index).fractal, timing.length, {});
+    if (!outcome.fractal) return emit message(morphObstacle(outcome.flaw));
+    document::Entry entry;
+    entry.fractal = std::make_shared<const document::Fractal>(document::withTiming(
+        std::move(*outcome.fractal), {timing.rate, timing.length, animation::Loop::ThereAndBack}));
+    const QString name = file.entries.at(index).fractal->name;
+    document::Inserted added = document::inserted(file, {entry}, m_document->currentId());
+    m_document->editFile(tr("Morph to %1").arg(name), std::move(added.file), added.ids.front());
+    m_timeline.playback().setPlaying(true);
+}
+
+} // namespace view

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/track_menu.h"
+
+#include "panels/timeline/timeline.h"
+
+#include <QMenu>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+using Kind = animation::Ease::Kind;
+
+struct EaseName {
+    Kind kind;
+    const char* name;
+};
+
+constexpr EaseName eases[] = {
+    {Kind::Linear, QT_TRANSLATE_NOOP("view::Timeline", "Linear")},
+    {Kind::Both, QT_TRANSLATE_NOOP("view::Timeline", "Slow Start and End")},
+    {Kind::In, QT_TRANSLATE_NOOP("view::Timeline", "Slow Start")},
+    {Kind::Out, QT_TRANSLATE_NOOP("view::Timeline", "Slow End")},
+    {Kind::Hold, QT_TRANSLATE_NOOP("view::Timeline", "Hold")},
+};
+
+// Whether all selected keys have this ease.
+bool isEaseOfAll(const Timeline& timeline, Kind kind) {
+    for (const auto& one : timeline.tracks())
+        for (const auto& key : one.keys)
+            if (std::ranges::find(timeline.selected(), document::KeyAt{one.track, key.frame}) !=
+                    timeline.selected().end() &&
+                key.ease.kind != kind)
+                return false;
+    return true;
+}
+
+} // namespace
+
+void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
+    auto* menu = new QMenu(parent);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const bool any = !timeline.selected().empty();
+    if (any) {
+        menu->addSection(Timeline::tr("Ease to the Next Key"));
+        for (const EaseName& ease : eases) {
+            QAction* action = menu->addAction(Timeline::tr(ease.name), &timeline,
+                                              [&timeline, kind = ease.kind] { timeline.setEase(kind); });
+            action->setCheckable(true);
+            action->setChecked(isEaseOfAll(timeline, ease.kind));
+        }
+        menu->addSeparator();
+        menu->addAction(Timeline::tr("Copy Keys"), &timeline, &Timeline::copy);
+    }
+    QAction* paste = menu->addAction(Timeline::tr("Paste Keys at the Playhead"), &timeline, &Timeline::paste);
+    paste->setEnabled(timeline.canPaste());
+    if (any) menu->addAction(Timeline::tr("Delete Keys"), &timeline, &Timeline::deleteSelected);
+    if (timeline.isTrack(timeline.row()))
+        menu->addAction(Timeline::tr("Key at the Playhead"), &timeline, &Timeline::setKey);
+    else if (!any && timeline.rowCount() > 0)
+        menu->addAction(Timeline::tr("Delete the Motion"), &timeline, &Timeline::deleteSelected);
+    menu->popup(global);
+}
+
+} // namespace view

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edits/animation_edits.h"
+
+#include <QAbstractScrollArea>
+#include <QPointF>
+
+#include <optional>
+#include <vector>
+
+class QToolButton;
+
+namespace view {
+
+class Timeline;
+
+// The ruler, the playhead, and a row for every track and motion: keys as diamonds to select and drag. In
+// front of a row a diamond makes or deletes the key at the playhead.
+class TrackView : public QAbstractScrollArea {
+    Q_OBJECT
+
+public:
+    explicit TrackView(Timeline* timeline, QWidget* parent = nullptr);
+
+    // In the viewport, for those who drive it.
+    QPoint keyPosition(int row, int frame) const;
+    QPoint rulerPosition(int frame) const;
+    QPoint toggleOf(int row) const; // the diamond in front
+
+    double pixelsPerFrame() const { return m_scale; }
+    void fitLength(); // all frames into the width
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void scrollContentsBy(int dx, int dy) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    enum class Drag { None, Playhead, Keys, Band };
+
+    int rowHeight() const;
+    int namesWidth() const;
+    int left() const; // of frame 0, before scrolling
+    double xOf(double frame) const;
+    int frameAt(double x) const;
+    int topOf(int row) const;
+    int rowAt(double y) const; // −1 above all, rowCount() below all
+    std::optional<document::KeyAt> keyAt(const QPointF& point) const;
+
+    void layOut();
+    void zoomAt(double x, double factor);
+    void reveal(); // the playhead and the current row
+    void describe();
+    int snapped(int by) const;
+    document::KeyMove moveKind() const;
+    void pressKey(const document::KeyAt& key);
+    void dragKeysTo(const QPointF& point);
+    std::vector<document::KeyAt> keysIn(const QRectF& band) const;
+    bool isOurKey(const QKeyEvent& event) const;
+    bool walk(const QKeyEvent& event);
+    bool edit(const QKeyEvent& event);
+
+    void paintRuler(QPainter& painter) const;
+    void paintRow(QPainter& painter, int row) const;
+    void paintName(QPainter& painter, int row) const;
+    void paintKeys(QPainter& painter, int row) const;
+    void paintPlayhead(QPainter& painter) const;
+    QString rulerText(int frame) const;
+    int rulerStep() const; // frames
+
+    Timeline* m_timeline;
+    QToolButton* m_unit;
+    double m_scale = 8; // pixels for one frame
+    bool m_isFitted = true;
+    Drag m_drag = Drag::None;
+    QPointF m_pressed, m_pointer;
+    Qt::KeyboardModifiers m_modifiers;
+    document::KeyAt m_held;
+    bool m_hasMoved = false;
+    bool m_wasSelected = false; // the key that is held, before it was pressed
+    int m_by = 0;                          // frames that the selected keys have been dragged
+    std::vector<document::KeyAt> m_before; // selected before the band
+};
+
+} // namespace view

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/transport_bar.h"
+
+#include "panels/timeline/timeline.h"
+#include "widgets/flat_buttons.h"
+#include "widgets/icon.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <chrono>
+#include <cmath>
+#include <tuple>
+
+namespace view {
+
+namespace {
+
+constexpr std::chrono::milliseconds countEvery{500};
+constexpr int maxRate = 240;
+
+QSpinBox* spinBox(const QString& name, const QString& explanation, int min, int max) {
+    auto* box = new QSpinBox;
+    box->setRange(min, max);
+    box->setKeyboardTracking(false);
+    box->setAccessibleName(name);
+    box->setToolTip(explanation);
+    return box;
+}
+
+QLabel* labelled(const QString& text, QWidget* field, QHBoxLayout* row) {
+    auto* label = new QLabel(text);
+    label->setBuddy(field);
+    row->addWidget(label);
+    row->addWidget(field);
+    row->addSpacing(8);
+    return label;
+}
+
+} // namespace
+
+TransportBar::TransportBar(Timeline* timeline, QWidget* last, QWidget* parent)
+    : QWidget(parent),
+      m_timeline(timeline),
+      m_play(flatButton(QStringLiteral("play"), tr("Play"), tr("Play the animation"), this)),
+      m_frame(spinBox(tr("Frame"), tr("The frame that is shown and edited"), 0, animation::maxLength)),
+      m_length(spinBox(tr("Length"), tr("How many frames the animation is long"), 1, animation::maxLength)),
+      m_rate(spinBox(tr("Frames per second"), tr("How many frames are played in a second"), 1, maxRate)),
+      m_loop(new QComboBox(this)),
+      m_pictures(new QLabel(this)) {
+    auto* previous = flatButton(QStringLiteral("key-previous"), tr("Previous Key"),
+                                tr("Move the playhead to the key before it"), this);
+    auto* next =
+        flatButton(QStringLiteral("key-next"), tr("Next Key"), tr("Move the playhead to the next key"), this);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 4, 8, 4);
+    row->setSpacing(4);
+    row->addWidget(previous);
+    row->addWidget(m_play);
+    row->addWidget(next);
+    row->addSpacing(8);
+    m_dispensable << m_pictures;
+    m_dispensable << labelled(tr("Frame:"), m_frame, row) << labelled(tr("Length:"), m_length, row)
+                  << labelled(tr("fps:"), m_rate, row) << labelled(tr("Loop:"), m_loop, row);
+    m_dispensable << m_rate << m_length << m_loop << last;
+    row->addWidget(m_pictures);
+    row->addStretch(1);
+    row->addWidget(last);
+    makeFields();
+    connect(previous, &QToolButton::clicked, timeline, [timeline] { timeline->stepToKey(-1); });
+    connect(next, &QToolButton::clicked, timeline, [timeline] { timeline->stepToKey(1); });
+    connect(m_play, &QToolButton::clicked, timeline,
+            [timeline] { timeline->playback().setPlaying(!timeline->playback().isPlaying()); });
+    connect(timeline, &Timeline::changed, this, &TransportBar::showAnimation);
+    connect(timeline, &Timeline::frameChanged, this, &TransportBar::showFrame);
+    connect(&timeline->playback(), &Playback::playingChanged, this, &TransportBar::showPlaying);
+    m_count.setInterval(countEvery);
+    connect(&m_count, &QTimer::timeout, this, &TransportBar::showRate);
+    showAnimation();
+    showFrame();
+}
+
+QSize TransportBar::minimumSizeHint() const {
+    return {m_play->sizeHint().width() * 3 + m_frame->sizeHint().width() + 40, sizeHint().height()};
+}
+
+void TransportBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitInto(width());
+}
+
+void TransportBar::fitInto(int width) {
+    for (QWidget* part : m_dispensable)
+        part->show();
+    for (QWidget* part : m_dispensable) {
+        if (layout()->minimumSize().width() <= width) return;
+        part->hide();
+    }
+}
+
+void TransportBar::makeFields() {
+    m_loop->setAccessibleName(tr("Loop"));
+    m_loop->setToolTip(tr("What comes after the last frame"));
+    m_loop->setWhatsThis(
+        tr("Off: the animation stops at its last frame. Cycle: it begins again, and the "
+           "frame at its length is frame 0. There and Back: it runs backwards to its start."));
+    for (const auto& [loop, name] : {std::tuple{animation::Loop::Off, tr("Off", "loop")},
+                                     {animation::Loop::Cycle, tr("Cycle")},
+                                     {animation::Loop::ThereAndBack, tr("There and Back")}})
+        m_loop->addItem(name, int(loop));
+    m_pictures->setMinimumWidth(m_pictures->fontMetrics().horizontalAdvance(tr("%1 fps").arg(000.0)));
+    m_pictures->setToolTip(tr("How many pictures a second are drawn while it plays"));
+    connect(m_frame, &QSpinBox::valueChanged, m_timeline, &Timeline::setFrame);
+    connect(m_length, &QSpinBox::valueChanged, this, [this](int length) {
+        document::Timing timing = m_timeline->timing();
+        timing.length = length;
+        m_timeline->setTiming(tr("Length of the animation: %1 frames").arg(length), timing);
+    });
+    connect(m_rate, &QSpinBox::valueChanged, this, [this](int rate) {
+        document::Timing timing = m_timeline->timing();
+        timing.rate = {rate, 1};
+        m_timeline->setTiming(tr("Frames per second: %1").arg(rate), timing);
+    });
+    connect(m_loop, &QComboBox::activated, this, [this](int index) {
+        document::Timing timing = m_timeline->timing();
+        timing.loop = animation::Loop(m_loop->itemData(index).toInt());
+        m_timeline->setTiming(tr("Loop: %1").arg(m_loop->itemText(index)), timing);
+    });
+}
+
+void TransportBar::showAnimation() {
+    const document::Timing& timing = m_timeline->timing();
+    const QSignalBlocker quietFrame(m_frame), quietLength(m_length), quietRate(m_rate);
+    m_frame->setMaximum(m_timeline->lastFrame());
+    m_length->setValue(timing.length);
+    m_rate->setValue(int(std::lround(double(timing.rate.frames) / timing.rate.seconds)));
+    m_loop->setCurrentIndex(m_loop->findData(int(timing.loop)));
+    setEnabled(m_timeline->rowCount() > 0);
+}
+
+void TransportBar::showFrame() {
+    const QSignalBlocker quiet(m_frame);
+    m_frame->setValue(m_timeline->frame());
+}
+
+void TransportBar::showPlaying(bool playing) {
+    m_play->setIcon(icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+    m_play->setAccessibleName(playing ? tr("Pause") : tr("Play"));
+    m_play->setToolTip(playing ? tr("Stop at this frame") : tr("Play the animation"));
+    if (playing)
+        m_count.start();
+    else
+        m_count.stop();
+    m_pictures->clear();
+}
+
+void TransportBar::showRate() {
+    const double rate = m_timeline->playback().picturesPerSecond();
+    if (rate > 0) m_pictures->setText(tr("%1 fps").arg(rate, 0, 'f', 1));
+}
+
+} // namespace view

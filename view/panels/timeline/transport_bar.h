@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QSpinBox;
+class QToolButton;
+
+namespace view {
+
+class Timeline;
+
+// Play and pause, the frame, the next key; how long the animation is, how fast, and what comes after its end.
+class TransportBar : public QWidget {
+    Q_OBJECT
+
+public:
+    // `last` stands at the end of the row.
+    TransportBar(Timeline* timeline, QWidget* last, QWidget* parent = nullptr);
+
+    QToolButton* play() const { return m_play; }
+    QSpinBox* frame() const { return m_frame; }
+    QSpinBox* length() const { return m_length; }
+    QSpinBox* rate() const { return m_rate; }
+    QComboBox* loop() const { return m_loop; }
+
+    // Where there is less room than for all of it, it goes without names, and then without more.
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fitInto(int width);
+    void makeFields();
+    void showAnimation();
+    void showFrame();
+    void showPlaying(bool playing);
+    void showRate();
+
+    Timeline* m_timeline;
+    QToolButton* m_play;
+    QSpinBox* m_frame;
+    QSpinBox* m_length;
+    QSpinBox* m_rate;
+    QComboBox* m_loop;
+    QLabel* m_pictures;            // how many a second
+    QList<QWidget*> m_dispensable; // the first ones first
+    QTimer m_count;
+};
+
+} // namespace view
