@@ -3093,6 +3093,34 @@
         <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
         <translation>%1 Ecken, Fläche %2; Fehler höchstens %3; periodische Adressen innerhalb des Zeitbudgets nicht berechnet</translation>
     </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
+        <translation>Dies ist kein PNG-, JPEG-, GIF-, BMP- oder PNM-Bild.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
+        <translation>Das Bild hat %1 × %2 Pixel. Höchstens 32 Millionen Pixel können gelesen werden; verkleinern Sie es.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. Each side needs at least %3 pixels.</source>
+        <translation>Das Bild hat %1 × %2 Pixel. Jede Seite braucht mindestens %3 Pixel.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete.</source>
+        <translation>Das Bild ist beschädigt oder unvollständig.</translation>
+    </message>
+    <message>
+        <source>The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB or grey levels.</source>
+        <translation>Das Bild ist ein JPEG in CMYK-Farben, die jedes Programm anders liest. Wandeln Sie es in RGB oder Graustufen um.</translation>
+    </message>
+    <message>
+        <source>The picture is animated. Save one of its frames as a picture of its own.</source>
+        <translation>Das Bild ist animiert. Speichern Sie eines seiner Einzelbilder als eigenes Bild.</translation>
+    </message>
+    <message>
+        <source>The picture is too long and thin to be traced.</source>
+        <translation>Das Bild ist zu lang und schmal, um nachgezeichnet zu werden.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -3093,6 +3093,34 @@
         <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
         <translation>%1 vértices, área %2; error máximo %3; direcciones periódicas no calculadas dentro del tiempo asignado</translation>
     </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
+        <translation>No es una imagen PNG, JPEG, GIF, BMP o PNM.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
+        <translation>La imagen tiene %1 × %2 píxeles. Se pueden leer como máximo 32 millones de píxeles; redúzcala.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. Each side needs at least %3 pixels.</source>
+        <translation>La imagen tiene %1 × %2 píxeles. Cada lado necesita al menos %3 píxeles.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete.</source>
+        <translation>La imagen está dañada o incompleta.</translation>
+    </message>
+    <message>
+        <source>The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB or grey levels.</source>
+        <translation>La imagen es un JPEG en colores CMYK, que cada programa lee de otra manera. Conviértala a RGB o a niveles de gris.</translation>
+    </message>
+    <message>
+        <source>The picture is animated. Save one of its frames as a picture of its own.</source>
+        <translation>La imagen está animada. Guarde uno de sus fotogramas como imagen aparte.</translation>
+    </message>
+    <message>
+        <source>The picture is too long and thin to be traced.</source>
+        <translation>La imagen es demasiado larga y estrecha para calcarla.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -3093,6 +3093,34 @@
         <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
         <translation>%1 sommets, aire %2&#x202f;; erreur au plus %3&#x202f;; adresses périodiques non calculées dans le temps imparti</translation>
     </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
+        <translation>Ce n’est pas une image PNG, JPEG, GIF, BMP ou PNM.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
+        <translation>L’image a %1 × %2 pixels. Au plus 32 millions de pixels peuvent être lus ; réduisez-la.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. Each side needs at least %3 pixels.</source>
+        <translation>L’image a %1 × %2 pixels. Chaque côté doit avoir au moins %3 pixels.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete.</source>
+        <translation>L’image est endommagée ou incomplète.</translation>
+    </message>
+    <message>
+        <source>The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB or grey levels.</source>
+        <translation>L’image est un JPEG en couleurs CMJN, que chaque programme lit autrement. Convertissez-la en RVB ou en niveaux de gris.</translation>
+    </message>
+    <message>
+        <source>The picture is animated. Save one of its frames as a picture of its own.</source>
+        <translation>L’image est animée. Enregistrez l’une de ses images comme fichier à part.</translation>
+    </message>
+    <message>
+        <source>The picture is too long and thin to be traced.</source>
+        <translation>L’image est trop longue et trop mince pour être décalquée.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -3099,6 +3099,34 @@
         <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
         <translation>%1 темиња, плоштина %2; грешка најмногу %3; периодичните адреси не се пресметани во дозволеното време</translation>
     </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
+        <translation>Ова не е слика во PNG, JPEG, GIF, BMP или PNM.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
+        <translation>Сликата има %1 × %2 пиксели. Може да се прочитаат најмногу 32 милиони пиксели; намалете ја.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 × %2 pixels. Each side needs at least %3 pixels.</source>
+        <translation>Сликата има %1 × %2 пиксели. Секоја страна мора да има најмалку %3 пиксели.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete.</source>
+        <translation>Сликата е оштетена или нецелосна.</translation>
+    </message>
+    <message>
+        <source>The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB or grey levels.</source>
+        <translation>Сликата е JPEG во бои CMYK, кои секоја програма ги чита поинаку. Претворете ја во RGB или во нијанси на сиво.</translation>
+    </message>
+    <message>
+        <source>The picture is animated. Save one of its frames as a picture of its own.</source>
+        <translation>Сликата е анимирана. Зачувајте еден од нејзините кадри како посебна слика.</translation>
+    </message>
+    <message>
+        <source>The picture is too long and thin to be traced.</source>
+        <translation>Сликата е премногу долга и тенка за да се прецрта.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
