@@ -154,7 +154,7 @@ QByteArray reportOf(const collage::Mask& mask, const collage::Suggestion& found,
     json.member("bound", found.collage.bound);
     json.member("starts", double(starts));
     json.endObject();
-    return json.text() + '\n';
+    return json.text();
 }
 
 ExitStatus collageOf(const CollageArguments& arguments) {
