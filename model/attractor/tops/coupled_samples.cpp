@@ -48,16 +48,19 @@ struct Sample {
     double stretch;
 };
 
-double stretchOf(const CoupledSystem& system, const std::vector<std::uint32_t>& symbols, double pieceSize) {
+double sampleStretch(const CoupledSystem& system, const std::vector<std::uint32_t>& symbols,
+                     double pieceSize) {
     ifs::Matrix<2> from = ifs::Matrix<2>::Identity(), to = from;
+    double ratio = 1;
     for (const std::uint32_t symbol : symbols) {
         if (ifs::spectralNorm<2>(from) <= pieceSize) break;
         const ifs::Matrix<2> longer = from * system.from[symbol].linear;
         if (!(longer.squaredNorm() > 0)) break; // a point: what is known of the piece before must do
         from = longer;
         to = to * system.to[symbol].linear;
+        ratio *= system.areaRatios[symbol];
     }
-    return areaRatio(to, from);
+    return stretchOf(ratio, to, from);
 }
 
 std::vector<Sample> orbit(const CoupledSystem& system, std::uint64_t seed, std::size_t size,
@@ -74,7 +77,7 @@ std::vector<Sample> orbit(const CoupledSystem& system, std::uint64_t seed, std::
         newest.push(i);
         sample.code = newest.value();
         sample.address = newest.coordinate();
-        sample.stretch = stretchOf(system, newest.symbols(), pieceSize);
+        sample.stretch = sampleStretch(system, newest.symbols(), pieceSize);
         samples.push_back(sample);
     }
     std::ranges::stable_sort(samples, {}, &Sample::code);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace attractor {
 
@@ -13,11 +14,17 @@ CoupledSystem::CoupledSystem(const ifs::SupportFunction<2>& attractor, std::vect
       probabilities(std::move(weights)),
       around(attractor),
       fromTop(ifs::fixedPoint(from.front()).value_or(from.front().translation)),
-      toTop(ifs::fixedPoint(to.front()).value_or(to.front().translation)) {}
+      toTop(ifs::fixedPoint(to.front()).value_or(to.front().translation)) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const double above = std::abs(ifs::determinant<2>(to[i].linear));
+        const double below = std::abs(ifs::determinant<2>(from[i].linear));
+        const bool isFlat = !(above > 0) || !(below > 0);
+        areaRatios.push_back(isFlat ? std::numeric_limits<double>::quiet_NaN() : above / below);
+    }
+}
 
-double areaRatio(const ifs::Matrix<2>& to, const ifs::Matrix<2>& from) {
-    const double above = std::abs(ifs::determinant<2>(to)), below = std::abs(ifs::determinant<2>(from));
-    if (above > 0 && below > 0) return above / below;
+double stretchOf(double areaRatio, const ifs::Matrix<2>& to, const ifs::Matrix<2>& from) {
+    if (std::isfinite(areaRatio)) return areaRatio;
     const double whole = from.squaredNorm();
     return whole > 0 ? to.squaredNorm() / whole : 0;
 }

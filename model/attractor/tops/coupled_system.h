@@ -17,6 +17,7 @@ struct CoupledSystem {
     std::vector<ifs::AffineMap<2>> to;   // G
     std::vector<double> probabilities;   // of the maps of F; their sum is 1
     ifs::EnclosingPolygon around;        // the attractor of F
+    std::vector<double> areaRatios;      // |det v_i / det w_i|; no numbers where a map is flat
     // φ_F and φ_G of the top address of all, in which the first map repeats.
     ifs::Vector<2> fromTop, toTop;
 
@@ -34,8 +35,8 @@ struct TopPoint {
     bool isEmpty() const { return stretch < 0; }
 };
 
-// |det to / det from|, or that of the squared norms where a map is flat.
-double areaRatio(const ifs::Matrix<2>& to, const ifs::Matrix<2>& from);
+// The product of the ratios of a word, or that of the squared norms of its maps where it is no number.
+double stretchOf(double areaRatio, const ifs::Matrix<2>& to, const ifs::Matrix<2>& from);
 
 // A box in pixels, and whether it meets the rows.
 struct PixelBox {

@@ -10,11 +10,13 @@ namespace attractor {
 
 namespace {
 
-constexpr double mostInAPixel = 0.5;     // pixels: the size of a piece that is wholly in one
-constexpr double mostBetween = 1.0 / 64; // of one that reaches several
+constexpr double mostInAPixel = 0.5;       // pixels: the size of a piece that is wholly in one
+constexpr double mostBetween = 1.0 / 1024; // of one that reaches several
+constexpr double leastBorder = 1e-6;       // pixels
+constexpr double relativeBorder = 4e-9;
 constexpr int blockColumns = 16;
 constexpr std::uint64_t looksBetween = 1024; // at the stop token
-constexpr std::uint64_t maxLooks = std::uint64_t{1} << 34;
+constexpr std::uint64_t maxLooks = std::uint64_t{1} << 31;
 
 // Which pixels are still empty, and how many of every 16 in a row.
 class EmptyPixels {
@@ -67,6 +69,7 @@ struct Open {
     ifs::AffineMap<2> shown; // w_word, as pixels
     ifs::AffineMap<2> to;    // v_word
     double address = 0, step = 1;
+    double areaRatio = 1; // the product of those of its maps
 };
 
 class BandWalk {
@@ -76,11 +79,13 @@ public:
           m_width(camera.width),
           m_firstRow(firstRow),
           m_endRow(firstRow + int(points.size() / std::size_t(camera.width))),
-          m_areaScale(camera.pixelsPerUnit * camera.pixelsPerUnit),
+          m_pixelsPerUnit(camera.pixelsPerUnit),
           m_points(points),
           m_empty(camera.width, m_endRow - firstRow) {
         std::ranges::fill(points, TopPoint{});
         m_open.push_back({worldToPixel(camera), {}});
+        const PixelBox whole = boxOf(m_open.back().shown, system.around);
+        m_border = std::max(leastBorder, relativeBorder * whole.size());
     }
 
     bool run(const std::stop_token& stop) {
@@ -88,7 +93,7 @@ public:
             if (looks % looksBetween == 0 && (stop.stop_requested() || looks > maxLooks)) return false;
             const Open open = m_open.back();
             m_open.pop_back();
-            const PixelBox box = boxOf(open.shown, m_system.around);
+            const PixelBox box = trimmed(boxOf(open.shown, m_system.around));
             if (!isWanted(box)) continue;
             const bool isOnePixel = std::floor(box.left) == std::floor(box.right) &&
                                     std::floor(box.top) == std::floor(box.bottom);
@@ -101,6 +106,15 @@ public:
     }
 
 private:
+    // What only touches a pixel, to the looseness of the polygon, is not in it; what is flat and lies on the
+    // border of two is in the one that it is the beginning of.
+    PixelBox trimmed(const PixelBox& box) const {
+        PixelBox result{box.left + m_border, box.right - m_border, box.top + m_border, box.bottom - m_border};
+        if (result.left > result.right) result.left = result.right = (box.left + box.right) / 2 + m_border;
+        if (result.top > result.bottom) result.top = result.bottom = (box.top + box.bottom) / 2 + m_border;
+        return result;
+    }
+
     struct Pixels {
         int firstColumn, lastColumn, firstRow, lastRow; // of the band
     };
@@ -126,7 +140,7 @@ private:
 
     void write(const Open& open, const PixelBox& box) {
         const ifs::Vector<2> image = open.to(m_system.toTop);
-        const double stretch = areaRatio(open.to.linear, open.shown.linear) * m_areaScale;
+        const double stretch = stretchOf(open.areaRatio, open.to.linear, open.shown.linear / m_pixelsPerUnit);
         const Pixels p = pixelsOf(box);
         for (int row = p.firstRow; row <= p.lastRow; ++row)
             for (int column = p.firstColumn; column <= p.lastColumn; ++column) {
@@ -142,12 +156,14 @@ private:
         const double step = open.step / double(maps);
         for (std::size_t i = maps; i-- > 0;)
             m_open.push_back({open.shown * m_system.from[i], open.to * m_system.to[i],
-                              open.address + double(i) * step, step});
+                              open.address + double(i) * step, step,
+                              open.areaRatio * m_system.areaRatios[i]});
     }
 
     const CoupledSystem& m_system;
     int m_width, m_firstRow, m_endRow;
-    double m_areaScale;
+    double m_pixelsPerUnit;
+    double m_border = 0;
     std::span<TopPoint> m_points;
     EmptyPixels m_empty;
     std::vector<Open> m_open;

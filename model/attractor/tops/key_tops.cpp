@@ -34,12 +34,13 @@ KeyTops::KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_
     if (stop.stop_requested() || cut.words.empty()) return;
     const std::size_t size = std::clamp<std::size_t>(wanted / cut.words.size(), 1, CoupledSamples::most);
     m_samples = coupledSamples(system, seed, size, 1 / std::max(1.0, cut.size));
-    const double areaScale = camera.pixelsPerUnit * camera.pixelsPerUnit;
     constexpr double rounding = 1; // pixels, more than what single precision may do
     for (const TopWord& word : cut.words) {
         m_rows.push_back({float(word.box.top - rounding), float(word.box.bottom + rounding)});
+        // Without the camera.
+        const ifs::Matrix<2> from = word.shown.linear / camera.pixelsPerUnit;
         m_pieces.push_back(
-            {word.to, areaRatio(word.to.linear, word.shown.linear) * areaScale, word.address, word.step});
+            {word.to, stretchOf(word.areaRatio, word.to.linear, from), word.address, word.step});
         m_words.push_back(keyWord(word, m_samples, m_words.size()));
     }
 }

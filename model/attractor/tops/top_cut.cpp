@@ -32,8 +32,8 @@ std::optional<std::vector<TopWord>> wordsOf(const CoupledSystem& system, const C
         if (open.size() + maps > maxLooks) return std::nullopt;
         const double step = word.step / double(maps);
         for (std::size_t i = maps; i-- > 0;) // the first map comes last, on top
-            open.push_back(
-                {word.shown * system.from[i], word.to * system.to[i], word.address + double(i) * step, step});
+            open.push_back({word.shown * system.from[i], word.to * system.to[i],
+                            word.address + double(i) * step, step, word.areaRatio * system.areaRatios[i]});
     }
     return done;
 }

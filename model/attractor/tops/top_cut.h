@@ -16,6 +16,7 @@ struct TopWord {
     ifs::AffineMap<2> shown; // from coordinates of F to pixels
     ifs::AffineMap<2> to;    // from coordinates of G to coordinates of G
     double address = 0, step = 1;
+    double areaRatio = 1; // the product of those of its maps
     PixelBox box{};
 };
 

@@ -60,17 +60,18 @@ QJsonObject line(const QByteArray& out, int index = 0) {
 } // namespace
 
 void CliStealTest::init() {
-    write("tops.ifs",
-          "halves {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n"
-          "thirds {\n .3333333333333333 0 0 .3333333333333333 0 0 .5\n"
-          " .6666666666666667 0 0 .6666666666666667 .3333333333333333 0 .5\n}\n"
-          "cantor {\n .3333333333333333 0 0 .3333333333333333 0 0 .5\n"
-          " .3333333333333333 0 0 .3333333333333333 .6666666666666667 0 .5\n}\n"
-          "square {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 0 .5 1\n .5 0 0 .5 .5 0 1\n .5 0 0 .5 .5 .5 1\n}\n"
-          "uneven {\n .3 0 0 .4 0 0 1\n .3 0 0 .6 0 .4 1\n .7 0 0 .4 .3 0 1\n .7 0 0 .6 .3 .4 1\n}\n"
-          "partly {\n .5 0 0 .5 0 0 .5\n .1 0 0 .1 7 7 0\n .5 0 0 .5 .5 0 .5\n}\n"
-          "space (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n .5 0 0 0 .5 0 0 0 .5 1 1 1 1\n}\n"
-          "escapes {\n 2 0 0 2 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
+    write("tops.ifs", "halves {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n"
+                      "thirds {\n .3333333333333333 0 0 .3333333333333333 0 0 .5\n"
+                      " .6666666666666667 0 0 .6666666666666667 .3333333333333333 0 .5\n}\n"
+                      "cantor {\n .3333333333333333 0 0 .3333333333333333 0 0 .5\n"
+                      " .3333333333333333 0 0 .3333333333333333 .6666666666666667 0 .5\n}\n"
+                      "square {\n .5 0 0 .5 0 0 .25\n .5 0 0 .5 0 .5 .25\n .5 0 0 .5 .5 0 .25\n"
+                      " .5 0 0 .5 .5 .5 .25\n}\n"
+                      "uneven {\n .3 0 0 .4 0 0 .25\n .3 0 0 .6 0 .4 .25\n .7 0 0 .4 .3 0 .25\n"
+                      " .7 0 0 .6 .3 .4 .25\n}\n"
+                      "partly {\n .5 0 0 .5 0 0 .5\n .1 0 0 .1 7 7 0\n .5 0 0 .5 .5 0 .5\n}\n"
+                      "space (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n .5 0 0 0 .5 0 0 0 .5 1 1 1 1\n}\n"
+                      "escapes {\n 2 0 0 2 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
     write("board.png", encoded(board(160, 120), "PNG"));
 }
 
@@ -80,15 +81,17 @@ void CliStealTest::printsPoints() {
     QCOMPARE(result.status, 0);
     QCOMPARE(result.err, QByteArray());
     QCOMPARE(result.out.count('\n'), 4);
-    compare(line(result.out, 0)["point"], .5, 0, 0);
-    compare(line(result.out, 0)["image"], 1.0 / 3, 0, 1e-12);
-    compare(line(result.out, 1)["image"], 1.0 / 9, 0, 1e-12);
-    compare(line(result.out, 2)["image"], 5.0 / 9, 0, 1e-12);
-    compare(line(result.out, 3)["image"], 1.0 / 7, 0, 1e-12);
-    QVERIFY(line(result.out, 0)["address"].toString().startsWith(QStringLiteral("1222222222")));
-    QVERIFY(line(result.out, 3)["address"].toString().startsWith(QStringLiteral("12121212121212121212")));
+    compare(line(result.out, 0)[QLatin1String("point")], .5, 0, 0);
+    compare(line(result.out, 0)[QLatin1String("image")], 1.0 / 3, 0, 1e-12);
+    compare(line(result.out, 1)[QLatin1String("image")], 1.0 / 9, 0, 1e-12);
+    compare(line(result.out, 2)[QLatin1String("image")], 5.0 / 9, 0, 1e-12);
+    compare(line(result.out, 3)[QLatin1String("image")], 1.0 / 7, 0, 1e-12);
+    QVERIFY(
+        line(result.out, 0)[QLatin1String("address")].toString().startsWith(QStringLiteral("1222222222")));
+    QVERIFY(line(result.out, 3)[QLatin1String("address")].toString().startsWith(
+        QStringLiteral("12121212121212121212")));
     for (int k = 0; k < 4; ++k)
-        QVERIFY(line(result.out, k)["address"].toString().size() >= 40);
+        QVERIFY(line(result.out, k)[QLatin1String("address")].toString().size() >= 40);
 }
 
 void CliStealTest::printsPointsAsText() {
@@ -100,10 +103,10 @@ void CliStealTest::printsPointsAsText() {
 
 void CliStealTest::orderOfTheMaps() {
     const Result usual = run("steal tops.ifs --entry halves --from cantor --map .5,0 --json --order 1,2");
-    compare(line(usual.out)["image"], 1.0 / 3, 0, 1e-12);
+    compare(line(usual.out)[QLatin1String("image")], 1.0 / 3, 0, 1e-12);
     const Result other = run("steal tops.ifs --entry halves --from cantor --map .5,0 --json --order 2,1");
-    compare(line(other.out)["image"], 2.0 / 3, 0, 1e-12);
-    QVERIFY(line(other.out)["address"].toString().startsWith(QStringLiteral("21111")));
+    compare(line(other.out)[QLatin1String("image")], 2.0 / 3, 0, 1e-12);
+    QVERIFY(line(other.out)[QLatin1String("address")].toString().startsWith(QStringLiteral("21111")));
 }
 
 void CliStealTest::pointsOffTheAttractor() {
@@ -113,44 +116,45 @@ void CliStealTest::pointsOffTheAttractor() {
     QCOMPARE(result.err.count('\n'), 2);
     QVERIFY2(result.err.contains("tops.ifs: error: The point (0.5, 1e-08) is not on the attractor."),
              result.err.constData());
-    QVERIFY(line(result.out, 0)["image"].isNull() && line(result.out, 0)["address"].isNull());
-    compare(line(result.out, 1)["image"], 1.0 / 9, 0, 1e-6);
-    QVERIFY(line(result.out, 2)["image"].isNull());
+    QVERIFY(line(result.out, 0)[QLatin1String("image")].isNull() &&
+            line(result.out, 0)[QLatin1String("address")].isNull());
+    compare(line(result.out, 1)[QLatin1String("image")], 1.0 / 9, 0, 1e-6);
+    QVERIFY(line(result.out, 2)[QLatin1String("image")].isNull());
 }
 
 void CliStealTest::manyMapsHaveNumbersInTheirAddresses() {
     QByteArray text = "many {\n";
     for (int k = 0; k < 12; ++k)
-        text += " .05 0 0 .05 " + QByteArray::number(k / 12.0) + " 0 1\n";
+        text += " .05 0 0 .05 " + QByteArray::number(k * .08) + " 0 1\n";
     write("many.ifs", text + "}\n");
-    const Result result = run("steal many.ifs --from many --json --map \"0,0 0.9649122807017544,0\"");
+    const Result result = run("steal many.ifs --from many --json --map \"0,0 0.9263157894736842,0\"");
     QCOMPARE(result.status, 0);
-    QVERIFY(line(result.out, 0)["address"].toString().startsWith(QStringLiteral("1 1 1 1")));
-    QVERIFY(line(result.out, 1)["address"].toString().startsWith(QStringLiteral("12 12 12")));
+    QVERIFY(line(result.out, 0)[QLatin1String("address")].toString().startsWith(QStringLiteral("1 1 1 1")));
+    QVERIFY(line(result.out, 1)[QLatin1String("address")].toString().startsWith(QStringLiteral("12 12 12")));
 }
 
 void CliStealTest::mapsThatAreOffDoNotCount() {
     const Result result = run("steal tops.ifs --entry partly --from cantor --map 0.75,0 --json --order 3,1");
     QCOMPARE(result.status, 0);
-    compare(line(result.out)["image"], 8.0 / 9, 0, 1e-12); // 3311…: on top the third map
-    QVERIFY(line(result.out)["address"].toString().startsWith(QStringLiteral("33111")));
+    compare(line(result.out)[QLatin1String("image")], 8.0 / 9, 0, 1e-12); // 3311…: on top the third map
+    QVERIFY(line(result.out)[QLatin1String("address")].toString().startsWith(QStringLiteral("33111")));
     QCOMPARE(run("steal tops.ifs --entry partly --from cantor --map 0,0 --order 1,2,3").status, 2);
 }
 
 void CliStealTest::printsTears() {
     const Result torn = run("steal tops.ifs --entry halves --from cantor --tear 0.001 --json");
     QCOMPARE(torn.status, 0);
-    const double size = line(torn.out)["tear"].toDouble();
+    const double size = line(torn.out)[QLatin1String("tear")].toDouble();
     QVERIFY(size >= 1.0 / 3 - 0.001 && size < 0.36);
-    compare(line(torn.out)["at"][0], .5, 0, .002);
-    QCOMPARE(line(torn.out)["homeomorphism"], QJsonValue(false));
+    compare(line(torn.out)[QLatin1String("at")][0], .5, 0, .002);
+    QCOMPARE(line(torn.out)[QLatin1String("homeomorphism")], QJsonValue(false));
     const Result mended = run("steal tops.ifs --entry halves --from thirds --tear 0.001 --json");
-    QVERIFY(line(mended.out)["tear"].toDouble() < .03);
+    QVERIFY(line(mended.out)[QLatin1String("tear")].toDouble() < .03);
     QVERIFY(line(mended.out).contains(QStringLiteral("homeomorphism")));
     const Result none = run("steal tops.ifs --entry cantor --from cantor --tear 0.001 --json");
-    QCOMPARE(line(none.out)["tear"].toDouble(-1), 0.0);
-    QVERIFY(line(none.out)["at"].isNull());
-    QCOMPARE(line(none.out)["homeomorphism"], QJsonValue(true));
+    QCOMPARE(line(none.out)[QLatin1String("tear")].toDouble(-1), 0.0);
+    QVERIFY(line(none.out)[QLatin1String("at")].isNull());
+    QCOMPARE(line(none.out)[QLatin1String("homeomorphism")], QJsonValue(true));
     const Result text = run("steal tops.ifs --entry halves --from cantor --tear 0.1");
     QVERIFY2(text.out.startsWith("Tear: 0.") && text.out.endsWith("Homeomorphism: no\n"),
              text.out.constData());
@@ -202,11 +206,10 @@ void CliStealTest::pictureLiesWhereRenderDrawsG() {
     };
     for (const double x : {.1, .9})
         for (const double y : {.1, .9}) {
-            QVERIFY(std::abs(inF(x, y).red() - inG(x, y).red()) < 40);
-            QVERIFY(std::abs(inF(x, y).green() - inG(x, y).green()) < 40);
-            QVERIFY(std::abs(inF(x, y).blue() - inG(x, y).blue()) < 40);
+            const int turn = std::abs(inF(x, y).hslHue() - inG(x, y).hslHue());
+            QVERIFY(std::min(turn, 360 - turn) < 20);
         }
-    QVERIFY(inF(.1, .1) != inF(.9, .1));
+    QVERIFY(std::abs(inF(.1, .1).hslHue() - inF(.9, .1).hslHue()) > 30);
 }
 
 void CliStealTest::cagesAreApplied() {
@@ -214,7 +217,7 @@ void CliStealTest::cagesAreApplied() {
                        " ; barycage: rest 0 1\n ; barycage: current 0 0\n ; barycage: current 2 0\n"
                        " ; barycage: current 0 1\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n");
     const Result result = run("steal caged.ifs --from-file tops.ifs --from cantor --map 1,0 --json");
-    compare(line(result.out)["image"], 1.0 / 3, 0, 1e-12);
+    compare(line(result.out)[QLatin1String("image")], 1.0 / 3, 0, 1e-12);
 }
 
 void CliStealTest::sameBytes() {
@@ -265,7 +268,7 @@ void CliStealTest::badPicturesAreErrors_data() {
     QTest::newRow("text") << QByteArray("hello") << QByteArray("is not a picture that can be read");
     QTest::newRow("cut") << png.left(png.size() / 2) << QByteArray("is damaged");
     QTest::newRow("header") << png.left(30) << QByteArray("is ");
-    QTest::newRow("huge") << QByteArray("P6\n100000 100000\n255\n") << QByteArray("100000 × 100000 pixels");
+    QTest::newRow("huge") << QByteArray("P6\n9000 9000\n255\n") << QByteArray("has 9000 × 9000 pixels");
     QTest::newRow("huge PNG") << huge << QByteArray("is ");
     QTest::newRow("svg") << QByteArray("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"/>")
                          << QByteArray("is not a picture that can be read");
@@ -278,9 +281,7 @@ void CliStealTest::badPicturesAreErrors() {
     const Result result =
         run("steal tops.ifs --entry square --from uneven --picture bad -o bad.png --size 60x40");
     QCOMPARE(result.status, 3);
-    QVERIFY2(result.err.contains("error: “bad” " + said) ||
-                 (said == "100000 × 100000 pixels" && result.err.contains(said)),
-             result.err.constData());
+    QVERIFY2(result.err.contains("error: “bad” " + said), result.err.constData());
     QVERIFY(read("bad.png").isEmpty());
 }
 
