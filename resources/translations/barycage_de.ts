@@ -1802,6 +1802,21 @@
     </message>
 </context>
 <context>
+    <name>PictureReader</name>
+    <message>
+        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
+        <translation>„%1“ ist kein Bild, das gelesen werden kann; PNG und JPEG können es immer.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
+        <translation>„%1“ hat %2 × %3 Pixel, und die Grenze liegt bei 64 Millionen; verkleinern Sie das Bild zuerst.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged: %2.</source>
+        <translation>„%1“ ist beschädigt: %2.</translation>
+    </message>
+</context>
+<context>
     <name>PngSystem</name>
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
@@ -1991,6 +2006,13 @@
     <message>
         <source>  across %1</source>
         <translation>  quer zu %1</translation>
+    </message>
+</context>
+<context>
+    <name>StealExport</name>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Ein exaktes Bild dieses Systems würde zu lange dauern. Zeichnen Sie es mit Stichproben.</translation>
     </message>
 </context>
 <context>

@@ -1802,6 +1802,21 @@
     </message>
 </context>
 <context>
+    <name>PictureReader</name>
+    <message>
+        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
+        <translation>«%1» no es una imagen que se pueda leer; PNG y JPEG siempre se pueden.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
+        <translation>«%1» tiene %2 × %3 píxeles y el límite es de 64 millones; redúzcala primero.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged: %2.</source>
+        <translation>«%1» está dañada: %2.</translation>
+    </message>
+</context>
+<context>
     <name>PngSystem</name>
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
@@ -1991,6 +2006,13 @@
     <message>
         <source>  across %1</source>
         <translation>  perpendicular a %1</translation>
+    </message>
+</context>
+<context>
+    <name>StealExport</name>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Una imagen exacta de este sistema tardaría demasiado. Dibújela con muestras.</translation>
     </message>
 </context>
 <context>

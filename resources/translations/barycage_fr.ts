@@ -1802,6 +1802,21 @@
     </message>
 </context>
 <context>
+    <name>PictureReader</name>
+    <message>
+        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
+        <translation>« %1 » n’est pas une image lisible ; les formats PNG et JPEG le sont toujours.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
+        <translation>« %1 » compte %2 × %3 pixels, et la limite est de 64 millions ; réduisez d’abord l’image.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged: %2.</source>
+        <translation>« %1 » est endommagée : %2.</translation>
+    </message>
+</context>
+<context>
     <name>PngSystem</name>
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
@@ -1991,6 +2006,13 @@
     <message>
         <source>  across %1</source>
         <translation>  en travers de %1</translation>
+    </message>
+</context>
+<context>
+    <name>StealExport</name>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Une image exacte de ce système prendrait trop de temps. Dessinez-la par échantillons.</translation>
     </message>
 </context>
 <context>

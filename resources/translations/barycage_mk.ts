@@ -1807,6 +1807,21 @@
     </message>
 </context>
 <context>
+    <name>PictureReader</name>
+    <message>
+        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
+        <translation>„%1“ не е слика што може да се прочита; PNG и JPEG секогаш можат.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
+        <translation>„%1“ има %2 × %3 пиксели, а границата е 64 милиони; прво намалете ја сликата.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged: %2.</source>
+        <translation>„%1“ е оштетена: %2.</translation>
+    </message>
+</context>
+<context>
     <name>PngSystem</name>
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
@@ -1996,6 +2011,13 @@
     <message>
         <source>  across %1</source>
         <translation>  напречно на %1</translation>
+    </message>
+</context>
+<context>
+    <name>StealExport</name>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Точна слика на овој систем би траела предолго. Нацртајте ја со примероци.</translation>
     </message>
 </context>
 <context>
