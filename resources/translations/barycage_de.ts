@@ -920,10 +920,6 @@
         <translation>Ctrl+E</translation>
     </message>
     <message>
-        <source>Export the picture as PNG, SVG or PDF, framed as on the screen</source>
-        <translation>Das Bild als PNG, SVG oder PDF exportieren, im Ausschnitt des Bildschirms</translation>
-    </message>
-    <message>
         <source>Export &amp;Data…</source>
         <translation>D&amp;aten exportieren…</translation>
     </message>
@@ -1683,6 +1679,34 @@
         <source>Other names of the file (hard links) keep the old contents.</source>
         <translation>Andere Namen der Datei (harte Links) behalten den alten Inhalt.</translation>
     </message>
+    <message>
+        <source>&amp;Lift to Space</source>
+        <translation>In den Raum he&amp;ben</translation>
+    </message>
+    <message>
+        <source>Give every map a third direction; the picture lies in a plane until maps are moved</source>
+        <translation>Gibt jeder Abbildung eine dritte Richtung; das Bild liegt in einer Ebene, bis Abbildungen bewegt werden</translation>
+    </message>
+    <message>
+        <source>Lift to Space</source>
+        <translation>In den Raum heben</translation>
+    </message>
+    <message>
+        <source>&amp;Flatten to the Plane</source>
+        <translation>In die Ebene drüc&amp;ken</translation>
+    </message>
+    <message>
+        <source>Replace the solid by its shadow along the first axis that every map keeps</source>
+        <translation>Ersetzt den Körper durch seinen Schatten längs der ersten Achse, die jede Abbildung beibehält</translation>
+    </message>
+    <message>
+        <source>Flatten to the Plane</source>
+        <translation>In die Ebene drücken</translation>
+    </message>
+    <message>
+        <source>Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a body to print</source>
+        <translation>Exportiert das Bild als PNG, SVG oder PDF im Ausschnitt des Bildschirms; einen Körper auch zum Drucken</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1933,6 +1957,37 @@
     <message>
         <source>Saving “%1”…</source>
         <translation>„%1“ wird gespeichert …</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceCageEdits</name>
+    <message>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>Keine Abbildung ist aktiv; es gibt nichts einzuschließen.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest: the picture shows the code.</source>
+        <translation>Der Käfig ist in Ruhe: Gezeigt wird der Code selbst.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>Der Käfig ist flach, seine Lage lässt sich nicht in den Code einrechnen. Öffnen Sie zuerst den Käfig.</translation>
+    </message>
+    <message>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>Der Käfig ist nicht in Ruhe: Er hält bereits eine Lage.</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices can be unbaked.</source>
+        <translation>Nur ein Käfig mit vier Ecken kann herausgelöst werden.</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the tetrahedron.</source>
+        <translation>Der Käfig ist flach. Öffnen Sie zuerst das Tetraeder oder setzen Sie es zurück.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden könnte.</translation>
     </message>
 </context>
 <context>
@@ -4364,10 +4419,6 @@
         <translation>Drei Klicks legen ein Dreieck in der Ebene fest. Zeigen Sie im Raum den ruhenden Käfig und tippen Sie die Koordinaten seiner Ecken.</translation>
     </message>
     <message>
-        <source>These cages are polygons in the plane. In space, the cage is the minimal canonical simplex until you change it.</source>
-        <translation>Diese Käfige sind Vielecke in der Ebene. Im Raum ist der Käfig das minimale kanonische Simplex, bis Sie ihn ändern.</translation>
-    </message>
-    <message>
         <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
         <translation>Flach: Der Körper ist auf eine Ebene oder Gerade gedrückt. Öffnen Sie den Käfig, und er kommt zurück.</translation>
     </message>
@@ -4394,6 +4445,10 @@
     <message>
         <source>%1, leg %2, corner (%3, %4, %5)</source>
         <translation>%1, Kante %2, Ecke (%3, %4, %5)</translation>
+    </message>
+    <message>
+        <source>Three Edges of the Bounding Box</source>
+        <translation>Drei Kanten des umgebenden Quaders</translation>
     </message>
 </context>
 <context>
@@ -5561,10 +5616,6 @@
         <translation>&amp;Punkte:</translation>
     </message>
     <message>
-        <source>Only the numbers of systems in the plane can be exported.</source>
-        <translation>Nur die Zahlen von Systemen der Ebene können exportiert werden.</translation>
-    </message>
-    <message>
         <source>The points of the chaos game as shown, without the first 14.</source>
         <translation>Die Punkte des Chaos-Spiels, wo sie gezeigt werden, ohne die ersten 14.</translation>
     </message>
@@ -5627,6 +5678,10 @@
     <message>
         <source>Copies the whole text to the clipboard instead of writing a file.</source>
         <translation>Kopiert den ganzen Text in die Zwischenablage, statt eine Datei zu schreiben.</translation>
+    </message>
+    <message>
+        <source>This format can store only systems in the plane.</source>
+        <translation>Dieses Format kann nur Systeme der Ebene speichern.</translation>
     </message>
 </context>
 <context>
@@ -6206,6 +6261,21 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>As opened</source>
         <translation>Wie geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>view::LightBall</name>
+    <message>
+        <source>Direction of the light</source>
+        <translation>Richtung des Lichts</translation>
+    </message>
+    <message>
+        <source>Drag the light over the sphere, or use the arrow keys</source>
+        <translation>Ziehen Sie das Licht über die Kugel, oder benutzen Sie die Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Azimuth %1°, elevation %2°</source>
+        <translation>Azimut %1°, Höhe %2°</translation>
     </message>
 </context>
 <context>
@@ -7420,6 +7490,288 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::SliceRows</name>
+    <message>
+        <source>Slice</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cuts the picture open: what is in front of a plane is left out, or all but a slice. Drag the plane by the handle in its middle.</source>
+        <translation>Schneidet das Bild auf: Was vor einer Ebene liegt, entfällt, oder alles außer einer Scheibe. Ziehen Sie die Ebene am Griff in ihrer Mitte.</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Hälfte</translation>
+    </message>
+    <message>
+        <source>Position of the plane</source>
+        <translation>Lage der Ebene</translation>
+    </message>
+    <message>
+        <source>Thickness of the slice</source>
+        <translation>Dicke der Scheibe</translation>
+    </message>
+    <message>
+        <source>Move the Slice</source>
+        <translation>Schnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Direction of the plane</source>
+        <translation>Richtung der Ebene</translation>
+    </message>
+    <message>
+        <source>Lays the plane across an axis or the diagonal; the fields below take any normal.</source>
+        <translation>Legt die Ebene quer zu einer Achse oder zur Diagonalen; die Felder darunter nehmen jede Normale.</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>Quer zu X</translation>
+    </message>
+    <message>
+        <source>Across Y</source>
+        <translation>Quer zu Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>Quer zu Z</translation>
+    </message>
+    <message>
+        <source>Across the diagonal</source>
+        <translation>Quer zur Diagonalen</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Wie eingegeben</translation>
+    </message>
+    <message>
+        <source>Turn the Slice</source>
+        <translation>Schnitt drehen</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>x of the normal</source>
+        <translation>x der Normalen</translation>
+    </message>
+    <message>
+        <source>y of the normal</source>
+        <translation>y der Normalen</translation>
+    </message>
+    <message>
+        <source>z of the normal</source>
+        <translation>z der Normalen</translation>
+    </message>
+    <message>
+        <source>The direction across which the plane lies</source>
+        <translation>Die Richtung, zu der die Ebene quer liegt</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Show the Whole Solid</source>
+        <translation>Den ganzen Körper zeigen</translation>
+    </message>
+    <message>
+        <source>Cut the Solid</source>
+        <translation>Den Körper aufschneiden</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceExportDialog</name>
+    <message>
+        <source>Export “%1”</source>
+        <translation>„%1“ exportieren</translation>
+    </message>
+    <message>
+        <source>Picture (.png)</source>
+        <translation>Bild (.png)</translation>
+    </message>
+    <message>
+        <source>Body to print (.stl)</source>
+        <translation>Körper zum Drucken (.stl)</translation>
+    </message>
+    <message>
+        <source>Body (.obj)</source>
+        <translation>Körper (.obj)</translation>
+    </message>
+    <message>
+        <source>Body (.glb)</source>
+        <translation>Körper (.glb)</translation>
+    </message>
+    <message>
+        <source>Body (.ply)</source>
+        <translation>Körper (.ply)</translation>
+    </message>
+    <message>
+        <source>OpenSCAD program (.scad)</source>
+        <translation>OpenSCAD-Programm (.scad)</translation>
+    </message>
+    <message>
+        <source>A picture as the camera shows it, a watertight body that contains the attractor, or the maps as a program for OpenSCAD.</source>
+        <translation>Ein Bild, wie es die Kamera zeigt, ein wasserdichter Körper, der den Attraktor enthält, oder die Abbildungen als Programm für OpenSCAD.</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the file.</source>
+        <translation>Fragt nach dem Namen der Datei und schreibt sie.</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+    <message>
+        <source>Draws so many pixels along each side of one: smoother edges.</source>
+        <translation>Zeichnet so viele Pixel längs jeder Seite eines Pixels: glattere Kanten.</translation>
+    </message>
+    <message>
+        <source>S&amp;upersampling:</source>
+        <translation>Ü&amp;berabtastung:</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>Bits for each channel. Depths always have 16.</source>
+        <translation>Bit für jeden Kanal. Tiefen haben immer 16.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>F&amp;arben:</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>&amp;Transparenter Hintergrund</translation>
+    </message>
+    <message>
+        <source>Leaves out what is around the solid.</source>
+        <translation>Lässt weg, was um den Körper herum ist.</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Ein Bild</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Beide Augen, nebeneinander</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Rot-Cyan-Brille</translation>
+    </message>
+    <message>
+        <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
+        <translation>Für beide Augen: zwei Bilder nebeneinander, oder eines in Rot und Cyan.</translation>
+    </message>
+    <message>
+        <source>St&amp;ereo:</source>
+        <translation>Stere&amp;o:</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The longest side of the body.</source>
+        <translation>Die längste Seite des Körpers.</translation>
+    </message>
+    <message>
+        <source>&amp;Longest side:</source>
+        <translation>Lä&amp;ngste Seite:</translation>
+    </message>
+    <message>
+        <source>Voxels along the longest side: finer steps, and more of them.</source>
+        <translation>Voxel längs der längsten Seite: feinere Stufen, und mehr davon.</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>Auf&amp;lösung:</translation>
+    </message>
+    <message>
+        <source>Thinner parts are made so thick, so that they can be printed.</source>
+        <translation>Dünnere Teile werden so dick gemacht, dass sie sich drucken lassen.</translation>
+    </message>
+    <message>
+        <source>Smallest &amp;wall:</source>
+        <translation>Kleinste &amp;Wand:</translation>
+    </message>
+    <message>
+        <source>Fill closed ca&amp;vities</source>
+        <translation>Geschlossene &amp;Hohlräume füllen</translation>
+    </message>
+    <message>
+        <source>Fills what is closed off from outside.</source>
+        <translation>Füllt, was von außen abgeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>A closed surface around the attractor, without its slice, for a printer.</source>
+        <translation>Eine geschlossene Fläche um den Attraktor, ohne seinen Schnitt, für einen Drucker.</translation>
+    </message>
+    <message>
+        <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
+        <translation>Ein multmatrix für jede Abbildung; öffnen Sie es in OpenSCAD, um es zu berechnen.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+</context>
+<context>
     <name>view::SpaceInput</name>
     <message>
         <source>Rotate Cage</source>
@@ -7432,6 +7784,149 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Move Vertex %1</source>
         <translation>Ecke %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Move the Slice</source>
+        <translation>Schnitt verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceRows</name>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>A lit solid, the density of its points, or numbers for other programs to work with.</source>
+        <translation>Ein beleuchteter Körper, die Dichte seiner Punkte, oder Zahlen für andere Programme.</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Stein</translation>
+    </message>
+    <message>
+        <source>A solid in the light of a lamp that you can move</source>
+        <translation>Ein Körper im Licht einer Lampe, die sich bewegen lässt</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Tusche</translation>
+    </message>
+    <message>
+        <source>A solid with dark creases on paper, for print</source>
+        <translation>Ein Körper mit dunklen Falten auf Papier, zum Drucken</translation>
+    </message>
+    <message>
+        <source>Cloud</source>
+        <translation>Wolke</translation>
+    </message>
+    <message>
+        <source>The density of points, as in the plane</source>
+        <translation>Die Dichte der Punkte, wie in der Ebene</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgenbild</translation>
+    </message>
+    <message>
+        <source>The density of points, coloured by their mean depth</source>
+        <translation>Die Dichte der Punkte, gefärbt nach ihrer mittleren Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Near white, far black</source>
+        <translation>Nahes weiß, Fernes schwarz</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>The direction of the surface as a colour, for compositing</source>
+        <translation>Die Richtung der Oberfläche als Farbe, zum Weiterverarbeiten</translation>
+    </message>
+    <message>
+        <source>Look: %1</source>
+        <translation>Aussehen: %1</translation>
+    </message>
+    <message>
+        <source>Colour of the solid by</source>
+        <translation>Farbe des Körpers nach</translation>
+    </message>
+    <message>
+        <source>What the colour of the surface shows.</source>
+        <translation>Was die Farbe der Oberfläche zeigt.</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfarbig</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Eine Farbe</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>The colour of the map whose piece it is</source>
+        <translation>Die Farbe der Abbildung, zu deren Teil es gehört</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>The palette along the addresses</source>
+        <translation>Die Palette entlang der Adressen</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>The palette from below to above</source>
+        <translation>Die Palette von unten nach oben</translation>
+    </message>
+    <message>
+        <source>The palette from near to far</source>
+        <translation>Die Palette von nah nach fern</translation>
+    </message>
+    <message>
+        <source>Colour by: %1</source>
+        <translation>Färben nach: %1</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands, seen from the eye: in the middle it is the eye itself.</source>
+        <translation>Wo die Lampe vom Auge aus gesehen steht: In der Mitte ist sie das Auge selbst.</translation>
+    </message>
+    <message>
+        <source>Light: %1°, %2°</source>
+        <translation>Licht: %1°, %2°</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>How fast colours fade with depth</source>
+        <translation>Wie schnell Farben mit der Tiefe verblassen</translation>
+    </message>
+    <message>
+        <source>Fog: %1</source>
+        <translation>Nebel: %1</translation>
     </message>
 </context>
 <context>

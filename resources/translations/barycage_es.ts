@@ -920,10 +920,6 @@
         <translation>Ctrl+E</translation>
     </message>
     <message>
-        <source>Export the picture as PNG, SVG or PDF, framed as on the screen</source>
-        <translation>Exportar la imagen como PNG, SVG o PDF, con el encuadre de la pantalla</translation>
-    </message>
-    <message>
         <source>Export &amp;Data…</source>
         <translation>Exportar &amp;datos…</translation>
     </message>
@@ -1683,6 +1679,34 @@
         <source>Other names of the file (hard links) keep the old contents.</source>
         <translation>Los otros nombres del archivo (enlaces duros) conservan el contenido anterior.</translation>
     </message>
+    <message>
+        <source>&amp;Lift to Space</source>
+        <translation>&amp;Llevar al espacio</translation>
+    </message>
+    <message>
+        <source>Give every map a third direction; the picture lies in a plane until maps are moved</source>
+        <translation>Da a cada aplicación una tercera dirección; la imagen queda en un plano hasta que se muevan aplicaciones</translation>
+    </message>
+    <message>
+        <source>Lift to Space</source>
+        <translation>Llevar al espacio</translation>
+    </message>
+    <message>
+        <source>&amp;Flatten to the Plane</source>
+        <translation>Aplanar al plan&amp;o</translation>
+    </message>
+    <message>
+        <source>Replace the solid by its shadow along the first axis that every map keeps</source>
+        <translation>Sustituye el sólido por su sombra a lo largo del primer eje que conserva cada aplicación</translation>
+    </message>
+    <message>
+        <source>Flatten to the Plane</source>
+        <translation>Aplanar al plano</translation>
+    </message>
+    <message>
+        <source>Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a body to print</source>
+        <translation>Exporta la imagen como PNG, SVG o PDF, encuadrada como en la pantalla; un sólido, también como cuerpo para imprimir</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1933,6 +1957,37 @@
     <message>
         <source>Saving “%1”…</source>
         <translation>Guardando «%1»…</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceCageEdits</name>
+    <message>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>No interviene ninguna aplicación, así que no hay nada que encerrar.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest: the picture shows the code.</source>
+        <translation>La jaula está en reposo: lo que se muestra es el código.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>La jaula es plana, así que su posición no se puede incorporar al código. Abra primero la jaula.</translation>
+    </message>
+    <message>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>La jaula no está en reposo: ya contiene una posición.</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices can be unbaked.</source>
+        <translation>Solo se puede extraer una jaula de cuatro vértices.</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the tetrahedron.</source>
+        <translation>La jaula es plana. Primero abra o restablezca el tetraedro.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Este sistema no tiene un atractor que se pueda encerrar.</translation>
     </message>
 </context>
 <context>
@@ -4364,10 +4419,6 @@
         <translation>Tres clics definen un triángulo en el plano. En el espacio, muestre la jaula de reposo y escriba las coordenadas de sus vértices.</translation>
     </message>
     <message>
-        <source>These cages are polygons in the plane. In space, the cage is the minimal canonical simplex until you change it.</source>
-        <translation>Estas jaulas son polígonos del plano. En el espacio, la jaula es el símplex canónico mínimo hasta que usted la cambie.</translation>
-    </message>
-    <message>
         <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
         <translation>Aplastada: el sólido está en un plano o en una recta. Abra la jaula y volverá.</translation>
     </message>
@@ -4394,6 +4445,10 @@
     <message>
         <source>%1, leg %2, corner (%3, %4, %5)</source>
         <translation>%1, arista %2, vértice (%3, %4, %5)</translation>
+    </message>
+    <message>
+        <source>Three Edges of the Bounding Box</source>
+        <translation>Tres aristas de la caja envolvente</translation>
     </message>
 </context>
 <context>
@@ -5561,10 +5616,6 @@
         <translation>Pu&amp;ntos:</translation>
     </message>
     <message>
-        <source>Only the numbers of systems in the plane can be exported.</source>
-        <translation>Solo se pueden exportar los números de los sistemas del plano.</translation>
-    </message>
-    <message>
         <source>The points of the chaos game as shown, without the first 14.</source>
         <translation>Los puntos del juego del caos donde se muestran, sin los 14 primeros.</translation>
     </message>
@@ -5627,6 +5678,10 @@
     <message>
         <source>Copies the whole text to the clipboard instead of writing a file.</source>
         <translation>Copia todo el texto al portapapeles en vez de escribir un archivo.</translation>
+    </message>
+    <message>
+        <source>This format can store only systems in the plane.</source>
+        <translation>Este formato solo puede guardar sistemas del plano.</translation>
     </message>
 </context>
 <context>
@@ -6206,6 +6261,21 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>As opened</source>
         <translation>Como se abrió</translation>
+    </message>
+</context>
+<context>
+    <name>view::LightBall</name>
+    <message>
+        <source>Direction of the light</source>
+        <translation>Dirección de la luz</translation>
+    </message>
+    <message>
+        <source>Drag the light over the sphere, or use the arrow keys</source>
+        <translation>Arrastre la luz por la esfera o use las teclas de flecha</translation>
+    </message>
+    <message>
+        <source>Azimuth %1°, elevation %2°</source>
+        <translation>Acimut %1°, elevación %2°</translation>
     </message>
 </context>
 <context>
@@ -7420,6 +7490,288 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::SliceRows</name>
+    <message>
+        <source>Slice</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Cuts the picture open: what is in front of a plane is left out, or all but a slice. Drag the plane by the handle in its middle.</source>
+        <translation>Abre la imagen: se omite lo que está delante de un plano, o todo salvo una rodaja. Arrastre el plano por el tirador de su centro.</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Entero</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Mitad</translation>
+    </message>
+    <message>
+        <source>Position of the plane</source>
+        <translation>Posición del plano</translation>
+    </message>
+    <message>
+        <source>Thickness of the slice</source>
+        <translation>Grosor de la rodaja</translation>
+    </message>
+    <message>
+        <source>Move the Slice</source>
+        <translation>Mover el corte</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Grosor</translation>
+    </message>
+    <message>
+        <source>Direction of the plane</source>
+        <translation>Dirección del plano</translation>
+    </message>
+    <message>
+        <source>Lays the plane across an axis or the diagonal; the fields below take any normal.</source>
+        <translation>Coloca el plano perpendicular a un eje o a la diagonal; los campos de abajo admiten cualquier normal.</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>Perpendicular a X</translation>
+    </message>
+    <message>
+        <source>Across Y</source>
+        <translation>Perpendicular a Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>Perpendicular a Z</translation>
+    </message>
+    <message>
+        <source>Across the diagonal</source>
+        <translation>Perpendicular a la diagonal</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Según lo escrito</translation>
+    </message>
+    <message>
+        <source>Turn the Slice</source>
+        <translation>Girar el corte</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>x of the normal</source>
+        <translation>x de la normal</translation>
+    </message>
+    <message>
+        <source>y of the normal</source>
+        <translation>y de la normal</translation>
+    </message>
+    <message>
+        <source>z of the normal</source>
+        <translation>z de la normal</translation>
+    </message>
+    <message>
+        <source>The direction across which the plane lies</source>
+        <translation>La dirección a la que el plano es perpendicular</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Show the Whole Solid</source>
+        <translation>Mostrar el sólido entero</translation>
+    </message>
+    <message>
+        <source>Cut the Solid</source>
+        <translation>Cortar el sólido</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceExportDialog</name>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Exportar «%1»</translation>
+    </message>
+    <message>
+        <source>Picture (.png)</source>
+        <translation>Imagen (.png)</translation>
+    </message>
+    <message>
+        <source>Body to print (.stl)</source>
+        <translation>Cuerpo para imprimir (.stl)</translation>
+    </message>
+    <message>
+        <source>Body (.obj)</source>
+        <translation>Cuerpo (.obj)</translation>
+    </message>
+    <message>
+        <source>Body (.glb)</source>
+        <translation>Cuerpo (.glb)</translation>
+    </message>
+    <message>
+        <source>Body (.ply)</source>
+        <translation>Cuerpo (.ply)</translation>
+    </message>
+    <message>
+        <source>OpenSCAD program (.scad)</source>
+        <translation>Programa de OpenSCAD (.scad)</translation>
+    </message>
+    <message>
+        <source>A picture as the camera shows it, a watertight body that contains the attractor, or the maps as a program for OpenSCAD.</source>
+        <translation>Una imagen tal como la muestra la cámara, un cuerpo estanco que contiene el atractor, o las aplicaciones como programa para OpenSCAD.</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Formato:</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progreso de la exportación</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the file.</source>
+        <translation>Pide el nombre del archivo y lo escribe.</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>Ta&amp;maño:</translation>
+    </message>
+    <message>
+        <source>Draws so many pixels along each side of one: smoother edges.</source>
+        <translation>Dibuja tantos píxeles a lo largo de cada lado de uno: bordes más suaves.</translation>
+    </message>
+    <message>
+        <source>S&amp;upersampling:</source>
+        <translation>So&amp;bremuestreo:</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 bits</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 bits</translation>
+    </message>
+    <message>
+        <source>Bits for each channel. Depths always have 16.</source>
+        <translation>Bits por canal. Las profundidades siempre tienen 16.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Colores:</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>Fondo trans&amp;parente</translation>
+    </message>
+    <message>
+        <source>Leaves out what is around the solid.</source>
+        <translation>Omite lo que rodea al sólido.</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Una imagen</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Ambos ojos, uno al lado del otro</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Gafas rojo y cian</translation>
+    </message>
+    <message>
+        <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
+        <translation>Para ambos ojos: dos imágenes una al lado de la otra, o una en rojo y cian.</translation>
+    </message>
+    <message>
+        <source>St&amp;ereo:</source>
+        <translation>Es&amp;téreo:</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The longest side of the body.</source>
+        <translation>El lado más largo del cuerpo.</translation>
+    </message>
+    <message>
+        <source>&amp;Longest side:</source>
+        <translation>&amp;Lado más largo:</translation>
+    </message>
+    <message>
+        <source>Voxels along the longest side: finer steps, and more of them.</source>
+        <translation>Vóxeles a lo largo del lado más largo: escalones más finos, y más de ellos.</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>Res&amp;olución:</translation>
+    </message>
+    <message>
+        <source>Thinner parts are made so thick, so that they can be printed.</source>
+        <translation>Las partes más finas se engrosan hasta aquí para que se puedan imprimir.</translation>
+    </message>
+    <message>
+        <source>Smallest &amp;wall:</source>
+        <translation>Pare&amp;d mínima:</translation>
+    </message>
+    <message>
+        <source>Fill closed ca&amp;vities</source>
+        <translation>Rellenar ca&amp;vidades cerradas</translation>
+    </message>
+    <message>
+        <source>Fills what is closed off from outside.</source>
+        <translation>Rellena lo que está aislado del exterior.</translation>
+    </message>
+    <message>
+        <source>A closed surface around the attractor, without its slice, for a printer.</source>
+        <translation>Una superficie cerrada alrededor del atractor, sin su corte, para una impresora.</translation>
+    </message>
+    <message>
+        <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
+        <translation>Un multmatrix por aplicación; ábralo en OpenSCAD para calcularlo.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Archivos %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Ce&amp;rrar</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>La exportación se detuvo; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
+    </message>
+</context>
+<context>
     <name>view::SpaceInput</name>
     <message>
         <source>Rotate Cage</source>
@@ -7432,6 +7784,149 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Move Vertex %1</source>
         <translation>Mover el vértice %1</translation>
+    </message>
+    <message>
+        <source>Move the Slice</source>
+        <translation>Mover el corte</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceRows</name>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>A lit solid, the density of its points, or numbers for other programs to work with.</source>
+        <translation>Un sólido iluminado, la densidad de sus puntos, o números para otros programas.</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Piedra</translation>
+    </message>
+    <message>
+        <source>A solid in the light of a lamp that you can move</source>
+        <translation>Un sólido a la luz de una lámpara que se puede mover</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Tinta</translation>
+    </message>
+    <message>
+        <source>A solid with dark creases on paper, for print</source>
+        <translation>Un sólido con pliegues oscuros sobre papel, para imprimir</translation>
+    </message>
+    <message>
+        <source>Cloud</source>
+        <translation>Nube</translation>
+    </message>
+    <message>
+        <source>The density of points, as in the plane</source>
+        <translation>La densidad de puntos, como en el plano</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Rayos X</translation>
+    </message>
+    <message>
+        <source>The density of points, coloured by their mean depth</source>
+        <translation>La densidad de puntos, coloreada según su profundidad media</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Near white, far black</source>
+        <translation>Cerca blanco, lejos negro</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normales</translation>
+    </message>
+    <message>
+        <source>The direction of the surface as a colour, for compositing</source>
+        <translation>La dirección de la superficie como color, para composición</translation>
+    </message>
+    <message>
+        <source>Look: %1</source>
+        <translation>Aspecto: %1</translation>
+    </message>
+    <message>
+        <source>Colour of the solid by</source>
+        <translation>Color del sólido según</translation>
+    </message>
+    <message>
+        <source>What the colour of the surface shows.</source>
+        <translation>Lo que muestra el color de la superficie.</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Liso</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Un solo color</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Aplicación</translation>
+    </message>
+    <message>
+        <source>The colour of the map whose piece it is</source>
+        <translation>El color de la aplicación a cuya pieza pertenece</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>The palette along the addresses</source>
+        <translation>La paleta a lo largo de las direcciones</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>The palette from below to above</source>
+        <translation>La paleta de abajo arriba</translation>
+    </message>
+    <message>
+        <source>The palette from near to far</source>
+        <translation>La paleta de cerca a lejos</translation>
+    </message>
+    <message>
+        <source>Colour by: %1</source>
+        <translation>Colorear según: %1</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Colorear por</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands, seen from the eye: in the middle it is the eye itself.</source>
+        <translation>Dónde está la lámpara vista desde el ojo: en el centro es el propio ojo.</translation>
+    </message>
+    <message>
+        <source>Light: %1°, %2°</source>
+        <translation>Luz: %1°, %2°</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Niebla</translation>
+    </message>
+    <message>
+        <source>How fast colours fade with depth</source>
+        <translation>Con qué rapidez se desvanecen los colores con la profundidad</translation>
+    </message>
+    <message>
+        <source>Fog: %1</source>
+        <translation>Niebla: %1</translation>
     </message>
 </context>
 <context>

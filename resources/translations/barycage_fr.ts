@@ -920,10 +920,6 @@
         <translation>Ctrl+E</translation>
     </message>
     <message>
-        <source>Export the picture as PNG, SVG or PDF, framed as on the screen</source>
-        <translation>Exporter l’image en PNG, SVG ou PDF, cadrée comme à l’écran</translation>
-    </message>
-    <message>
         <source>Export &amp;Data…</source>
         <translation>Exporter les &amp;données…</translation>
     </message>
@@ -1683,6 +1679,34 @@
         <source>Other names of the file (hard links) keep the old contents.</source>
         <translation>Les autres noms du fichier (liens physiques) gardent l’ancien contenu.</translation>
     </message>
+    <message>
+        <source>&amp;Lift to Space</source>
+        <translation>É&amp;lever dans l’espace</translation>
+    </message>
+    <message>
+        <source>Give every map a third direction; the picture lies in a plane until maps are moved</source>
+        <translation>Donne à chaque application une troisième direction ; l’image reste dans un plan tant qu’aucune application n’est déplacée</translation>
+    </message>
+    <message>
+        <source>Lift to Space</source>
+        <translation>Élever dans l’espace</translation>
+    </message>
+    <message>
+        <source>&amp;Flatten to the Plane</source>
+        <translation>Aplatir dans le pla&amp;n</translation>
+    </message>
+    <message>
+        <source>Replace the solid by its shadow along the first axis that every map keeps</source>
+        <translation>Remplace le solide par son ombre le long du premier axe que chaque application conserve</translation>
+    </message>
+    <message>
+        <source>Flatten to the Plane</source>
+        <translation>Aplatir dans le plan</translation>
+    </message>
+    <message>
+        <source>Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a body to print</source>
+        <translation>Exporte l’image en PNG, SVG ou PDF, cadrée comme à l’écran ; un solide, aussi comme corps à imprimer</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1933,6 +1957,37 @@
     <message>
         <source>Saving “%1”…</source>
         <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceCageEdits</name>
+    <message>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>Aucune application n’est active&#x202f;: il n’y a rien à entourer.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest: the picture shows the code.</source>
+        <translation>La cage est au repos&#x202f;: l’image affichée est celle du code.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>La cage est plate : son placement ne peut pas être intégré au code. Ouvrez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>La cage n’est pas au repos : elle porte déjà un placement.</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices can be unbaked.</source>
+        <translation>Seule une cage à quatre sommets peut être extraite.</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the tetrahedron.</source>
+        <translation>La cage est plate. Ouvrez ou réinitialisez d’abord le tétraèdre.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Ce système n’a pas d’attracteur à entourer.</translation>
     </message>
 </context>
 <context>
@@ -4364,10 +4419,6 @@
         <translation>Trois clics définissent un triangle dans le plan. Dans l’espace, affichez la cage au repos et tapez les coordonnées de ses sommets.</translation>
     </message>
     <message>
-        <source>These cages are polygons in the plane. In space, the cage is the minimal canonical simplex until you change it.</source>
-        <translation>Ces cages sont des polygones du plan. Dans l’espace, la cage est le simplexe canonique minimal tant que vous ne la modifiez pas.</translation>
-    </message>
-    <message>
         <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
         <translation>Aplatie&#x202f;: le solide est écrasé sur un plan ou une droite. Ouvrez la cage et il revient.</translation>
     </message>
@@ -4394,6 +4445,10 @@
     <message>
         <source>%1, leg %2, corner (%3, %4, %5)</source>
         <translation>%1, arête %2, sommet (%3, %4, %5)</translation>
+    </message>
+    <message>
+        <source>Three Edges of the Bounding Box</source>
+        <translation>Trois arêtes de la boîte englobante</translation>
     </message>
 </context>
 <context>
@@ -5561,10 +5616,6 @@
         <translation>&amp;Points&#x202f;:</translation>
     </message>
     <message>
-        <source>Only the numbers of systems in the plane can be exported.</source>
-        <translation>Seuls les nombres des systèmes du plan peuvent être exportés.</translation>
-    </message>
-    <message>
         <source>The points of the chaos game as shown, without the first 14.</source>
         <translation>Les points du jeu du chaos là où ils sont affichés, sans les 14 premiers.</translation>
     </message>
@@ -5627,6 +5678,10 @@
     <message>
         <source>Copies the whole text to the clipboard instead of writing a file.</source>
         <translation>Copie le texte entier dans le presse-papiers au lieu d’écrire un fichier.</translation>
+    </message>
+    <message>
+        <source>This format can store only systems in the plane.</source>
+        <translation>Ce format ne peut enregistrer que des systèmes du plan.</translation>
     </message>
 </context>
 <context>
@@ -6206,6 +6261,21 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>As opened</source>
         <translation>État à l’ouverture</translation>
+    </message>
+</context>
+<context>
+    <name>view::LightBall</name>
+    <message>
+        <source>Direction of the light</source>
+        <translation>Direction de la lumière</translation>
+    </message>
+    <message>
+        <source>Drag the light over the sphere, or use the arrow keys</source>
+        <translation>Faites glisser la lumière sur la sphère, ou utilisez les touches fléchées</translation>
+    </message>
+    <message>
+        <source>Azimuth %1°, elevation %2°</source>
+        <translation>Azimut %1°, élévation %2°</translation>
     </message>
 </context>
 <context>
@@ -7420,6 +7490,288 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::SliceRows</name>
+    <message>
+        <source>Slice</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Cuts the picture open: what is in front of a plane is left out, or all but a slice. Drag the plane by the handle in its middle.</source>
+        <translation>Ouvre l’image : ce qui est devant un plan est omis, ou tout sauf une tranche. Faites glisser le plan par la poignée en son milieu.</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Entier</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Moitié</translation>
+    </message>
+    <message>
+        <source>Position of the plane</source>
+        <translation>Position du plan</translation>
+    </message>
+    <message>
+        <source>Thickness of the slice</source>
+        <translation>Épaisseur de la tranche</translation>
+    </message>
+    <message>
+        <source>Move the Slice</source>
+        <translation>Déplacer la coupe</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Direction of the plane</source>
+        <translation>Direction du plan</translation>
+    </message>
+    <message>
+        <source>Lays the plane across an axis or the diagonal; the fields below take any normal.</source>
+        <translation>Place le plan en travers d’un axe ou de la diagonale ; les champs ci-dessous acceptent toute normale.</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>En travers de X</translation>
+    </message>
+    <message>
+        <source>Across Y</source>
+        <translation>En travers de Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>En travers de Z</translation>
+    </message>
+    <message>
+        <source>Across the diagonal</source>
+        <translation>En travers de la diagonale</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Comme saisi</translation>
+    </message>
+    <message>
+        <source>Turn the Slice</source>
+        <translation>Tourner la coupe</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>x of the normal</source>
+        <translation>x de la normale</translation>
+    </message>
+    <message>
+        <source>y of the normal</source>
+        <translation>y de la normale</translation>
+    </message>
+    <message>
+        <source>z of the normal</source>
+        <translation>z de la normale</translation>
+    </message>
+    <message>
+        <source>The direction across which the plane lies</source>
+        <translation>La direction à laquelle le plan est perpendiculaire</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Show the Whole Solid</source>
+        <translation>Afficher le solide entier</translation>
+    </message>
+    <message>
+        <source>Cut the Solid</source>
+        <translation>Couper le solide</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceExportDialog</name>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Exporter « %1 »</translation>
+    </message>
+    <message>
+        <source>Picture (.png)</source>
+        <translation>Image (.png)</translation>
+    </message>
+    <message>
+        <source>Body to print (.stl)</source>
+        <translation>Corps à imprimer (.stl)</translation>
+    </message>
+    <message>
+        <source>Body (.obj)</source>
+        <translation>Corps (.obj)</translation>
+    </message>
+    <message>
+        <source>Body (.glb)</source>
+        <translation>Corps (.glb)</translation>
+    </message>
+    <message>
+        <source>Body (.ply)</source>
+        <translation>Corps (.ply)</translation>
+    </message>
+    <message>
+        <source>OpenSCAD program (.scad)</source>
+        <translation>Programme OpenSCAD (.scad)</translation>
+    </message>
+    <message>
+        <source>A picture as the camera shows it, a watertight body that contains the attractor, or the maps as a program for OpenSCAD.</source>
+        <translation>Une image telle que la caméra la montre, un corps étanche qui contient l’attracteur, ou les applications sous forme de programme pour OpenSCAD.</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format :</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progression de l’exportation</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporter…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the file.</source>
+        <translation>Demande le nom du fichier et l’écrit.</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Taille :</translation>
+    </message>
+    <message>
+        <source>Draws so many pixels along each side of one: smoother edges.</source>
+        <translation>Dessine autant de pixels le long de chaque côté d’un pixel : des bords plus lisses.</translation>
+    </message>
+    <message>
+        <source>S&amp;upersampling:</source>
+        <translation>S&amp;uréchantillonnage :</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 bits</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 bits</translation>
+    </message>
+    <message>
+        <source>Bits for each channel. Depths always have 16.</source>
+        <translation>Bits par canal. Les profondeurs en ont toujours 16.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Couleurs :</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>Fond trans&amp;parent</translation>
+    </message>
+    <message>
+        <source>Leaves out what is around the solid.</source>
+        <translation>Omet ce qui entoure le solide.</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Une image</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Les deux yeux, côte à côte</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Lunettes rouge et cyan</translation>
+    </message>
+    <message>
+        <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
+        <translation>Pour les deux yeux : deux images côte à côte, ou une seule en rouge et cyan.</translation>
+    </message>
+    <message>
+        <source>St&amp;ereo:</source>
+        <translation>St&amp;éréo :</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The longest side of the body.</source>
+        <translation>Le plus long côté du corps.</translation>
+    </message>
+    <message>
+        <source>&amp;Longest side:</source>
+        <translation>Plus &amp;long côté :</translation>
+    </message>
+    <message>
+        <source>Voxels along the longest side: finer steps, and more of them.</source>
+        <translation>Voxels le long du plus long côté : des marches plus fines, et plus nombreuses.</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>Résolutio&amp;n :</translation>
+    </message>
+    <message>
+        <source>Thinner parts are made so thick, so that they can be printed.</source>
+        <translation>Les parties plus minces sont épaissies jusque-là pour pouvoir être imprimées.</translation>
+    </message>
+    <message>
+        <source>Smallest &amp;wall:</source>
+        <translation>Pa&amp;roi minimale :</translation>
+    </message>
+    <message>
+        <source>Fill closed ca&amp;vities</source>
+        <translation>Remplir les ca&amp;vités fermées</translation>
+    </message>
+    <message>
+        <source>Fills what is closed off from outside.</source>
+        <translation>Remplit ce qui est isolé de l’extérieur.</translation>
+    </message>
+    <message>
+        <source>A closed surface around the attractor, without its slice, for a printer.</source>
+        <translation>Une surface fermée autour de l’attracteur, sans sa coupe, pour une imprimante.</translation>
+    </message>
+    <message>
+        <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
+        <translation>Un multmatrix par application ; ouvrez-le dans OpenSCAD pour le calculer.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Fichiers %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+</context>
+<context>
     <name>view::SpaceInput</name>
     <message>
         <source>Rotate Cage</source>
@@ -7432,6 +7784,149 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Move Vertex %1</source>
         <translation>Déplacer le sommet %1</translation>
+    </message>
+    <message>
+        <source>Move the Slice</source>
+        <translation>Déplacer la coupe</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceRows</name>
+    <message>
+        <source>Look</source>
+        <translation>Aspect</translation>
+    </message>
+    <message>
+        <source>A lit solid, the density of its points, or numbers for other programs to work with.</source>
+        <translation>Un solide éclairé, la densité de ses points, ou des nombres pour d’autres programmes.</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Pierre</translation>
+    </message>
+    <message>
+        <source>A solid in the light of a lamp that you can move</source>
+        <translation>Un solide à la lumière d’une lampe que l’on peut déplacer</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Encre</translation>
+    </message>
+    <message>
+        <source>A solid with dark creases on paper, for print</source>
+        <translation>Un solide aux plis sombres sur papier, pour l’impression</translation>
+    </message>
+    <message>
+        <source>Cloud</source>
+        <translation>Nuage</translation>
+    </message>
+    <message>
+        <source>The density of points, as in the plane</source>
+        <translation>La densité des points, comme dans le plan</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Rayons X</translation>
+    </message>
+    <message>
+        <source>The density of points, coloured by their mean depth</source>
+        <translation>La densité des points, colorée selon leur profondeur moyenne</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Near white, far black</source>
+        <translation>Proche blanc, lointain noir</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normales</translation>
+    </message>
+    <message>
+        <source>The direction of the surface as a colour, for compositing</source>
+        <translation>La direction de la surface en couleur, pour le compositing</translation>
+    </message>
+    <message>
+        <source>Look: %1</source>
+        <translation>Aspect : %1</translation>
+    </message>
+    <message>
+        <source>Colour of the solid by</source>
+        <translation>Couleur du solide selon</translation>
+    </message>
+    <message>
+        <source>What the colour of the surface shows.</source>
+        <translation>Ce que montre la couleur de la surface.</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Uni</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Une seule couleur</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Application</translation>
+    </message>
+    <message>
+        <source>The colour of the map whose piece it is</source>
+        <translation>La couleur de l’application dont c’est la pièce</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>The palette along the addresses</source>
+        <translation>La palette le long des adresses</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>The palette from below to above</source>
+        <translation>La palette de bas en haut</translation>
+    </message>
+    <message>
+        <source>The palette from near to far</source>
+        <translation>La palette du proche au lointain</translation>
+    </message>
+    <message>
+        <source>Colour by: %1</source>
+        <translation>Colorer selon : %1</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Colorer selon</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands, seen from the eye: in the middle it is the eye itself.</source>
+        <translation>Où se trouve la lampe vue de l’œil : au milieu, c’est l’œil lui-même.</translation>
+    </message>
+    <message>
+        <source>Light: %1°, %2°</source>
+        <translation>Lumière : %1°, %2°</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lumière</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Brouillard</translation>
+    </message>
+    <message>
+        <source>How fast colours fade with depth</source>
+        <translation>À quelle vitesse les couleurs s’estompent avec la profondeur</translation>
+    </message>
+    <message>
+        <source>Fog: %1</source>
+        <translation>Brouillard : %1</translation>
     </message>
 </context>
 <context>

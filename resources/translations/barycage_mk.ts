@@ -925,10 +925,6 @@
         <translation>Ctrl+E</translation>
     </message>
     <message>
-        <source>Export the picture as PNG, SVG or PDF, framed as on the screen</source>
-        <translation>Извези ја сликата како PNG, SVG или PDF, со истата рамка како на екранот</translation>
-    </message>
-    <message>
         <source>Export &amp;Data…</source>
         <translation>Извези подато&amp;ци…</translation>
     </message>
@@ -1688,6 +1684,34 @@
         <source>Other names of the file (hard links) keep the old contents.</source>
         <translation>Другите имиња на датотеката (тврди врски) ја задржуваат старата содржина.</translation>
     </message>
+    <message>
+        <source>&amp;Lift to Space</source>
+        <translation>По&amp;дигни во простор</translation>
+    </message>
+    <message>
+        <source>Give every map a third direction; the picture lies in a plane until maps are moved</source>
+        <translation>Му дава на секое пресликување трета насока; сликата лежи во рамнина додека не се поместат пресликувања</translation>
+    </message>
+    <message>
+        <source>Lift to Space</source>
+        <translation>Подигни во простор</translation>
+    </message>
+    <message>
+        <source>&amp;Flatten to the Plane</source>
+        <translation>Сплеска&amp;ј во рамнина</translation>
+    </message>
+    <message>
+        <source>Replace the solid by its shadow along the first axis that every map keeps</source>
+        <translation>Го заменува телото со неговата сенка долж првата оска што ја задржува секое пресликување</translation>
+    </message>
+    <message>
+        <source>Flatten to the Plane</source>
+        <translation>Сплескај во рамнина</translation>
+    </message>
+    <message>
+        <source>Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a body to print</source>
+        <translation>Ја извезува сликата како PNG, SVG или PDF, врамена како на екранот; тело и како предмет за печатење</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1938,6 +1962,37 @@
     <message>
         <source>Saving “%1”…</source>
         <translation>Се зачувува „%1“…</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceCageEdits</name>
+    <message>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>Не учествува ниедно пресликување, па нема што да се опфати.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest: the picture shows the code.</source>
+        <translation>Кафезот е во мирување: се прикажува самиот код.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>Кафезот е рамен, па неговата положба не може да се впише во кодот. Прво отворете го кафезот.</translation>
+    </message>
+    <message>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>Кафезот не мирува: веќе содржи положба.</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices can be unbaked.</source>
+        <translation>Може да се извади само кафез со четири темиња.</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the tetrahedron.</source>
+        <translation>Кафезот е рамен. Прво отворете го или вратете го тетраедарот.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Овој систем нема атрактор што би можел да се опфати.</translation>
     </message>
 </context>
 <context>
@@ -4371,10 +4426,6 @@
         <translation>Три кликања дефинираат триаголник во рамнината. Во просторот, прикажете го кафезот во мирување и напишете ги координатите на неговите темиња.</translation>
     </message>
     <message>
-        <source>These cages are polygons in the plane. In space, the cage is the minimal canonical simplex until you change it.</source>
-        <translation>Овие кафези се многуаголници во рамнината. Во просторот, кафезот е минималниот каноничен симплекс сè додека не го промените.</translation>
-    </message>
-    <message>
         <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
         <translation>Сплескано: телото лежи во една рамнина или права. Раширете го кафезот и тоа се враќа.</translation>
     </message>
@@ -4401,6 +4452,10 @@
     <message>
         <source>%1, leg %2, corner (%3, %4, %5)</source>
         <translation>%1, раб %2, теме (%3, %4, %5)</translation>
+    </message>
+    <message>
+        <source>Three Edges of the Bounding Box</source>
+        <translation>Три рабови на опфатната кутија</translation>
     </message>
 </context>
 <context>
@@ -5574,10 +5629,6 @@
         <translation>Т&amp;очки:</translation>
     </message>
     <message>
-        <source>Only the numbers of systems in the plane can be exported.</source>
-        <translation>Можат да се извезат само броевите на системи во рамнината.</translation>
-    </message>
-    <message>
         <source>The points of the chaos game as shown, without the first 14.</source>
         <translation>Точките од играта на хаос таму каде што се прикажани, без првите 14.</translation>
     </message>
@@ -5640,6 +5691,10 @@
     <message>
         <source>Copies the whole text to the clipboard instead of writing a file.</source>
         <translation>Го копира целиот текст на таблата со исечоци наместо да запише датотека.</translation>
+    </message>
+    <message>
+        <source>This format can store only systems in the plane.</source>
+        <translation>Овој формат може да чува само системи во рамнина.</translation>
     </message>
 </context>
 <context>
@@ -6219,6 +6274,21 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>As opened</source>
         <translation>Како при отворањето</translation>
+    </message>
+</context>
+<context>
+    <name>view::LightBall</name>
+    <message>
+        <source>Direction of the light</source>
+        <translation>Насока на светлината</translation>
+    </message>
+    <message>
+        <source>Drag the light over the sphere, or use the arrow keys</source>
+        <translation>Влечете ја светлината по топката или користете ги стрелките</translation>
+    </message>
+    <message>
+        <source>Azimuth %1°, elevation %2°</source>
+        <translation>Азимут %1°, висина %2°</translation>
     </message>
 </context>
 <context>
@@ -7434,6 +7504,288 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::SliceRows</name>
+    <message>
+        <source>Slice</source>
+        <translation>Пресек</translation>
+    </message>
+    <message>
+        <source>Cuts the picture open: what is in front of a plane is left out, or all but a slice. Drag the plane by the handle in its middle.</source>
+        <translation>Ја отвора сликата: се изоставува она што е пред рамнина, или сè освен еден слој. Влечете ја рамнината за рачката во средината.</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Цело</translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Половина</translation>
+    </message>
+    <message>
+        <source>Position of the plane</source>
+        <translation>Положба на рамнината</translation>
+    </message>
+    <message>
+        <source>Thickness of the slice</source>
+        <translation>Дебелина на слојот</translation>
+    </message>
+    <message>
+        <source>Move the Slice</source>
+        <translation>Помести го пресекот</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Положба</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Дебелина</translation>
+    </message>
+    <message>
+        <source>Direction of the plane</source>
+        <translation>Насока на рамнината</translation>
+    </message>
+    <message>
+        <source>Lays the plane across an axis or the diagonal; the fields below take any normal.</source>
+        <translation>Ја поставува рамнината напречно на оска или на дијагоналата; полињата подолу примаат која било нормала.</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>Напречно на X</translation>
+    </message>
+    <message>
+        <source>Across Y</source>
+        <translation>Напречно на Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>Напречно на Z</translation>
+    </message>
+    <message>
+        <source>Across the diagonal</source>
+        <translation>Напречно на дијагоналата</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Како што е внесено</translation>
+    </message>
+    <message>
+        <source>Turn the Slice</source>
+        <translation>Заврти го пресекот</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Насока</translation>
+    </message>
+    <message>
+        <source>x of the normal</source>
+        <translation>x на нормалата</translation>
+    </message>
+    <message>
+        <source>y of the normal</source>
+        <translation>y на нормалата</translation>
+    </message>
+    <message>
+        <source>z of the normal</source>
+        <translation>z на нормалата</translation>
+    </message>
+    <message>
+        <source>The direction across which the plane lies</source>
+        <translation>Насоката на која рамнината е напречна</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Нормала</translation>
+    </message>
+    <message>
+        <source>Show the Whole Solid</source>
+        <translation>Прикажи го целото тело</translation>
+    </message>
+    <message>
+        <source>Cut the Solid</source>
+        <translation>Пресечи го телото</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceExportDialog</name>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Извези „%1“</translation>
+    </message>
+    <message>
+        <source>Picture (.png)</source>
+        <translation>Слика (.png)</translation>
+    </message>
+    <message>
+        <source>Body to print (.stl)</source>
+        <translation>Тело за печатење (.stl)</translation>
+    </message>
+    <message>
+        <source>Body (.obj)</source>
+        <translation>Тело (.obj)</translation>
+    </message>
+    <message>
+        <source>Body (.glb)</source>
+        <translation>Тело (.glb)</translation>
+    </message>
+    <message>
+        <source>Body (.ply)</source>
+        <translation>Тело (.ply)</translation>
+    </message>
+    <message>
+        <source>OpenSCAD program (.scad)</source>
+        <translation>Програма за OpenSCAD (.scad)</translation>
+    </message>
+    <message>
+        <source>A picture as the camera shows it, a watertight body that contains the attractor, or the maps as a program for OpenSCAD.</source>
+        <translation>Слика каква што ја покажува камерата, затворено тело што го содржи атракторот, или пресликувањата како програма за OpenSCAD.</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Формат:</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Резултат</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Напредок на извозот</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Извези…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the file.</source>
+        <translation>Прашува за името на датотеката и ја запишува.</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Големина:</translation>
+    </message>
+    <message>
+        <source>Draws so many pixels along each side of one: smoother edges.</source>
+        <translation>Црта толку пиксели по секоја страна на еден: помазни рабови.</translation>
+    </message>
+    <message>
+        <source>S&amp;upersampling:</source>
+        <translation>&amp;Натсемплирање:</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 бита</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 бита</translation>
+    </message>
+    <message>
+        <source>Bits for each channel. Depths always have 16.</source>
+        <translation>Битови за секој канал. Длабочините секогаш имаат 16.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Бои:</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>&amp;Проѕирна позадина</translation>
+    </message>
+    <message>
+        <source>Leaves out what is around the solid.</source>
+        <translation>Го изоставува она што е околу телото.</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Една слика</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>За двете очи, една до друга</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Очила црвено-цијан</translation>
+    </message>
+    <message>
+        <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
+        <translation>За двете очи: две слики една до друга, или една во црвено и цијан.</translation>
+    </message>
+    <message>
+        <source>St&amp;ereo:</source>
+        <translation>&amp;Стерео:</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The longest side of the body.</source>
+        <translation>Најдолгата страна на телото.</translation>
+    </message>
+    <message>
+        <source>&amp;Longest side:</source>
+        <translation>Најдолга ст&amp;рана:</translation>
+    </message>
+    <message>
+        <source>Voxels along the longest side: finer steps, and more of them.</source>
+        <translation>Воксели по најдолгата страна: поситни скали, и повеќе од нив.</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>Резолу&amp;ција:</translation>
+    </message>
+    <message>
+        <source>Thinner parts are made so thick, so that they can be printed.</source>
+        <translation>Потенките делови се здебелуваат дотолку за да може да се печатат.</translation>
+    </message>
+    <message>
+        <source>Smallest &amp;wall:</source>
+        <translation>Најмал &amp;ѕид:</translation>
+    </message>
+    <message>
+        <source>Fill closed ca&amp;vities</source>
+        <translation>Пополни затворени &amp;шуплини</translation>
+    </message>
+    <message>
+        <source>Fills what is closed off from outside.</source>
+        <translation>Го пополнува она што е затворено однадвор.</translation>
+    </message>
+    <message>
+        <source>A closed surface around the attractor, without its slice, for a printer.</source>
+        <translation>Затворена површина околу атракторот, без неговиот пресек, за печатач.</translation>
+    </message>
+    <message>
+        <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
+        <translation>Еден multmatrix за секое пресликување; отворете го во OpenSCAD за да се пресмета.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Датотеки %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Извези</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Запри</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Затвори</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>Извозот е запрен; ништо не е запишано.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Запишано во %1.</translation>
+    </message>
+</context>
+<context>
     <name>view::SpaceInput</name>
     <message>
         <source>Rotate Cage</source>
@@ -7446,6 +7798,149 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Move Vertex %1</source>
         <translation>Помести го темето %1</translation>
+    </message>
+    <message>
+        <source>Move the Slice</source>
+        <translation>Помести го пресекот</translation>
+    </message>
+</context>
+<context>
+    <name>view::SpaceRows</name>
+    <message>
+        <source>Look</source>
+        <translation>Изглед</translation>
+    </message>
+    <message>
+        <source>A lit solid, the density of its points, or numbers for other programs to work with.</source>
+        <translation>Осветлено тело, густината на неговите точки, или броеви за други програми.</translation>
+    </message>
+    <message>
+        <source>Stone</source>
+        <translation>Камен</translation>
+    </message>
+    <message>
+        <source>A solid in the light of a lamp that you can move</source>
+        <translation>Тело на светлина од ламба што може да се движи</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Туш</translation>
+    </message>
+    <message>
+        <source>A solid with dark creases on paper, for print</source>
+        <translation>Тело со темни набори на хартија, за печатење</translation>
+    </message>
+    <message>
+        <source>Cloud</source>
+        <translation>Облак</translation>
+    </message>
+    <message>
+        <source>The density of points, as in the plane</source>
+        <translation>Густината на точките, како во рамнина</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Рендген</translation>
+    </message>
+    <message>
+        <source>The density of points, coloured by their mean depth</source>
+        <translation>Густината на точките, обоена според средната длабочина</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Длабочина</translation>
+    </message>
+    <message>
+        <source>Near white, far black</source>
+        <translation>Блиското бело, далечното црно</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Нормали</translation>
+    </message>
+    <message>
+        <source>The direction of the surface as a colour, for compositing</source>
+        <translation>Насоката на површината како боја, за понатамошна обработка</translation>
+    </message>
+    <message>
+        <source>Look: %1</source>
+        <translation>Изглед: %1</translation>
+    </message>
+    <message>
+        <source>Colour of the solid by</source>
+        <translation>Боја на телото според</translation>
+    </message>
+    <message>
+        <source>What the colour of the surface shows.</source>
+        <translation>Што покажува бојата на површината.</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Еднобојно</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Една боја</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Пресликување</translation>
+    </message>
+    <message>
+        <source>The colour of the map whose piece it is</source>
+        <translation>Бојата на пресликувањето чиј дел е</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Адреса</translation>
+    </message>
+    <message>
+        <source>The palette along the addresses</source>
+        <translation>Палетата по адресите</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Висина</translation>
+    </message>
+    <message>
+        <source>The palette from below to above</source>
+        <translation>Палетата од долу нагоре</translation>
+    </message>
+    <message>
+        <source>The palette from near to far</source>
+        <translation>Палетата од блиску кон далеку</translation>
+    </message>
+    <message>
+        <source>Colour by: %1</source>
+        <translation>Боење според: %1</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Боја според</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands, seen from the eye: in the middle it is the eye itself.</source>
+        <translation>Каде стои ламбата гледано од окото: во средината тоа е самото око.</translation>
+    </message>
+    <message>
+        <source>Light: %1°, %2°</source>
+        <translation>Светлина: %1°, %2°</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Светлина</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Магла</translation>
+    </message>
+    <message>
+        <source>How fast colours fade with depth</source>
+        <translation>Колку брзо бледеат боите со длабочината</translation>
+    </message>
+    <message>
+        <source>Fog: %1</source>
+        <translation>Магла: %1</translation>
     </message>
 </context>
 <context>
