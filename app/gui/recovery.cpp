@@ -27,7 +27,8 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
     m_watch.setSingleShot(true);
     connect(&m_watch, &QTimer::timeout, this, &Recovery::watch);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
-        if (change.parts & document::Change::Time) return; // no edit
+        using document::Change;
+        if (change.parts & Change::Time && !(change.parts & Change::File)) return; // no edit
         const Time now = std::chrono::steady_clock::now();
         m_oldest = m_wasModified ? std::min(m_oldest, now) : now;
         m_wasModified = m_document->isModified();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "animation/moved_back.h"
 
+#include <Eigen/LU>
+
 #include <ranges>
 
 namespace animation {

@@ -85,7 +85,8 @@ void addGestures(QTreeWidget* tree) {
          ShortcutsDialog::tr("Alt while dragging")},
         {ShortcutsDialog::tr("Copy the keys"), ShortcutsDialog::tr("Ctrl while dragging")},
         {ShortcutsDialog::tr("Copy, paste, select all keys"), ShortcutsDialog::tr("Ctrl+C, Ctrl+V, Ctrl+A")},
-        {ShortcutsDialog::tr("Delete the selected keys, or the motion"), ShortcutsDialog::tr("Del")},
+        {ShortcutsDialog::tr("Delete the selected keys, or the motion"),
+         QKeySequence(Qt::Key_Delete).toString(QKeySequence::NativeText)},
         {ShortcutsDialog::tr("Choose how a key leads to the next"), ShortcutsDialog::tr("right-click it")},
         {ShortcutsDialog::tr("Zoom the ruler"), ShortcutsDialog::tr("Ctrl + wheel")},
     };

@@ -63,9 +63,11 @@ void AnimationEditsTest::keysHaveTheValueShown() {
     const Fractal fractal = animated();
     QCOMPARE(framesOf(fractal, cage), (std::vector<int>{0, 10, 20}));
     QCOMPARE(framesOf(fractal, first), (std::vector<int>{0, 10}));
-    for (int frame = 0; frame <= 24; ++frame)
-        QCOMPARE(system2(frameAt(fractal, animation::moment(frame)).fractal)->maps,
-                 system2(sierpinskiTriangle())->maps);
+    const Fractal still = sierpinskiTriangle();
+    for (const int frame : {0, 10, 20, 24}) { // at the keys and behind them, bit by bit
+        const Fractal shown = frameAt(fractal, animation::moment(frame)).fractal;
+        QCOMPARE(system2(shown)->maps, system2(still)->maps);
+    }
     const attractor::View view{{1, 2}, 3};
     const Fractal seen = withKey(fractal, {Track::Kind::Camera}, 6, view);
     QCOMPARE(frameAt(seen, animation::moment(3)).view, std::optional(view));
@@ -82,7 +84,9 @@ void AnimationEditsTest::theLastKeyLeavesItsValue() {
     const Fractal still = withoutKeys(fractal, all);
     QVERIFY(framesOf(still, first).empty());
     QCOMPARE(system2(still)->maps[0].map, keys.front().value.map);
-    QCOMPARE(frameAt(still, animation::moment(5)).fractal, frameAt(fractal, animation::moment(5)).fractal);
+    for (const int frame : {0, 10})
+        QCOMPARE(frameAt(still, animation::moment(frame)).fractal,
+                 frameAt(fractal, animation::moment(frame)).fractal);
 }
 
 void AnimationEditsTest::keysMoveWithinTheAnimation() {

@@ -32,7 +32,8 @@ void BranchTool::start() {
 void BranchTool::follow(const document::Change& change) {
     using document::Change;
     if (!(change.parts & (Change::System | Change::Current | Change::File)) || isBusy()) return;
-    if (change.parts & Change::Time) return; // the same maps, elsewhere
+    const bool isAnother = change.parts & (Change::Current | Change::File);
+    if (change.parts & Change::Time && !isAnother) return; // the same maps, elsewhere
     const auto now = scene().document().sharedFractal();
     const auto known = std::ranges::find_if(
         m_selected, [&](const Selected& selected) { return selected.fractal.lock() == now; });

@@ -135,7 +135,9 @@ QModelIndex EntriesModel::indexOf(EntryId id) const {
 }
 
 void EntriesModel::follow(const document::Change& change) {
-    if (change.live || change.parts & document::Change::Time) return; // thumbnails do not move
+    using document::Change;
+    const bool isTimeOnly = change.parts & Change::Time && !(change.parts & Change::File);
+    if (change.live || isTimeOnly) return; // thumbnails do not move
     if (change.parts & document::Change::File) {
         const QScopedValueRollback<bool> guard(m_syncing, true);
         beginResetModel();

@@ -23,7 +23,7 @@ QToolButton* tile(QAction* action) {
     button->setAutoRaise(true);
     button->setAccessibleName(action->text().remove(u'&').remove(u'…'));
     button->setFocusPolicy(Qt::StrongFocus);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    button->setMinimumWidth(14 * button->fontMetrics().averageCharWidth());
     return button;
 }
 
@@ -34,6 +34,7 @@ MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent) : QWidge
     tiles->setSpacing(4);
     for (QAction* action : actions)
         tiles->addWidget(tile(action));
+    tiles->addStretch(1);
     auto* keys = new QPushButton(tr("Make Keys"));
     keys->setToolTip(tr("Show the tracks, to make keys of your own"));
     keys->setAutoDefault(false);
