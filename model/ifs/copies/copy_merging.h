@@ -15,7 +15,7 @@ namespace ifs {
 // long wait. They make every copy of a copy anew, and take time for each and for how deep it is nested. Where
 // that would be too much, low levels are written as one path, and levels are made of copies some levels below
 // them instead of the next one: a level whose largest map hardly shrinks is otherwise nested a hundred times.
-// The shapes stay exactly the same. docs/decisions/0009-svg-in-browsers.md.
+// The shapes stay exactly the same. docs/decisions/0012-svg-in-browsers.md.
 class MergedCopies {
 public:
     // A reader's time up to which nothing is merged, as effort() gives it: about three seconds in Chromium.
