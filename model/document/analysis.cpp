@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/analysis.h"
 #include "document/fractal_geometry.h"
-#include "document/space_outlines.h"
 
 #include "ifs/dimension/dimension.h"
 
@@ -111,7 +110,8 @@ Analysis Analyser::begunInSpace(const AnalysisRequest& request) {
     const ifs::AffineMap<3> placed = isMoved ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
     analysis.solid = isMoved ? ifs::moved(placed, *m_solidCode) : *m_solidCode;
     if (!request.outlines.empty())
-        analysis.shapesInSpace = spaceOutlines({*m_solidCode, *analysis.solid, placed}, request);
+        analysis.shapesInSpace = spaceOutlines({*m_solidCode, *analysis.solid, placed}, *request.fractal,
+                                               request.outlines, request.cylinderDepth);
     return analysis;
 }
 

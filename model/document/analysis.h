@@ -2,11 +2,11 @@
 #pragma once
 
 #include "document/fractal.h"
+#include "document/space_outlines.h"
 #include "ifs/dimension/box_counting.h"
 #include "ifs/extent/polygon.h"
 #include "ifs/facts.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -16,9 +16,6 @@
 #include <vector>
 
 namespace document {
-
-// What of an analysis can be drawn over the picture.
-enum class Outline { Box, Hull, Simplex, FixedPoints, Ellipse, Cylinders };
 
 struct AnalysisRequest {
     std::shared_ptr<const Fractal> fractal;
@@ -32,14 +29,6 @@ struct OutlineShape {
     Outline kind;
     ifs::Polygon points;
     std::optional<attractor::Rgba> colour; // of the map of a fixed point, of the first map of a cylinder
-};
-
-// One shape in space, in displayed coordinates: pairs of its points are joined; without any, points alone.
-struct SpaceOutline {
-    Outline kind;
-    std::vector<ifs::Vector<3>> points;
-    std::vector<std::array<int, 2>> edges;
-    std::optional<attractor::Rgba> colour; // as in OutlineShape
 };
 
 // What is known of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves

@@ -111,15 +111,16 @@ void addCylinders(std::vector<SpaceOutline>& shapes, const SpaceFacts& facts, in
 
 } // namespace
 
-std::vector<SpaceOutline> spaceOutlines(const SpaceFacts& facts, const AnalysisRequest& request) {
-    const auto wants = [&](Outline kind) { return request.outlines.contains(kind); };
+std::vector<SpaceOutline> spaceOutlines(const SpaceFacts& facts, const Fractal& fractal,
+                                        const std::set<Outline>& outlines, int cylinderDepth) {
+    const auto wants = [&](Outline kind) { return outlines.contains(kind); };
     std::vector<attractor::Rgba> colours;
-    const System3& system = *system3(*request.fractal);
+    const System3& system = *system3(fractal);
     for (std::size_t k = 0; k < system.maps.size(); ++k)
-        colours.push_back(attractor::mapColour(request.fractal->appearance, system.maps[k].id, k));
+        colours.push_back(attractor::mapColour(fractal.appearance, system.maps[k].id, k));
     const ifs::Facts<3>& displayed = facts.displayed;
     std::vector<SpaceOutline> shapes;
-    if (wants(Outline::Cylinders)) addCylinders(shapes, facts, request.cylinderDepth, colours);
+    if (wants(Outline::Cylinders)) addCylinders(shapes, facts, cylinderDepth, colours);
     if (wants(Outline::Box) && displayed.box) shapes.push_back(box(*displayed.box));
     if (wants(Outline::Simplex) && displayed.simplex) shapes.push_back(tetrahedron(*displayed.simplex));
     if (wants(Outline::Hull) && facts.code.support)

@@ -86,7 +86,8 @@ private slots:
         space(moved)->cage = cage;
         for (const Outline kind : {Outline::Hull, Outline::Box}) {
             double low = 1e9, high = -1e9;
-            for (const Vector<3>& point : shapesOf(moved, {kind}).at(0).points) {
+            const auto shapes = shapesOf(moved, {kind});
+            for (const Vector<3>& point : shapes.at(0).points) {
                 low = std::min(low, point.x());
                 high = std::max(high, point.x());
             }

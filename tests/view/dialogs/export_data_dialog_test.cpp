@@ -47,7 +47,7 @@ QByteArray ExportDataDialogTest::written(view::ExportDataDialog& dialog) {
     const QString path = m_folder.filePath(QStringLiteral("data"));
     QSignalSpy exported(&dialog, &view::ExportDataDialog::exported);
     dialog.exportTo(path);
-    if (exported.isEmpty() && !exported.wait()) return {};
+    if (exported.isEmpty() && !exported.wait(60000)) return {};
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }

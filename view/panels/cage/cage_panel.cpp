@@ -232,7 +232,12 @@ void CagePanel::followDimension() {
     arrange();
     const bool isPlane = m_arrangedFor == 2;
     delete m_fit->menu();
-    m_fit->setMenu(isPlane ? makeFitMenu(this) : makeSpaceFitMenu(this));
+    const PlaneFits inPlane{[this](document::SimplexChoice choice) { fit(choice); },
+                            [this](document::PolygonChoice choice, int corners) { fit(choice, corners); }};
+    const SpaceFits inSpace{
+        [this](const std::optional<ifs::Orientation<3>>& orientation) { fitTetrahedron(orientation); },
+        [this] { fitBox(); }};
+    m_fit->setMenu(isPlane ? makeFitMenu(this, inPlane) : makeFitMenu(this, inSpace));
     m_pointZName->setVisible(!isPlane);
     m_point[2]->setVisible(!isPlane);
     static_cast<QGridLayout*>(m_point[2]->parentWidget()->layout())->setColumnStretch(5, isPlane ? 0 : 1);

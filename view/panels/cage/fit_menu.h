@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/edits/cage_edits.h"
+#include "ifs/extent/extent.h"
+
+#include <functional>
+#include <optional>
+
 class QMenu;
+class QWidget;
 
 namespace view {
 
-class CagePanel;
-
-// The cages that can be fitted to a picture, in the plane and in space. On the panel.
-QMenu* makeFitMenu(CagePanel* panel);
-QMenu* makeSpaceFitMenu(CagePanel* panel);
+// The cages that can be fitted to a picture, and what choosing one does.
+struct PlaneFits {
+    std::function<void(document::SimplexChoice)> simplex;
+    std::function<void(document::PolygonChoice, int corners)> polygon;
+};
+struct SpaceFits {
+    std::function<void(const std::optional<ifs::Orientation<3>>&)> tetrahedron; // nullopt: the smallest
+    std::function<void()> box;
+};
+QMenu* makeFitMenu(QWidget* parent, const PlaneFits& fits);
+QMenu* makeFitMenu(QWidget* parent, const SpaceFits& fits);
 
 } // namespace view
