@@ -90,6 +90,10 @@
         <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
         <translation>Eine neue Sprache gilt ab dem nächsten Start, alles andere sofort und in allen Fenstern.</translation>
     </message>
+    <message>
+        <source>Choose a motion that needs no keys, or make keys: what has keys gets another one wherever you change it, what has none changes for the whole animation.</source>
+        <translation>Wählen Sie eine Bewegung, die keine Schlüssel braucht, oder setzen Sie Schlüssel: Was Schlüssel hat, bekommt einen weiteren, wo immer Sie es ändern; was keine hat, ändert sich für die ganze Animation.</translation>
+    </message>
 </context>
 <context>
     <name>Analysis</name>
@@ -1682,6 +1686,118 @@
     <message>
         <source>Other names of the file (hard links) keep the old contents.</source>
         <translation>Andere Namen der Datei (harte Links) behalten den alten Inhalt.</translation>
+    </message>
+    <message>
+        <source>&amp;Animation</source>
+        <translation>A&amp;nimation</translation>
+    </message>
+    <message>
+        <source>A&amp;nimate</source>
+        <translation>A&amp;nimieren</translation>
+    </message>
+    <message>
+        <source>Show the timeline under the canvas</source>
+        <translation>Die Zeitleiste unter der Zeichenfläche zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Play or stop the animation (Space on the canvas)</source>
+        <translation>Die Animation abspielen oder anhalten (Leertaste auf der Zeichenfläche)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>P&amp;revious Frame</source>
+        <translation>&amp;Voriges Bild</translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>Move the playhead back one frame</source>
+        <translation>Den Abspielkopf ein Bild zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Frame</source>
+        <translation>Nächstes &amp;Bild</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Move the playhead on one frame</source>
+        <translation>Den Abspielkopf ein Bild weitersetzen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Key</source>
+        <translation>V&amp;origer Schlüssel</translation>
+    </message>
+    <message>
+        <source>Alt+,</source>
+        <translation>Alt+,</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the key before it</source>
+        <translation>Den Abspielkopf zum Schlüssel davor bewegen</translation>
+    </message>
+    <message>
+        <source>Nex&amp;t Key</source>
+        <translation>Nä&amp;chster Schlüssel</translation>
+    </message>
+    <message>
+        <source>Alt+.</source>
+        <translation>Alt+.</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the next key</source>
+        <translation>Den Abspielkopf zum nächsten Schlüssel bewegen</translation>
+    </message>
+    <message>
+        <source>Set &amp;Key</source>
+        <translation>&amp;Schlüssel setzen</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Key the current track at the playhead</source>
+        <translation>Einen Schlüssel der gewählten Spur am Abspielkopf setzen</translation>
+    </message>
+    <message>
+        <source>Set Keys of &amp;All Tracks</source>
+        <translation>Schlüssel aller Sp&amp;uren setzen</translation>
+    </message>
+    <message>
+        <source>Shift+K</source>
+        <translation>Shift+K</translation>
+    </message>
+    <message>
+        <source>Key all tracks that have keys at the playhead, or all tracks if none has</source>
+        <translation>Schlüssel aller Spuren, die schon welche haben, am Abspielkopf setzen, oder aller Spuren, wenn keine welche hat</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Keys</source>
+        <translation>Schlüssel &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys</source>
+        <translation>Die gewählten Schlüssel löschen</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
+        <translation>Die Animation dieses Fraktals: seine Bewegungen und die Schlüssel von allem, was sich bewegen kann.</translation>
     </message>
 </context>
 <context>
@@ -3329,6 +3445,14 @@
     <message>
         <source>Move vertex %1 to (%2, %3)</source>
         <translation>Ecke %1 nach (%2, %3) verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>document::Document</name>
+    <message>
+        <source>%1 (frame %2)</source>
+        <comment>what is done, at which frame</comment>
+        <translation>%1 (Bild %2)</translation>
     </message>
 </context>
 <context>
@@ -6677,6 +6801,25 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::MotionPage</name>
+    <message>
+        <source>Make Keys</source>
+        <translation>Schlüssel setzen</translation>
+    </message>
+    <message>
+        <source>Show the tracks, to make keys of your own</source>
+        <translation>Die Spuren zeigen, um eigene Schlüssel zu setzen</translation>
+    </message>
+    <message>
+        <source>Or set a key, move the playhead, and change the fractal.</source>
+        <translation>Oder setzen Sie einen Schlüssel, bewegen Sie den Abspielkopf und ändern Sie das Fraktal.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Choose a motion:</source>
+        <translation>Noch bewegt sich nichts. Wählen Sie eine Bewegung:</translation>
+    </message>
+</context>
+<context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
@@ -7256,6 +7399,110 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>F6, Shift+F6</source>
         <translation>F6, Umschalt+F6</translation>
     </message>
+    <message>
+        <source>Play or stop the animation</source>
+        <translation>Die Animation abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Move the playhead</source>
+        <translation>Den Abspielkopf bewegen</translation>
+    </message>
+    <message>
+        <source>drag in the ruler, or Left, Right</source>
+        <translation>im Lineal ziehen, oder Links, Rechts</translation>
+    </message>
+    <message>
+        <source>Previous or next key</source>
+        <translation>Voriger oder nächster Schlüssel</translation>
+    </message>
+    <message>
+        <source>Ctrl + Left, Right</source>
+        <translation>Strg + Links, Rechts</translation>
+    </message>
+    <message>
+        <source>First or last frame</source>
+        <translation>Erstes oder letztes Bild</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>Select another row</source>
+        <translation>Eine andere Zeile wählen</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Auf, Ab</translation>
+    </message>
+    <message>
+        <source>Make or delete the key of the row</source>
+        <translation>Den Schlüssel der Zeile setzen oder löschen</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Move the selected keys</source>
+        <translation>Die gewählten Schlüssel verschieben</translation>
+    </message>
+    <message>
+        <source>drag them</source>
+        <translation>sie ziehen</translation>
+    </message>
+    <message>
+        <source>Move all later keys of the row, too</source>
+        <translation>Auch alle späteren Schlüssel der Zeile verschieben</translation>
+    </message>
+    <message>
+        <source>Alt while dragging</source>
+        <translation>Alt beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Copy the keys</source>
+        <translation>Die Schlüssel kopieren</translation>
+    </message>
+    <message>
+        <source>Ctrl while dragging</source>
+        <translation>Strg beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Copy, paste, select all keys</source>
+        <translation>Schlüssel kopieren, einfügen, alle wählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V, Ctrl+A</source>
+        <translation>Strg+C, Strg+V, Strg+A</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys, or the motion</source>
+        <translation>Die gewählten Schlüssel oder die Bewegung löschen</translation>
+    </message>
+    <message>
+        <source>Choose how a key leads to the next</source>
+        <translation>Wählen, wie ein Schlüssel zum nächsten führt</translation>
+    </message>
+    <message>
+        <source>right-click it</source>
+        <translation>Rechtsklick darauf</translation>
+    </message>
+    <message>
+        <source>Zoom the ruler</source>
+        <translation>Das Lineal vergrößern</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation>Strg + Mausrad</translation>
+    </message>
+    <message>
+        <source>In the timeline</source>
+        <translation>In der Zeitleiste</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceInput</name>
@@ -7312,6 +7559,288 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::Timeline</name>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Umlauf</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Atmen</translation>
+    </message>
+    <message>
+        <source>Palette Cycle</source>
+        <translation>Farbwechsel</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Käfig</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Ast %1</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Motions need no keys. Select a track first.</source>
+        <translation>Bewegungen brauchen keine Schlüssel. Wählen Sie zuerst eine Spur.</translation>
+    </message>
+    <message>
+        <source>Key of %1 (frame %2)</source>
+        <translation>Schlüssel: %1 (Bild %2)</translation>
+    </message>
+    <message>
+        <source>Keys of all tracks (frame %1)</source>
+        <translation>Schlüssel aller Spuren (Bild %1)</translation>
+    </message>
+    <message>
+        <source>Delete keys</source>
+        <translation>Schlüssel löschen</translation>
+    </message>
+    <message>
+        <source>Delete the motion “%1”</source>
+        <translation>Die Bewegung „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Copy keys</source>
+        <translation>Schlüssel kopieren</translation>
+    </message>
+    <message>
+        <source>Move keys and all later ones</source>
+        <translation>Schlüssel und alle späteren verschieben</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Schlüssel verschieben</translation>
+    </message>
+    <message>
+        <source>Ease of keys</source>
+        <translation>Übergang von Schlüsseln</translation>
+    </message>
+    <message>
+        <source>None of these keys fits this fractal.</source>
+        <translation>Keiner dieser Schlüssel passt zu diesem Fraktal.</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Schlüssel einfügen</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Slow Start and End</source>
+        <translation>Langsam an Anfang und Ende</translation>
+    </message>
+    <message>
+        <source>Slow Start</source>
+        <translation>Langsam am Anfang</translation>
+    </message>
+    <message>
+        <source>Slow End</source>
+        <translation>Langsam am Ende</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Ease to the Next Key</source>
+        <translation>Übergang zum nächsten Schlüssel</translation>
+    </message>
+    <message>
+        <source>Copy Keys</source>
+        <translation>Schlüssel kopieren</translation>
+    </message>
+    <message>
+        <source>Paste Keys at the Playhead</source>
+        <translation>Schlüssel am Abspielkopf einfügen</translation>
+    </message>
+    <message>
+        <source>Delete Keys</source>
+        <translation>Schlüssel löschen</translation>
+    </message>
+    <message>
+        <source>Key at the Playhead</source>
+        <translation>Schlüssel am Abspielkopf</translation>
+    </message>
+    <message>
+        <source>Delete the Motion</source>
+        <translation>Die Bewegung löschen</translation>
+    </message>
+</context>
+<context>
+    <name>view::TimelinePanel</name>
+    <message>
+        <source>Breeze</source>
+        <translation>Brise</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Böen</translation>
+    </message>
+    <message>
+        <source>Storm</source>
+        <translation>Sturm</translation>
+    </message>
+    <message>
+        <source>Under Water</source>
+        <translation>Unter Wasser</translation>
+    </message>
+    <message>
+        <source>Breathing</source>
+        <translation>Atmung</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Weben</translation>
+    </message>
+    <message>
+        <source>A fractal of the plane cannot become one in space.</source>
+        <translation>Ein Fraktal der Ebene kann nicht zu einem im Raum werden.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has more than 256 maps.</source>
+        <translation>Eines der beiden Fraktale hat mehr als 256 Abbildungen.</translation>
+    </message>
+    <message>
+        <source>A bent cage has no code to start from. Reset or bake it first.</source>
+        <translation>Zu einem gebogenen Käfig gehört kein Code, von dem auszugehen wäre. Setzen Sie ihn zuerst zurück oder rechnen Sie ihn ein.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has no attractor.</source>
+        <translation>Eines der beiden Fraktale hat keinen Attraktor.</translation>
+    </message>
+    <message>
+        <source>Add Motion</source>
+        <translation>Bewegung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a motion that needs no keys, or a morph to another entry</source>
+        <translation>Eine Bewegung hinzufügen, die keine Schlüssel braucht, oder eine Verwandlung in einen anderen Eintrag</translation>
+    </message>
+    <message>
+        <source>Add &amp;Motion</source>
+        <translation>Be&amp;wegung hinzufügen</translation>
+    </message>
+    <message>
+        <source>It is one step of the history.</source>
+        <translation>Das ist ein Schritt im Verlauf.</translation>
+    </message>
+    <message>
+        <source>There are no maps to move.</source>
+        <translation>Es gibt keine Abbildungen, die sich bewegen könnten.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>All branches sway about where they begin.</source>
+        <translation>Alle Äste schwingen um die Stelle, an der sie beginnen.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>The maps turn once about their places.</source>
+        <translation>Die Abbildungen drehen sich einmal an ihrem Ort.</translation>
+    </message>
+    <message>
+        <source>Turn the maps</source>
+        <translation>Die Abbildungen drehen</translation>
+    </message>
+    <message>
+        <source>No map can turn without losing the attractor.</source>
+        <translation>Keine Abbildung kann sich drehen, ohne dass der Attraktor verloren geht.</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Umlauf</translation>
+    </message>
+    <message>
+        <source>The whole picture goes round once.</source>
+        <translation>Das ganze Bild läuft einmal herum.</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Atmen</translation>
+    </message>
+    <message>
+        <source>The maps swell and shrink.</source>
+        <translation>Die Abbildungen schwellen an und wieder ab.</translation>
+    </message>
+    <message>
+        <source>Palette Cycle</source>
+        <translation>Farbwechsel</translation>
+    </message>
+    <message>
+        <source>The colours run through the palette and back.</source>
+        <translation>Die Farben laufen durch die Palette und zurück.</translation>
+    </message>
+    <message>
+        <source>Cycle the palette</source>
+        <translation>Die Farben wechseln</translation>
+    </message>
+    <message>
+        <source>Zoom In Endlessly</source>
+        <translation>Endlos hineinzoomen</translation>
+    </message>
+    <message>
+        <source>The view moves into a small copy of the whole, where the last frame is the first.</source>
+        <translation>Die Ansicht taucht in eine kleine Kopie des Ganzen ein; dort ist das letzte Bild das erste.</translation>
+    </message>
+    <message>
+        <source>Zoom in endlessly</source>
+        <translation>Endlos hineinzoomen</translation>
+    </message>
+    <message>
+        <source>No map only scales the fractal to a copy that stands clear of the others.</source>
+        <translation>Keine Abbildung verkleinert das Fraktal nur zu einer Kopie, die frei von den anderen steht.</translation>
+    </message>
+    <message>
+        <source>Morph To</source>
+        <translation>Verwandeln in</translation>
+    </message>
+    <message>
+        <source>The fractal becomes another entry of this file, and returns.</source>
+        <translation>Das Fraktal wird zu einem anderen Eintrag dieser Datei und wieder zurück.</translation>
+    </message>
+    <message>
+        <source>Wind: %1</source>
+        <translation>Wind: %1</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension</source>
+        <translation>Diese Datei hat kein anderes Fraktal dieser Dimension</translation>
+    </message>
+    <message>
+        <source>Morph to %1</source>
+        <translation>Verwandeln in %1</translation>
+    </message>
+</context>
+<context>
     <name>view::ToolOptionsBar</name>
     <message>
         <source>Tool options</source>
@@ -7328,6 +7857,45 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
         <translation>Eine Ecke des Tetraeders ziehen.  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>view::TrackView</name>
+    <message>
+        <source>Tracks and keys</source>
+        <translation>Spuren und Schlüssel</translation>
+    </message>
+    <message>
+        <source>One row for each part that can move. The diamond in front makes a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
+        <translation>Eine Zeile für jeden Teil, der sich bewegen kann. Die Raute davor setzt einen Schlüssel am Abspielkopf oder löscht ihn. Ziehen Sie Schlüssel, um sie zu verschieben: Alt nimmt alle späteren mit, Strg kopiert. Ziehen im Lineal bewegt den Abspielkopf, Ziehen von einer leeren Stelle aus wählt Schlüssel. Strg + Mausrad vergrößert. Ein Rechtsklick auf einen Schlüssel wählt seinen Übergang.</translation>
+    </message>
+    <message>
+        <source>Unit of the ruler</source>
+        <translation>Einheit des Lineals</translation>
+    </message>
+    <message>
+        <source>Switch the ruler between frames and seconds</source>
+        <translation>Das Lineal zwischen Bildern und Sekunden umschalten</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, Bild %2</translation>
+    </message>
+    <message>
+        <source>, key</source>
+        <translation>, Schlüssel</translation>
+    </message>
+    <message>
+        <source>, keys in this row: %1</source>
+        <translation>, Schlüssel in dieser Zeile: %1</translation>
     </message>
 </context>
 <context>
@@ -7499,6 +8067,126 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>the centre of the picture’s box</source>
         <translation>die Mitte des Rechtecks um das Bild</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransportBar</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the animation</source>
+        <translation>Die Animation abspielen</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The frame that is shown and edited</source>
+        <translation>Das Bild, das gezeigt und bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>How many frames the animation is long</source>
+        <translation>Wie viele Bilder die Animation lang ist</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>How many frames are played in a second</source>
+        <translation>Wie viele Bilder in einer Sekunde abgespielt werden</translation>
+    </message>
+    <message>
+        <source>Previous Key</source>
+        <translation>Voriger Schlüssel</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the key before it</source>
+        <translation>Den Abspielkopf zum Schlüssel davor bewegen</translation>
+    </message>
+    <message>
+        <source>Next Key</source>
+        <translation>Nächster Schlüssel</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the next key</source>
+        <translation>Den Abspielkopf zum nächsten Schlüssel bewegen</translation>
+    </message>
+    <message>
+        <source>Frame:</source>
+        <translation>Bild:</translation>
+    </message>
+    <message>
+        <source>Length:</source>
+        <translation>Länge:</translation>
+    </message>
+    <message>
+        <source>fps:</source>
+        <translation>B/s:</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Schleife:</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>What comes after the last frame</source>
+        <translation>Was nach dem letzten Bild kommt</translation>
+    </message>
+    <message>
+        <source>Off: the animation stops at its last frame. Cycle: it begins again, and the frame at its length is frame 0. There and Back: it runs backwards to its start.</source>
+        <translation>Aus: Die Animation hält beim letzten Bild an. Kreis: Sie beginnt von vorn, und das Bild an ihrem Ende ist Bild 0. Hin und zurück: Sie läuft rückwärts zum Anfang.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <comment>loop</comment>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>There and Back</source>
+        <translation>Hin und zurück</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 B/s</translation>
+    </message>
+    <message>
+        <source>How many pictures a second are drawn while it plays</source>
+        <translation>Wie viele Bilder pro Sekunde beim Abspielen gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Length of the animation: %1 frames</source>
+        <translation>Länge der Animation: %1 Bilder</translation>
+    </message>
+    <message>
+        <source>Frames per second: %1</source>
+        <translation>Bilder pro Sekunde: %1</translation>
+    </message>
+    <message>
+        <source>Loop: %1</source>
+        <translation>Schleife: %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop at this frame</source>
+        <translation>Bei diesem Bild anhalten</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,10 @@
         <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
         <translation>Un idioma nuevo se aplica al volver a iniciar; todo lo demás, enseguida y en todas las ventanas.</translation>
     </message>
+    <message>
+        <source>Choose a motion that needs no keys, or make keys: what has keys gets another one wherever you change it, what has none changes for the whole animation.</source>
+        <translation>Elija un movimiento que no necesita claves o cree claves: lo que tiene claves recibe otra allí donde lo cambie; lo que no tiene ninguna cambia para toda la animación.</translation>
+    </message>
 </context>
 <context>
     <name>Analysis</name>
@@ -1682,6 +1686,118 @@
     <message>
         <source>Other names of the file (hard links) keep the old contents.</source>
         <translation>Los otros nombres del archivo (enlaces duros) conservan el contenido anterior.</translation>
+    </message>
+    <message>
+        <source>&amp;Animation</source>
+        <translation>A&amp;nimación</translation>
+    </message>
+    <message>
+        <source>A&amp;nimate</source>
+        <translation>A&amp;nimar</translation>
+    </message>
+    <message>
+        <source>Show the timeline under the canvas</source>
+        <translation>Mostrar la línea de tiempo bajo el lienzo</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Reproducir</translation>
+    </message>
+    <message>
+        <source>Play or stop the animation (Space on the canvas)</source>
+        <translation>Reproducir o detener la animación (Espacio en el lienzo)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausa</translation>
+    </message>
+    <message>
+        <source>P&amp;revious Frame</source>
+        <translation>&amp;Fotograma anterior</translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>Move the playhead back one frame</source>
+        <translation>Retroceder el cabezal un fotograma</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Frame</source>
+        <translation>Fotograma &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Move the playhead on one frame</source>
+        <translation>Avanzar el cabezal un fotograma</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Key</source>
+        <translation>C&amp;lave anterior</translation>
+    </message>
+    <message>
+        <source>Alt+,</source>
+        <translation>Alt+,</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the key before it</source>
+        <translation>Mover el cabezal a la clave anterior</translation>
+    </message>
+    <message>
+        <source>Nex&amp;t Key</source>
+        <translation>Cla&amp;ve siguiente</translation>
+    </message>
+    <message>
+        <source>Alt+.</source>
+        <translation>Alt+.</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the next key</source>
+        <translation>Mover el cabezal a la clave siguiente</translation>
+    </message>
+    <message>
+        <source>Set &amp;Key</source>
+        <translation>Poner &amp;clave</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Key the current track at the playhead</source>
+        <translation>Poner una clave de la pista actual en el cabezal</translation>
+    </message>
+    <message>
+        <source>Set Keys of &amp;All Tracks</source>
+        <translation>Poner claves de &amp;todas las pistas</translation>
+    </message>
+    <message>
+        <source>Shift+K</source>
+        <translation>Shift+K</translation>
+    </message>
+    <message>
+        <source>Key all tracks that have keys at the playhead, or all tracks if none has</source>
+        <translation>Poner en el cabezal claves de todas las pistas que ya tienen, o de todas si ninguna tiene</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Keys</source>
+        <translation>&amp;Eliminar claves</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys</source>
+        <translation>Eliminar las claves seleccionadas</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
+        <translation>La animación de este fractal: sus movimientos y las claves de todo lo que puede moverse.</translation>
     </message>
 </context>
 <context>
@@ -3329,6 +3445,14 @@
     <message>
         <source>Move vertex %1 to (%2, %3)</source>
         <translation>Mover el vértice %1 a (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>document::Document</name>
+    <message>
+        <source>%1 (frame %2)</source>
+        <comment>what is done, at which frame</comment>
+        <translation>%1 (fotograma %2)</translation>
     </message>
 </context>
 <context>
@@ -6677,6 +6801,25 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::MotionPage</name>
+    <message>
+        <source>Make Keys</source>
+        <translation>Crear claves</translation>
+    </message>
+    <message>
+        <source>Show the tracks, to make keys of your own</source>
+        <translation>Mostrar las pistas para crear claves propias</translation>
+    </message>
+    <message>
+        <source>Or set a key, move the playhead, and change the fractal.</source>
+        <translation>O ponga una clave, mueva el cabezal y cambie el fractal.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Choose a motion:</source>
+        <translation>Todavía no se mueve nada. Elija un movimiento:</translation>
+    </message>
+</context>
+<context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
@@ -7256,6 +7399,110 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>F6, Shift+F6</source>
         <translation>F6, Mayús+F6</translation>
     </message>
+    <message>
+        <source>Play or stop the animation</source>
+        <translation>Reproducir o detener la animación</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Move the playhead</source>
+        <translation>Mover el cabezal</translation>
+    </message>
+    <message>
+        <source>drag in the ruler, or Left, Right</source>
+        <translation>arrastrar en la regla, o Izquierda, Derecha</translation>
+    </message>
+    <message>
+        <source>Previous or next key</source>
+        <translation>Clave anterior o siguiente</translation>
+    </message>
+    <message>
+        <source>Ctrl + Left, Right</source>
+        <translation>Ctrl + Izquierda, Derecha</translation>
+    </message>
+    <message>
+        <source>First or last frame</source>
+        <translation>Primer o último fotograma</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Inicio, Fin</translation>
+    </message>
+    <message>
+        <source>Select another row</source>
+        <translation>Seleccionar otra fila</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Arriba, Abajo</translation>
+    </message>
+    <message>
+        <source>Make or delete the key of the row</source>
+        <translation>Crear o eliminar la clave de la fila</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Move the selected keys</source>
+        <translation>Mover las claves seleccionadas</translation>
+    </message>
+    <message>
+        <source>drag them</source>
+        <translation>arrastrarlas</translation>
+    </message>
+    <message>
+        <source>Move all later keys of the row, too</source>
+        <translation>Mover también todas las claves posteriores de la fila</translation>
+    </message>
+    <message>
+        <source>Alt while dragging</source>
+        <translation>Alt al arrastrar</translation>
+    </message>
+    <message>
+        <source>Copy the keys</source>
+        <translation>Copiar las claves</translation>
+    </message>
+    <message>
+        <source>Ctrl while dragging</source>
+        <translation>Ctrl al arrastrar</translation>
+    </message>
+    <message>
+        <source>Copy, paste, select all keys</source>
+        <translation>Copiar, pegar, seleccionar todas las claves</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V, Ctrl+A</source>
+        <translation>Ctrl+C, Ctrl+V, Ctrl+A</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys, or the motion</source>
+        <translation>Eliminar las claves seleccionadas o el movimiento</translation>
+    </message>
+    <message>
+        <source>Choose how a key leads to the next</source>
+        <translation>Elegir cómo lleva una clave a la siguiente</translation>
+    </message>
+    <message>
+        <source>right-click it</source>
+        <translation>clic derecho en ella</translation>
+    </message>
+    <message>
+        <source>Zoom the ruler</source>
+        <translation>Ampliar la regla</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation>Ctrl + rueda</translation>
+    </message>
+    <message>
+        <source>In the timeline</source>
+        <translation>En la línea de tiempo</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceInput</name>
@@ -7312,6 +7559,288 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::Timeline</name>
+    <message>
+        <source>Wind</source>
+        <translation>Viento</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Órbita</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Respirar</translation>
+    </message>
+    <message>
+        <source>Palette Cycle</source>
+        <translation>Ciclo de la paleta</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Jaula</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Aplicación %1</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Rama %1</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Motions need no keys. Select a track first.</source>
+        <translation>Los movimientos no necesitan claves. Seleccione antes una pista.</translation>
+    </message>
+    <message>
+        <source>Key of %1 (frame %2)</source>
+        <translation>Clave de %1 (fotograma %2)</translation>
+    </message>
+    <message>
+        <source>Keys of all tracks (frame %1)</source>
+        <translation>Claves de todas las pistas (fotograma %1)</translation>
+    </message>
+    <message>
+        <source>Delete keys</source>
+        <translation>Eliminar claves</translation>
+    </message>
+    <message>
+        <source>Delete the motion “%1”</source>
+        <translation>Eliminar el movimiento «%1»</translation>
+    </message>
+    <message>
+        <source>Copy keys</source>
+        <translation>Copiar claves</translation>
+    </message>
+    <message>
+        <source>Move keys and all later ones</source>
+        <translation>Mover claves y todas las posteriores</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Mover claves</translation>
+    </message>
+    <message>
+        <source>Ease of keys</source>
+        <translation>Transición de claves</translation>
+    </message>
+    <message>
+        <source>None of these keys fits this fractal.</source>
+        <translation>Ninguna de estas claves encaja en este fractal.</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Pegar claves</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>Slow Start and End</source>
+        <translation>Lento al principio y al final</translation>
+    </message>
+    <message>
+        <source>Slow Start</source>
+        <translation>Lento al principio</translation>
+    </message>
+    <message>
+        <source>Slow End</source>
+        <translation>Lento al final</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Mantener</translation>
+    </message>
+    <message>
+        <source>Ease to the Next Key</source>
+        <translation>Transición a la clave siguiente</translation>
+    </message>
+    <message>
+        <source>Copy Keys</source>
+        <translation>Copiar claves</translation>
+    </message>
+    <message>
+        <source>Paste Keys at the Playhead</source>
+        <translation>Pegar claves en el cabezal</translation>
+    </message>
+    <message>
+        <source>Delete Keys</source>
+        <translation>Eliminar claves</translation>
+    </message>
+    <message>
+        <source>Key at the Playhead</source>
+        <translation>Clave en el cabezal</translation>
+    </message>
+    <message>
+        <source>Delete the Motion</source>
+        <translation>Eliminar el movimiento</translation>
+    </message>
+</context>
+<context>
+    <name>view::TimelinePanel</name>
+    <message>
+        <source>Breeze</source>
+        <translation>Brisa</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Ráfagas</translation>
+    </message>
+    <message>
+        <source>Storm</source>
+        <translation>Tormenta</translation>
+    </message>
+    <message>
+        <source>Under Water</source>
+        <translation>Bajo el agua</translation>
+    </message>
+    <message>
+        <source>Breathing</source>
+        <translation>Respiración</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Tejido</translation>
+    </message>
+    <message>
+        <source>A fractal of the plane cannot become one in space.</source>
+        <translation>Un fractal del plano no puede convertirse en uno del espacio.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has more than 256 maps.</source>
+        <translation>Uno de los dos fractales tiene más de 256 aplicaciones.</translation>
+    </message>
+    <message>
+        <source>A bent cage has no code to start from. Reset or bake it first.</source>
+        <translation>Una jaula doblada no tiene código del que partir. Antes restablézcala o incorpórela.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has no attractor.</source>
+        <translation>Uno de los dos fractales no tiene atractor.</translation>
+    </message>
+    <message>
+        <source>Add Motion</source>
+        <translation>Añadir movimiento</translation>
+    </message>
+    <message>
+        <source>Add a motion that needs no keys, or a morph to another entry</source>
+        <translation>Añadir un movimiento que no necesita claves o una transformación en otra entrada</translation>
+    </message>
+    <message>
+        <source>Add &amp;Motion</source>
+        <translation>Añadir &amp;movimiento</translation>
+    </message>
+    <message>
+        <source>It is one step of the history.</source>
+        <translation>Es un paso del historial.</translation>
+    </message>
+    <message>
+        <source>There are no maps to move.</source>
+        <translation>No hay aplicaciones que mover.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Viento</translation>
+    </message>
+    <message>
+        <source>All branches sway about where they begin.</source>
+        <translation>Todas las ramas oscilan en torno a donde empiezan.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>The maps turn once about their places.</source>
+        <translation>Las aplicaciones giran una vez en su lugar.</translation>
+    </message>
+    <message>
+        <source>Turn the maps</source>
+        <translation>Girar las aplicaciones</translation>
+    </message>
+    <message>
+        <source>No map can turn without losing the attractor.</source>
+        <translation>Ninguna aplicación puede girar sin perder el atractor.</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Órbita</translation>
+    </message>
+    <message>
+        <source>The whole picture goes round once.</source>
+        <translation>Toda la imagen da una vuelta.</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Respirar</translation>
+    </message>
+    <message>
+        <source>The maps swell and shrink.</source>
+        <translation>Las aplicaciones crecen y menguan.</translation>
+    </message>
+    <message>
+        <source>Palette Cycle</source>
+        <translation>Ciclo de la paleta</translation>
+    </message>
+    <message>
+        <source>The colours run through the palette and back.</source>
+        <translation>Los colores recorren la paleta y vuelven.</translation>
+    </message>
+    <message>
+        <source>Cycle the palette</source>
+        <translation>Recorrer la paleta</translation>
+    </message>
+    <message>
+        <source>Zoom In Endlessly</source>
+        <translation>Acercar sin fin</translation>
+    </message>
+    <message>
+        <source>The view moves into a small copy of the whole, where the last frame is the first.</source>
+        <translation>La vista entra en una pequeña copia del conjunto, donde el último fotograma es el primero.</translation>
+    </message>
+    <message>
+        <source>Zoom in endlessly</source>
+        <translation>Acercar sin fin</translation>
+    </message>
+    <message>
+        <source>No map only scales the fractal to a copy that stands clear of the others.</source>
+        <translation>Ninguna aplicación se limita a reducir el fractal a una copia separada de las demás.</translation>
+    </message>
+    <message>
+        <source>Morph To</source>
+        <translation>Transformar en</translation>
+    </message>
+    <message>
+        <source>The fractal becomes another entry of this file, and returns.</source>
+        <translation>El fractal se convierte en otra entrada de este archivo y vuelve.</translation>
+    </message>
+    <message>
+        <source>Wind: %1</source>
+        <translation>Viento: %1</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension</source>
+        <translation>Este archivo no tiene otro fractal de esta dimensión</translation>
+    </message>
+    <message>
+        <source>Morph to %1</source>
+        <translation>Transformar en %1</translation>
+    </message>
+</context>
+<context>
     <name>view::ToolOptionsBar</name>
     <message>
         <source>Tool options</source>
@@ -7328,6 +7857,45 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
         <translation>Arrastre un vértice del tetraedro.  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
+    </message>
+</context>
+<context>
+    <name>view::TrackView</name>
+    <message>
+        <source>Tracks and keys</source>
+        <translation>Pistas y claves</translation>
+    </message>
+    <message>
+        <source>One row for each part that can move. The diamond in front makes a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
+        <translation>Una fila por cada parte que puede moverse. El rombo de delante crea una clave en el cabezal o la elimina. Arrastre claves para moverlas: Alt mueve también las posteriores, Ctrl las copia. Arrastre en la regla para mover el cabezal, o desde un lugar vacío para seleccionar claves. Ctrl + rueda amplía. Clic derecho en una clave para su transición.</translation>
+    </message>
+    <message>
+        <source>Unit of the ruler</source>
+        <translation>Unidad de la regla</translation>
+    </message>
+    <message>
+        <source>Switch the ruler between frames and seconds</source>
+        <translation>Cambiar la regla entre fotogramas y segundos</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Segundos</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogramas</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, fotograma %2</translation>
+    </message>
+    <message>
+        <source>, key</source>
+        <translation>, clave</translation>
+    </message>
+    <message>
+        <source>, keys in this row: %1</source>
+        <translation>, claves en esta fila: %1</translation>
     </message>
 </context>
 <context>
@@ -7499,6 +8067,126 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>the centre of the picture’s box</source>
         <translation>el centro del rectángulo de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransportBar</name>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Play the animation</source>
+        <translation>Reproducir la animación</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Fotograma</translation>
+    </message>
+    <message>
+        <source>The frame that is shown and edited</source>
+        <translation>El fotograma que se muestra y se edita</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>How many frames the animation is long</source>
+        <translation>Cuántos fotogramas dura la animación</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Fotogramas por segundo</translation>
+    </message>
+    <message>
+        <source>How many frames are played in a second</source>
+        <translation>Cuántos fotogramas se reproducen por segundo</translation>
+    </message>
+    <message>
+        <source>Previous Key</source>
+        <translation>Clave anterior</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the key before it</source>
+        <translation>Mover el cabezal a la clave anterior</translation>
+    </message>
+    <message>
+        <source>Next Key</source>
+        <translation>Clave siguiente</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the next key</source>
+        <translation>Mover el cabezal a la clave siguiente</translation>
+    </message>
+    <message>
+        <source>Frame:</source>
+        <translation>Fotograma:</translation>
+    </message>
+    <message>
+        <source>Length:</source>
+        <translation>Duración:</translation>
+    </message>
+    <message>
+        <source>fps:</source>
+        <translation>fps:</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Bucle:</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Bucle</translation>
+    </message>
+    <message>
+        <source>What comes after the last frame</source>
+        <translation>Qué viene después del último fotograma</translation>
+    </message>
+    <message>
+        <source>Off: the animation stops at its last frame. Cycle: it begins again, and the frame at its length is frame 0. There and Back: it runs backwards to its start.</source>
+        <translation>Desactivado: la animación se detiene en su último fotograma. Ciclo: empieza de nuevo, y el fotograma del final es el 0. Ida y vuelta: retrocede hasta el principio.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <comment>loop</comment>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Ciclo</translation>
+    </message>
+    <message>
+        <source>There and Back</source>
+        <translation>Ida y vuelta</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>How many pictures a second are drawn while it plays</source>
+        <translation>Cuántas imágenes por segundo se dibujan al reproducir</translation>
+    </message>
+    <message>
+        <source>Length of the animation: %1 frames</source>
+        <translation>Duración de la animación: %1 fotogramas</translation>
+    </message>
+    <message>
+        <source>Frames per second: %1</source>
+        <translation>Fotogramas por segundo: %1</translation>
+    </message>
+    <message>
+        <source>Loop: %1</source>
+        <translation>Bucle: %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Stop at this frame</source>
+        <translation>Detener en este fotograma</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,10 @@
         <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
         <translation>Une nouvelle langue prend effet au prochain démarrage, tout le reste aussitôt et dans toutes les fenêtres.</translation>
     </message>
+    <message>
+        <source>Choose a motion that needs no keys, or make keys: what has keys gets another one wherever you change it, what has none changes for the whole animation.</source>
+        <translation>Choisissez un mouvement qui n’a pas besoin de clés, ou créez des clés : ce qui a des clés en reçoit une autre partout où vous le modifiez ; ce qui n’en a pas change pour toute l’animation.</translation>
+    </message>
 </context>
 <context>
     <name>Analysis</name>
@@ -1682,6 +1686,118 @@
     <message>
         <source>Other names of the file (hard links) keep the old contents.</source>
         <translation>Les autres noms du fichier (liens physiques) gardent l’ancien contenu.</translation>
+    </message>
+    <message>
+        <source>&amp;Animation</source>
+        <translation>A&amp;nimation</translation>
+    </message>
+    <message>
+        <source>A&amp;nimate</source>
+        <translation>A&amp;nimer</translation>
+    </message>
+    <message>
+        <source>Show the timeline under the canvas</source>
+        <translation>Afficher la chronologie sous le canevas</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lire</translation>
+    </message>
+    <message>
+        <source>Play or stop the animation (Space on the canvas)</source>
+        <translation>Lire ou arrêter l’animation (Espace sur le canevas)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>P&amp;revious Frame</source>
+        <translation>Image p&amp;récédente</translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>Move the playhead back one frame</source>
+        <translation>Reculer la tête de lecture d’une image</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Frame</source>
+        <translation>Image &amp;suivante</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Move the playhead on one frame</source>
+        <translation>Avancer la tête de lecture d’une image</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Key</source>
+        <translation>Clé pré&amp;cédente</translation>
+    </message>
+    <message>
+        <source>Alt+,</source>
+        <translation>Alt+,</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the key before it</source>
+        <translation>Déplacer la tête de lecture sur la clé précédente</translation>
+    </message>
+    <message>
+        <source>Nex&amp;t Key</source>
+        <translation>Clé suivan&amp;te</translation>
+    </message>
+    <message>
+        <source>Alt+.</source>
+        <translation>Alt+.</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the next key</source>
+        <translation>Déplacer la tête de lecture sur la clé suivante</translation>
+    </message>
+    <message>
+        <source>Set &amp;Key</source>
+        <translation>Poser une cl&amp;é</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Key the current track at the playhead</source>
+        <translation>Poser une clé de la piste actuelle à la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Set Keys of &amp;All Tracks</source>
+        <translation>Poser des clés de to&amp;utes les pistes</translation>
+    </message>
+    <message>
+        <source>Shift+K</source>
+        <translation>Shift+K</translation>
+    </message>
+    <message>
+        <source>Key all tracks that have keys at the playhead, or all tracks if none has</source>
+        <translation>Poser à la tête de lecture des clés de toutes les pistes qui en ont, ou de toutes si aucune n’en a</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Keys</source>
+        <translation>Supprimer &amp;des clés</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys</source>
+        <translation>Supprimer les clés sélectionnées</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
+        <translation>L’animation de cette fractale : ses mouvements et les clés de tout ce qui peut bouger.</translation>
     </message>
 </context>
 <context>
@@ -3329,6 +3445,14 @@
     <message>
         <source>Move vertex %1 to (%2, %3)</source>
         <translation>Déplacer le sommet %1 en (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>document::Document</name>
+    <message>
+        <source>%1 (frame %2)</source>
+        <comment>what is done, at which frame</comment>
+        <translation>%1 (image %2)</translation>
     </message>
 </context>
 <context>
@@ -6677,6 +6801,25 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::MotionPage</name>
+    <message>
+        <source>Make Keys</source>
+        <translation>Créer des clés</translation>
+    </message>
+    <message>
+        <source>Show the tracks, to make keys of your own</source>
+        <translation>Afficher les pistes pour créer vos propres clés</translation>
+    </message>
+    <message>
+        <source>Or set a key, move the playhead, and change the fractal.</source>
+        <translation>Ou posez une clé, déplacez la tête de lecture et modifiez la fractale.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Choose a motion:</source>
+        <translation>Rien ne bouge encore. Choisissez un mouvement :</translation>
+    </message>
+</context>
+<context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
@@ -7256,6 +7399,110 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>F6, Shift+F6</source>
         <translation>F6, Maj+F6</translation>
     </message>
+    <message>
+        <source>Play or stop the animation</source>
+        <translation>Lire ou arrêter l’animation</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Move the playhead</source>
+        <translation>Déplacer la tête de lecture</translation>
+    </message>
+    <message>
+        <source>drag in the ruler, or Left, Right</source>
+        <translation>faire glisser dans la règle, ou Gauche, Droite</translation>
+    </message>
+    <message>
+        <source>Previous or next key</source>
+        <translation>Clé précédente ou suivante</translation>
+    </message>
+    <message>
+        <source>Ctrl + Left, Right</source>
+        <translation>Ctrl + Gauche, Droite</translation>
+    </message>
+    <message>
+        <source>First or last frame</source>
+        <translation>Première ou dernière image</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Début, Fin</translation>
+    </message>
+    <message>
+        <source>Select another row</source>
+        <translation>Sélectionner une autre ligne</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Haut, Bas</translation>
+    </message>
+    <message>
+        <source>Make or delete the key of the row</source>
+        <translation>Créer ou supprimer la clé de la ligne</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Move the selected keys</source>
+        <translation>Déplacer les clés sélectionnées</translation>
+    </message>
+    <message>
+        <source>drag them</source>
+        <translation>les faire glisser</translation>
+    </message>
+    <message>
+        <source>Move all later keys of the row, too</source>
+        <translation>Déplacer aussi toutes les clés suivantes de la ligne</translation>
+    </message>
+    <message>
+        <source>Alt while dragging</source>
+        <translation>Alt en faisant glisser</translation>
+    </message>
+    <message>
+        <source>Copy the keys</source>
+        <translation>Copier les clés</translation>
+    </message>
+    <message>
+        <source>Ctrl while dragging</source>
+        <translation>Ctrl en faisant glisser</translation>
+    </message>
+    <message>
+        <source>Copy, paste, select all keys</source>
+        <translation>Copier, coller, sélectionner toutes les clés</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V, Ctrl+A</source>
+        <translation>Ctrl+C, Ctrl+V, Ctrl+A</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys, or the motion</source>
+        <translation>Supprimer les clés sélectionnées ou le mouvement</translation>
+    </message>
+    <message>
+        <source>Choose how a key leads to the next</source>
+        <translation>Choisir comment une clé mène à la suivante</translation>
+    </message>
+    <message>
+        <source>right-click it</source>
+        <translation>clic droit dessus</translation>
+    </message>
+    <message>
+        <source>Zoom the ruler</source>
+        <translation>Agrandir la règle</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation>Ctrl + molette</translation>
+    </message>
+    <message>
+        <source>In the timeline</source>
+        <translation>Dans la chronologie</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceInput</name>
@@ -7312,6 +7559,288 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::Timeline</name>
+    <message>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Orbite</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Respiration</translation>
+    </message>
+    <message>
+        <source>Palette Cycle</source>
+        <translation>Cycle de palette</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Cage</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Application %1</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Branche %1</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Apparence</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Motions need no keys. Select a track first.</source>
+        <translation>Les mouvements n’ont pas besoin de clés. Sélectionnez d’abord une piste.</translation>
+    </message>
+    <message>
+        <source>Key of %1 (frame %2)</source>
+        <translation>Clé de %1 (image %2)</translation>
+    </message>
+    <message>
+        <source>Keys of all tracks (frame %1)</source>
+        <translation>Clés de toutes les pistes (image %1)</translation>
+    </message>
+    <message>
+        <source>Delete keys</source>
+        <translation>Supprimer des clés</translation>
+    </message>
+    <message>
+        <source>Delete the motion “%1”</source>
+        <translation>Supprimer le mouvement « %1 »</translation>
+    </message>
+    <message>
+        <source>Copy keys</source>
+        <translation>Copier des clés</translation>
+    </message>
+    <message>
+        <source>Move keys and all later ones</source>
+        <translation>Déplacer des clés et toutes les suivantes</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Déplacer des clés</translation>
+    </message>
+    <message>
+        <source>Ease of keys</source>
+        <translation>Transition de clés</translation>
+    </message>
+    <message>
+        <source>None of these keys fits this fractal.</source>
+        <translation>Aucune de ces clés ne convient à cette fractale.</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Coller des clés</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linéaire</translation>
+    </message>
+    <message>
+        <source>Slow Start and End</source>
+        <translation>Lent au début et à la fin</translation>
+    </message>
+    <message>
+        <source>Slow Start</source>
+        <translation>Lent au début</translation>
+    </message>
+    <message>
+        <source>Slow End</source>
+        <translation>Lent à la fin</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Maintien</translation>
+    </message>
+    <message>
+        <source>Ease to the Next Key</source>
+        <translation>Transition vers la clé suivante</translation>
+    </message>
+    <message>
+        <source>Copy Keys</source>
+        <translation>Copier les clés</translation>
+    </message>
+    <message>
+        <source>Paste Keys at the Playhead</source>
+        <translation>Coller les clés à la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Delete Keys</source>
+        <translation>Supprimer les clés</translation>
+    </message>
+    <message>
+        <source>Key at the Playhead</source>
+        <translation>Clé à la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Delete the Motion</source>
+        <translation>Supprimer le mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>view::TimelinePanel</name>
+    <message>
+        <source>Breeze</source>
+        <translation>Brise</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <source>Storm</source>
+        <translation>Tempête</translation>
+    </message>
+    <message>
+        <source>Under Water</source>
+        <translation>Sous l’eau</translation>
+    </message>
+    <message>
+        <source>Breathing</source>
+        <translation>Souffle</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Tissage</translation>
+    </message>
+    <message>
+        <source>A fractal of the plane cannot become one in space.</source>
+        <translation>Une fractale du plan ne peut pas devenir une fractale de l’espace.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has more than 256 maps.</source>
+        <translation>L’une des deux fractales a plus de 256 applications.</translation>
+    </message>
+    <message>
+        <source>A bent cage has no code to start from. Reset or bake it first.</source>
+        <translation>Une cage courbée n’a pas de code d’où partir. Réinitialisez-la ou intégrez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has no attractor.</source>
+        <translation>L’une des deux fractales n’a pas d’attracteur.</translation>
+    </message>
+    <message>
+        <source>Add Motion</source>
+        <translation>Ajouter un mouvement</translation>
+    </message>
+    <message>
+        <source>Add a motion that needs no keys, or a morph to another entry</source>
+        <translation>Ajouter un mouvement sans clés, ou un morphing vers une autre entrée</translation>
+    </message>
+    <message>
+        <source>Add &amp;Motion</source>
+        <translation>Ajouter un &amp;mouvement</translation>
+    </message>
+    <message>
+        <source>It is one step of the history.</source>
+        <translation>C’est une étape de l’historique.</translation>
+    </message>
+    <message>
+        <source>There are no maps to move.</source>
+        <translation>Il n’y a pas d’applications à animer.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <source>All branches sway about where they begin.</source>
+        <translation>Toutes les branches oscillent autour de leur base.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>The maps turn once about their places.</source>
+        <translation>Les applications tournent une fois sur place.</translation>
+    </message>
+    <message>
+        <source>Turn the maps</source>
+        <translation>Faire tourner les applications</translation>
+    </message>
+    <message>
+        <source>No map can turn without losing the attractor.</source>
+        <translation>Aucune application ne peut tourner sans perdre l’attracteur.</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Orbite</translation>
+    </message>
+    <message>
+        <source>The whole picture goes round once.</source>
+        <translation>Toute l’image fait un tour.</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Respiration</translation>
+    </message>
+    <message>
+        <source>The maps swell and shrink.</source>
+        <translation>Les applications gonflent et rétrécissent.</translation>
+    </message>
+    <message>
+        <source>Palette Cycle</source>
+        <translation>Cycle de palette</translation>
+    </message>
+    <message>
+        <source>The colours run through the palette and back.</source>
+        <translation>Les couleurs parcourent la palette et reviennent.</translation>
+    </message>
+    <message>
+        <source>Cycle the palette</source>
+        <translation>Parcourir la palette</translation>
+    </message>
+    <message>
+        <source>Zoom In Endlessly</source>
+        <translation>Zoom sans fin</translation>
+    </message>
+    <message>
+        <source>The view moves into a small copy of the whole, where the last frame is the first.</source>
+        <translation>La vue plonge dans une petite copie de l’ensemble, où la dernière image est la première.</translation>
+    </message>
+    <message>
+        <source>Zoom in endlessly</source>
+        <translation>Zoomer sans fin</translation>
+    </message>
+    <message>
+        <source>No map only scales the fractal to a copy that stands clear of the others.</source>
+        <translation>Aucune application ne fait que réduire la fractale en une copie à l’écart des autres.</translation>
+    </message>
+    <message>
+        <source>Morph To</source>
+        <translation>Morphing vers</translation>
+    </message>
+    <message>
+        <source>The fractal becomes another entry of this file, and returns.</source>
+        <translation>La fractale devient une autre entrée de ce fichier, puis revient.</translation>
+    </message>
+    <message>
+        <source>Wind: %1</source>
+        <translation>Vent : %1</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension</source>
+        <translation>Ce fichier n’a pas d’autre fractale de cette dimension</translation>
+    </message>
+    <message>
+        <source>Morph to %1</source>
+        <translation>Morphing vers %1</translation>
+    </message>
+</context>
+<context>
     <name>view::ToolOptionsBar</name>
     <message>
         <source>Tool options</source>
@@ -7328,6 +7857,45 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
         <translation>Faites glisser un coin du tétraèdre.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
+    </message>
+</context>
+<context>
+    <name>view::TrackView</name>
+    <message>
+        <source>Tracks and keys</source>
+        <translation>Pistes et clés</translation>
+    </message>
+    <message>
+        <source>One row for each part that can move. The diamond in front makes a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
+        <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer : Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition.</translation>
+    </message>
+    <message>
+        <source>Unit of the ruler</source>
+        <translation>Unité de la règle</translation>
+    </message>
+    <message>
+        <source>Switch the ruler between frames and seconds</source>
+        <translation>Basculer la règle entre images et secondes</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Secondes</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, image %2</translation>
+    </message>
+    <message>
+        <source>, key</source>
+        <translation>, clé</translation>
+    </message>
+    <message>
+        <source>, keys in this row: %1</source>
+        <translation>, clés dans cette ligne : %1</translation>
     </message>
 </context>
 <context>
@@ -7499,6 +8067,126 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>the centre of the picture’s box</source>
         <translation>le centre de la boîte englobante de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransportBar</name>
+    <message>
+        <source>Play</source>
+        <translation>Lancer</translation>
+    </message>
+    <message>
+        <source>Play the animation</source>
+        <translation>Lire l’animation</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>The frame that is shown and edited</source>
+        <translation>L’image affichée et modifiée</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>How many frames the animation is long</source>
+        <translation>Nombre d’images de l’animation</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Images par seconde</translation>
+    </message>
+    <message>
+        <source>How many frames are played in a second</source>
+        <translation>Nombre d’images lues par seconde</translation>
+    </message>
+    <message>
+        <source>Previous Key</source>
+        <translation>Clé précédente</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the key before it</source>
+        <translation>Déplacer la tête de lecture sur la clé précédente</translation>
+    </message>
+    <message>
+        <source>Next Key</source>
+        <translation>Clé suivante</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the next key</source>
+        <translation>Déplacer la tête de lecture sur la clé suivante</translation>
+    </message>
+    <message>
+        <source>Frame:</source>
+        <translation>Image :</translation>
+    </message>
+    <message>
+        <source>Length:</source>
+        <translation>Durée :</translation>
+    </message>
+    <message>
+        <source>fps:</source>
+        <translation>i/s :</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Boucle :</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>What comes after the last frame</source>
+        <translation>Ce qui suit la dernière image</translation>
+    </message>
+    <message>
+        <source>Off: the animation stops at its last frame. Cycle: it begins again, and the frame at its length is frame 0. There and Back: it runs backwards to its start.</source>
+        <translation>Non : l’animation s’arrête à sa dernière image. Cycle : elle recommence, et l’image de la fin est l’image 0. Aller-retour : elle revient en arrière jusqu’au début.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <comment>loop</comment>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Cycle</translation>
+    </message>
+    <message>
+        <source>There and Back</source>
+        <translation>Aller-retour</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 i/s</translation>
+    </message>
+    <message>
+        <source>How many pictures a second are drawn while it plays</source>
+        <translation>Nombre d’images dessinées par seconde pendant la lecture</translation>
+    </message>
+    <message>
+        <source>Length of the animation: %1 frames</source>
+        <translation>Durée de l’animation : %1 images</translation>
+    </message>
+    <message>
+        <source>Frames per second: %1</source>
+        <translation>Images par seconde : %1</translation>
+    </message>
+    <message>
+        <source>Loop: %1</source>
+        <translation>Boucle : %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop at this frame</source>
+        <translation>S’arrêter à cette image</translation>
     </message>
 </context>
 <context>

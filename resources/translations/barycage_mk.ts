@@ -90,6 +90,10 @@
         <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
         <translation>Новиот јазик важи од следното стартување; сѐ друго веднаш, во сите прозорци.</translation>
     </message>
+    <message>
+        <source>Choose a motion that needs no keys, or make keys: what has keys gets another one wherever you change it, what has none changes for the whole animation.</source>
+        <translation>Изберете движење за кое не се потребни клучеви или поставете клучеви: она што има клучеви добива уште еден каде и да го измените, а она што нема се менува за целата анимација.</translation>
+    </message>
 </context>
 <context>
     <name>Analysis</name>
@@ -1687,6 +1691,118 @@
     <message>
         <source>Other names of the file (hard links) keep the old contents.</source>
         <translation>Другите имиња на датотеката (тврди врски) ја задржуваат старата содржина.</translation>
+    </message>
+    <message>
+        <source>&amp;Animation</source>
+        <translation>&amp;Анимација</translation>
+    </message>
+    <message>
+        <source>A&amp;nimate</source>
+        <translation>А&amp;нимирај</translation>
+    </message>
+    <message>
+        <source>Show the timeline under the canvas</source>
+        <translation>Прикажи ја временската лента под платното</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Пушти</translation>
+    </message>
+    <message>
+        <source>Play or stop the animation (Space on the canvas)</source>
+        <translation>Пушти ја или запри ја анимацијата (Space на платното)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Пауза</translation>
+    </message>
+    <message>
+        <source>P&amp;revious Frame</source>
+        <translation>П&amp;ретходна слика</translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>Move the playhead back one frame</source>
+        <translation>Врати ја главата за пуштање една слика назад</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Frame</source>
+        <translation>&amp;Следна слика</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Move the playhead on one frame</source>
+        <translation>Помести ја главата за пуштање една слика напред</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Key</source>
+        <translation>Пре&amp;тходен клуч</translation>
+    </message>
+    <message>
+        <source>Alt+,</source>
+        <translation>Alt+,</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the key before it</source>
+        <translation>Помести ја главата за пуштање на претходниот клуч</translation>
+    </message>
+    <message>
+        <source>Nex&amp;t Key</source>
+        <translation>С&amp;леден клуч</translation>
+    </message>
+    <message>
+        <source>Alt+.</source>
+        <translation>Alt+.</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the next key</source>
+        <translation>Помести ја главата за пуштање на следниот клуч</translation>
+    </message>
+    <message>
+        <source>Set &amp;Key</source>
+        <translation>Постави &amp;клуч</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Key the current track at the playhead</source>
+        <translation>Постави клуч на избраната патека кај главата за пуштање</translation>
+    </message>
+    <message>
+        <source>Set Keys of &amp;All Tracks</source>
+        <translation>Постави клучеви на с&amp;ите патеки</translation>
+    </message>
+    <message>
+        <source>Shift+K</source>
+        <translation>Shift+K</translation>
+    </message>
+    <message>
+        <source>Key all tracks that have keys at the playhead, or all tracks if none has</source>
+        <translation>Постави клучеви кај главата за пуштање на сите патеки што веќе имаат, или на сите ако ниедна нема</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Keys</source>
+        <translation>И&amp;збриши клучеви</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys</source>
+        <translation>Избриши ги избраните клучеви</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Временска лента</translation>
+    </message>
+    <message>
+        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
+        <translation>Анимацијата на овој фрактал: неговите движења и клучевите на сè што може да се движи.</translation>
     </message>
 </context>
 <context>
@@ -3335,6 +3451,14 @@
     <message>
         <source>Move vertex %1 to (%2, %3)</source>
         <translation>Премести го темето %1 во (%2, %3)</translation>
+    </message>
+</context>
+<context>
+    <name>document::Document</name>
+    <message>
+        <source>%1 (frame %2)</source>
+        <comment>what is done, at which frame</comment>
+        <translation>%1 (слика %2)</translation>
     </message>
 </context>
 <context>
@@ -6690,6 +6814,25 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::MotionPage</name>
+    <message>
+        <source>Make Keys</source>
+        <translation>Постави клучеви</translation>
+    </message>
+    <message>
+        <source>Show the tracks, to make keys of your own</source>
+        <translation>Прикажи ги патеките за да поставите свои клучеви</translation>
+    </message>
+    <message>
+        <source>Or set a key, move the playhead, and change the fractal.</source>
+        <translation>Или поставете клуч, поместете ја главата за пуштање и изменете го фракталот.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet. Choose a motion:</source>
+        <translation>Сè уште ништо не се движи. Изберете движење:</translation>
+    </message>
+</context>
+<context>
     <name>view::MutateDialog</name>
     <message>
         <source>Variations of “%1”</source>
@@ -7270,6 +7413,110 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>F6, Shift+F6</source>
         <translation>F6, Shift+F6</translation>
     </message>
+    <message>
+        <source>Play or stop the animation</source>
+        <translation>Пушти ја или запри ја анимацијата</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Space</translation>
+    </message>
+    <message>
+        <source>Move the playhead</source>
+        <translation>Помести ја главата за пуштање</translation>
+    </message>
+    <message>
+        <source>drag in the ruler, or Left, Right</source>
+        <translation>влечење по линијарот, или Left, Right</translation>
+    </message>
+    <message>
+        <source>Previous or next key</source>
+        <translation>Претходен или следен клуч</translation>
+    </message>
+    <message>
+        <source>Ctrl + Left, Right</source>
+        <translation>Ctrl + Left, Right</translation>
+    </message>
+    <message>
+        <source>First or last frame</source>
+        <translation>Прва или последна слика</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Home, End</translation>
+    </message>
+    <message>
+        <source>Select another row</source>
+        <translation>Избери друг ред</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Up, Down</translation>
+    </message>
+    <message>
+        <source>Make or delete the key of the row</source>
+        <translation>Постави го или избриши го клучот на редот</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Move the selected keys</source>
+        <translation>Помести ги избраните клучеви</translation>
+    </message>
+    <message>
+        <source>drag them</source>
+        <translation>влечење</translation>
+    </message>
+    <message>
+        <source>Move all later keys of the row, too</source>
+        <translation>Помести ги и сите подоцнежни клучеви на редот</translation>
+    </message>
+    <message>
+        <source>Alt while dragging</source>
+        <translation>Alt при влечење</translation>
+    </message>
+    <message>
+        <source>Copy the keys</source>
+        <translation>Копирај ги клучевите</translation>
+    </message>
+    <message>
+        <source>Ctrl while dragging</source>
+        <translation>Ctrl при влечење</translation>
+    </message>
+    <message>
+        <source>Copy, paste, select all keys</source>
+        <translation>Копирај, вметни, избери ги сите клучеви</translation>
+    </message>
+    <message>
+        <source>Ctrl+C, Ctrl+V, Ctrl+A</source>
+        <translation>Ctrl+C, Ctrl+V, Ctrl+A</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys, or the motion</source>
+        <translation>Избриши ги избраните клучеви или движењето</translation>
+    </message>
+    <message>
+        <source>Choose how a key leads to the next</source>
+        <translation>Избери како клуч води до следниот</translation>
+    </message>
+    <message>
+        <source>right-click it</source>
+        <translation>десен клик на него</translation>
+    </message>
+    <message>
+        <source>Zoom the ruler</source>
+        <translation>Зумирај го линијарот</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel</source>
+        <translation>Ctrl + тркалце</translation>
+    </message>
+    <message>
+        <source>In the timeline</source>
+        <translation>Во временската лента</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceInput</name>
@@ -7326,6 +7573,288 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::Timeline</name>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Вртење</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Орбита</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Дишење</translation>
+    </message>
+    <message>
+        <source>Palette Cycle</source>
+        <translation>Кружење на палетата</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Кафез</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Пресликување %1</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Гранка %1</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Изглед</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Камера</translation>
+    </message>
+    <message>
+        <source>Motions need no keys. Select a track first.</source>
+        <translation>За движењата не се потребни клучеви. Прво изберете патека.</translation>
+    </message>
+    <message>
+        <source>Key of %1 (frame %2)</source>
+        <translation>Клуч на %1 (слика %2)</translation>
+    </message>
+    <message>
+        <source>Keys of all tracks (frame %1)</source>
+        <translation>Клучеви на сите патеки (слика %1)</translation>
+    </message>
+    <message>
+        <source>Delete keys</source>
+        <translation>Избриши клучеви</translation>
+    </message>
+    <message>
+        <source>Delete the motion “%1”</source>
+        <translation>Избриши го движењето „%1“</translation>
+    </message>
+    <message>
+        <source>Copy keys</source>
+        <translation>Копирај клучеви</translation>
+    </message>
+    <message>
+        <source>Move keys and all later ones</source>
+        <translation>Помести клучеви и сите подоцнежни</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Помести клучеви</translation>
+    </message>
+    <message>
+        <source>Ease of keys</source>
+        <translation>Премин на клучеви</translation>
+    </message>
+    <message>
+        <source>None of these keys fits this fractal.</source>
+        <translation>Ниеден од овие клучеви не одговара на овој фрактал.</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Вметни клучеви</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Линеарно</translation>
+    </message>
+    <message>
+        <source>Slow Start and End</source>
+        <translation>Бавно на почетокот и на крајот</translation>
+    </message>
+    <message>
+        <source>Slow Start</source>
+        <translation>Бавно на почетокот</translation>
+    </message>
+    <message>
+        <source>Slow End</source>
+        <translation>Бавно на крајот</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Задржи</translation>
+    </message>
+    <message>
+        <source>Ease to the Next Key</source>
+        <translation>Премин до следниот клуч</translation>
+    </message>
+    <message>
+        <source>Copy Keys</source>
+        <translation>Копирај клучеви</translation>
+    </message>
+    <message>
+        <source>Paste Keys at the Playhead</source>
+        <translation>Вметни клучеви кај главата за пуштање</translation>
+    </message>
+    <message>
+        <source>Delete Keys</source>
+        <translation>Избриши клучеви</translation>
+    </message>
+    <message>
+        <source>Key at the Playhead</source>
+        <translation>Клуч кај главата за пуштање</translation>
+    </message>
+    <message>
+        <source>Delete the Motion</source>
+        <translation>Избриши го движењето</translation>
+    </message>
+</context>
+<context>
+    <name>view::TimelinePanel</name>
+    <message>
+        <source>Breeze</source>
+        <translation>Ветре</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Налети</translation>
+    </message>
+    <message>
+        <source>Storm</source>
+        <translation>Бура</translation>
+    </message>
+    <message>
+        <source>Under Water</source>
+        <translation>Под вода</translation>
+    </message>
+    <message>
+        <source>Breathing</source>
+        <translation>Здив</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Ткаење</translation>
+    </message>
+    <message>
+        <source>A fractal of the plane cannot become one in space.</source>
+        <translation>Фрактал во рамнината не може да стане фрактал во просторот.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has more than 256 maps.</source>
+        <translation>Еден од двата фрактала има повеќе од 256 пресликувања.</translation>
+    </message>
+    <message>
+        <source>A bent cage has no code to start from. Reset or bake it first.</source>
+        <translation>Искривен кафез нема код од кој би се тргнало. Прво вратете го или вградете го.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has no attractor.</source>
+        <translation>Еден од двата фрактала нема атрактор.</translation>
+    </message>
+    <message>
+        <source>Add Motion</source>
+        <translation>Додај движење</translation>
+    </message>
+    <message>
+        <source>Add a motion that needs no keys, or a morph to another entry</source>
+        <translation>Додај движење за кое не се потребни клучеви или преобразба во друг запис</translation>
+    </message>
+    <message>
+        <source>Add &amp;Motion</source>
+        <translation>Додај &amp;движење</translation>
+    </message>
+    <message>
+        <source>It is one step of the history.</source>
+        <translation>Тоа е еден чекор во историјата.</translation>
+    </message>
+    <message>
+        <source>There are no maps to move.</source>
+        <translation>Нема пресликувања што би се движеле.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>All branches sway about where they begin.</source>
+        <translation>Сите гранки се нишаат околу местото каде што почнуваат.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Вртење</translation>
+    </message>
+    <message>
+        <source>The maps turn once about their places.</source>
+        <translation>Пресликувањата се вртат еднаш на своето место.</translation>
+    </message>
+    <message>
+        <source>Turn the maps</source>
+        <translation>Заврти ги пресликувањата</translation>
+    </message>
+    <message>
+        <source>No map can turn without losing the attractor.</source>
+        <translation>Ниедно пресликување не може да се врти без да се изгуби атракторот.</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Орбита</translation>
+    </message>
+    <message>
+        <source>The whole picture goes round once.</source>
+        <translation>Целата слика прави еден круг.</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Дишење</translation>
+    </message>
+    <message>
+        <source>The maps swell and shrink.</source>
+        <translation>Пресликувањата растат и се смалуваат.</translation>
+    </message>
+    <message>
+        <source>Palette Cycle</source>
+        <translation>Кружење на палетата</translation>
+    </message>
+    <message>
+        <source>The colours run through the palette and back.</source>
+        <translation>Боите минуваат низ палетата и назад.</translation>
+    </message>
+    <message>
+        <source>Cycle the palette</source>
+        <translation>Кружи низ палетата</translation>
+    </message>
+    <message>
+        <source>Zoom In Endlessly</source>
+        <translation>Бескрајно зумирање</translation>
+    </message>
+    <message>
+        <source>The view moves into a small copy of the whole, where the last frame is the first.</source>
+        <translation>Погледот навлегува во мала копија на целината, каде што последната слика е првата.</translation>
+    </message>
+    <message>
+        <source>Zoom in endlessly</source>
+        <translation>Зумирај бескрајно</translation>
+    </message>
+    <message>
+        <source>No map only scales the fractal to a copy that stands clear of the others.</source>
+        <translation>Ниедно пресликување само не го смалува фракталот во копија одвоена од другите.</translation>
+    </message>
+    <message>
+        <source>Morph To</source>
+        <translation>Преобрази во</translation>
+    </message>
+    <message>
+        <source>The fractal becomes another entry of this file, and returns.</source>
+        <translation>Фракталот станува друг запис од оваа датотека и се враќа.</translation>
+    </message>
+    <message>
+        <source>Wind: %1</source>
+        <translation>Ветер: %1</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension</source>
+        <translation>Оваа датотека нема друг фрактал од оваа димензија</translation>
+    </message>
+    <message>
+        <source>Morph to %1</source>
+        <translation>Преобрази во %1</translation>
+    </message>
+</context>
+<context>
     <name>view::ToolOptionsBar</name>
     <message>
         <source>Tool options</source>
@@ -7342,6 +7871,45 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
         <translation>Влечи теме на тетраедарот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+    </message>
+</context>
+<context>
+    <name>view::TrackView</name>
+    <message>
+        <source>Tracks and keys</source>
+        <translation>Патеки и клучеви</translation>
+    </message>
+    <message>
+        <source>One row for each part that can move. The diamond in front makes a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
+        <translation>По еден ред за секој дел што може да се движи. Ромбот напред поставува клуч кај главата за пуштање или го брише. Влечете клучеви за да ги поместите: Alt ги носи и подоцнежните, Ctrl ги копира. Влечете по линијарот за да ја поместите главата, а од празно место за да изберете клучеви. Ctrl + тркалце зумира. Десен клик на клуч за неговиот премин.</translation>
+    </message>
+    <message>
+        <source>Unit of the ruler</source>
+        <translation>Единица на линијарот</translation>
+    </message>
+    <message>
+        <source>Switch the ruler between frames and seconds</source>
+        <translation>Префрли го линијарот меѓу слики и секунди</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Секунди</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Слики</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, слика %2</translation>
+    </message>
+    <message>
+        <source>, key</source>
+        <translation>, клуч</translation>
+    </message>
+    <message>
+        <source>, keys in this row: %1</source>
+        <translation>, клучеви во овој ред: %1</translation>
     </message>
 </context>
 <context>
@@ -7513,6 +8081,126 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>the centre of the picture’s box</source>
         <translation>средината на правоаголникот на сликата</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransportBar</name>
+    <message>
+        <source>Play</source>
+        <translation>Пушти</translation>
+    </message>
+    <message>
+        <source>Play the animation</source>
+        <translation>Пушти ја анимацијата</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Слика</translation>
+    </message>
+    <message>
+        <source>The frame that is shown and edited</source>
+        <translation>Сликата што се прикажува и се уредува</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Должина</translation>
+    </message>
+    <message>
+        <source>How many frames the animation is long</source>
+        <translation>Колку слики е долга анимацијата</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Слики во секунда</translation>
+    </message>
+    <message>
+        <source>How many frames are played in a second</source>
+        <translation>Колку слики се пуштаат во секунда</translation>
+    </message>
+    <message>
+        <source>Previous Key</source>
+        <translation>Претходен клуч</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the key before it</source>
+        <translation>Помести ја главата за пуштање на претходниот клуч</translation>
+    </message>
+    <message>
+        <source>Next Key</source>
+        <translation>Следен клуч</translation>
+    </message>
+    <message>
+        <source>Move the playhead to the next key</source>
+        <translation>Помести ја главата за пуштање на следниот клуч</translation>
+    </message>
+    <message>
+        <source>Frame:</source>
+        <translation>Слика:</translation>
+    </message>
+    <message>
+        <source>Length:</source>
+        <translation>Должина:</translation>
+    </message>
+    <message>
+        <source>fps:</source>
+        <translation>сл./с:</translation>
+    </message>
+    <message>
+        <source>Loop:</source>
+        <translation>Јамка:</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Јамка</translation>
+    </message>
+    <message>
+        <source>What comes after the last frame</source>
+        <translation>Што доаѓа по последната слика</translation>
+    </message>
+    <message>
+        <source>Off: the animation stops at its last frame. Cycle: it begins again, and the frame at its length is frame 0. There and Back: it runs backwards to its start.</source>
+        <translation>Исклучено: анимацијата запира на последната слика. Круг: почнува одново, а сликата на крајот е слика 0. Напред и назад: се враќа наназад до почетокот.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <comment>loop</comment>
+        <translation>Исклучено</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Круг</translation>
+    </message>
+    <message>
+        <source>There and Back</source>
+        <translation>Напред и назад</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 сл./с</translation>
+    </message>
+    <message>
+        <source>How many pictures a second are drawn while it plays</source>
+        <translation>Колку слики во секунда се цртаат при пуштањето</translation>
+    </message>
+    <message>
+        <source>Length of the animation: %1 frames</source>
+        <translation>Должина на анимацијата: %1 слики</translation>
+    </message>
+    <message>
+        <source>Frames per second: %1</source>
+        <translation>Слики во секунда: %1</translation>
+    </message>
+    <message>
+        <source>Loop: %1</source>
+        <translation>Јамка: %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Пауза</translation>
+    </message>
+    <message>
+        <source>Stop at this frame</source>
+        <translation>Запри на оваа слика</translation>
     </message>
 </context>
 <context>
