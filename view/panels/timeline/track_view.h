@@ -89,7 +89,7 @@ private:
     Qt::KeyboardModifiers m_modifiers;
     document::KeyAt m_held;
     bool m_hasMoved = false;
-    bool m_wasSelected = false; // the key that is held, before it was pressed
+    bool m_wasSelected = false;            // the key that is held, before it was pressed
     int m_by = 0;                          // frames that the selected keys have been dragged
     std::vector<document::KeyAt> m_before; // selected before the band
 };
