@@ -422,7 +422,7 @@ void addSpaceOptions(CLI::App& command, RenderArguments& arguments) {
               "Azimuth and elevation of the key light from the line of sight, in degrees", "-40,40");
     group.add("--fog", "F", arguments.fog, "How fast colours fade with depth, 0 to 100", "0");
     group.add("--slice", "NX,NY,NZ,T,W", arguments.slice,
-              "Keep only the points x with |n·x - T| <= W; without W, those with n·x <= T");
+              "Keep only the points p with |n·p - T| <= W; without W, those with n·p <= T");
     group.add("--stereo", "NAME", arguments.stereo,
               "side-by-side (left picture for the left eye) or anaglyph (red and cyan)");
 }

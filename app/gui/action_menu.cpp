@@ -4,6 +4,7 @@
 #include "action_details.h"
 #include "desktop/settings.h"
 #include "widgets/icon.h"
+#include "widgets/tooltip_text.h"
 
 #include <QMenuBar>
 #include <QShortcut>
@@ -60,7 +61,7 @@ void ActionMenu::disableWhen(QAction* action, QString (*obstacle)(const document
                          statusTip = action->statusTip()] {
         const QString why = obstacle(m_context.document->fractal());
         action->setEnabled(why.isEmpty());
-        action->setToolTip(why.isEmpty() ? toolTip : why);
+        action->setToolTip(why.isEmpty() ? toolTip : view::tooltipText(why));
         action->setStatusTip(why.isEmpty() ? statusTip : why);
         blocked->setEnabled(!why.isEmpty());
     };

@@ -6,17 +6,30 @@
 #include "document/animated_fractal.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace document {
 
 namespace {
 
-template <int Dim>
-const ifs::WeightedMap<Dim>* mapOf(const ifs::IteratedFunctionSystem<Dim>& system, ifs::MapId id) {
-    const auto found = std::ranges::find(system.maps, id, &ifs::WeightedMap<Dim>::id);
-    return found == system.maps.end() ? nullptr : &*found;
-}
+// The maps of a system, found by their identities.
+template <int Dim> class MapIndex {
+public:
+    explicit MapIndex(const ifs::IteratedFunctionSystem<Dim>& system) {
+        m_maps.reserve(system.maps.size());
+        for (const ifs::WeightedMap<Dim>& map : system.maps)
+            m_maps.emplace(map.id, &map);
+    }
+
+    const ifs::WeightedMap<Dim>* find(ifs::MapId id) const {
+        const auto found = m_maps.find(id);
+        return found == m_maps.end() ? nullptr : found->second;
+    }
+
+private:
+    std::unordered_map<ifs::MapId, const ifs::WeightedMap<Dim>*> m_maps;
+};
 
 template <class Tracks, class Name, class Member>
 auto* trackOf(Tracks& tracks, const Name& name, Member member) {
@@ -74,7 +87,8 @@ private:
     }
 
     void forgetMaps(const ifs::IteratedFunctionSystem<Dim>& after) {
-        const auto isGone = [&](ifs::MapId id) { return !mapOf<Dim>(after, id); };
+        const MapIndex<Dim> left(after);
+        const auto isGone = [&](ifs::MapId id) { return !left.find(id); };
         std::erase_if(m_animation.maps, [&](const auto& track) { return isGone(track.map); });
         std::erase_if(m_animation.branches,
                       [&](const auto& track) { return std::ranges::any_of(track.word, isGone); });
@@ -89,19 +103,25 @@ private:
     void putMaps(const ifs::IteratedFunctionSystem<Dim>& before,
                  const ifs::IteratedFunctionSystem<Dim>& after) {
         const auto back = animation::movedBack<Dim>(m_animation.motions, m_moment, m_animation.length, after);
-        const auto& keyed = std::get<Shape<Dim>>(m_keyed.shape).system;
+        const MapIndex<Dim> shown(before), stored(m_shape.system);
+        const MapIndex<Dim> keyed(std::get<Shape<Dim>>(m_keyed.shape).system);
+        std::unordered_map<ifs::MapId, animation::MapTrack<Dim>*> tracks;
+        for (animation::MapTrack<Dim>& track : m_animation.maps)
+            tracks.emplace(track.map, &track);
         ifs::IteratedFunctionSystem<Dim> result = after;
         for (std::size_t i = 0; i < after.maps.size(); ++i) {
             ifs::WeightedMap<Dim>& map = result.maps[i];
-            const auto* old = mapOf<Dim>(before, map.id);
-            const auto* kept = mapOf<Dim>(m_shape.system, map.id);
-            const auto* unmoved = mapOf<Dim>(keyed, map.id);
+            const auto* old = shown.find(map.id);
+            const auto* kept = stored.find(map.id);
+            const auto* unmoved = keyed.find(map.id);
             const bool isMapSame = old && unmoved && old->map == map.map;
             const bool isSame = isMapSame && old->weight == map.weight;
             map.map = isMapSame ? unmoved->map : back.maps[i].map;
-            auto* track = trackOf(m_animation.maps, map.id, &animation::MapTrack<Dim>::map);
-            if (track && !isSame) write(track->keys, animation::MapPose<Dim>{map.map, map.weight});
-            if (kept && (track || isSame)) {
+            const auto track = tracks.find(map.id);
+            const bool isTracked = track != tracks.end();
+            if (isTracked && !isSame)
+                write(track->second->keys, animation::MapPose<Dim>{map.map, map.weight});
+            if (kept && (isTracked || isSame)) {
                 map.map = kept->map;
                 map.weight = kept->weight;
             }

@@ -6,7 +6,9 @@ namespace document {
 QString toText(const Problem& problem, const QString& fileName) {
     const QString severity =
         problem.severity == Problem::Severity::Error ? QStringLiteral("error") : QStringLiteral("warning");
-    const QString entry = problem.entry.isEmpty() ? QString() : QStringLiteral("“%1”: ").arg(problem.entry);
+    const QString name = QStringLiteral("“%1”").arg(problem.entry);
+    const bool isNamed = problem.entry.isEmpty() || problem.message.startsWith(name);
+    const QString entry = isNamed ? QString() : name + QStringLiteral(": ");
     if (problem.line == 0)
         return QStringLiteral("%1: %2: %3%4").arg(fileName, severity, entry, problem.message);
     // All at once: a file may be called “%4”.

@@ -15,6 +15,9 @@ namespace {
 
 // Looser than rounding, as in the plane: nobody sees more digits.
 constexpr double relativeTolerance = 1e-6;
+// The window waits for the cage: of so many maps it may be a little larger than it has to be.
+constexpr std::size_t manyMaps = 10'000;
+constexpr double coarseTolerance = 1e-2;
 
 // Clouds have none: that of the solid behind them.
 attractor::Look solidLook(attractor::LookInSpace look) {
@@ -54,7 +57,8 @@ std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal) {
     if (shape->cage) return shape->cage;
     const auto support = spaceSupport(fractal);
     if (!support) return ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    auto simplex = ifs::minimalCanonicalSimplex(*support, relativeTolerance * support->radius());
+    const double tolerance = shape->system.maps.size() > manyMaps ? coarseTolerance : relativeTolerance;
+    auto simplex = ifs::minimalCanonicalSimplex(*support, tolerance * support->radius());
     constexpr double rounding = 1e-14; // numbers that should be none are no sight in a table
     for (ifs::Vector<3>& vertex : simplex.vertices)
         vertex =

@@ -2,6 +2,7 @@
 #include "attractor/threads/workers.h"
 
 #include <system_error>
+#include <utility>
 
 namespace attractor {
 
@@ -28,9 +29,19 @@ void Workers::run(const std::function<void(std::size_t)>& work) {
         ++m_round;
     }
     m_wake.notify_all();
-    work(0);
+    attempt(work, 0);
     std::unique_lock lock(m_mutex);
     m_finished.wait(lock, [this] { return m_busy == 0; });
+    if (const std::exception_ptr thrown = std::exchange(m_thrown, nullptr)) std::rethrow_exception(thrown);
+}
+
+void Workers::attempt(const std::function<void(std::size_t)>& work, std::size_t thread) {
+    try {
+        work(thread);
+    } catch (...) {
+        const std::lock_guard lock(m_mutex);
+        if (!m_thrown) m_thrown = std::current_exception();
+    }
 }
 
 void Workers::serve(std::size_t thread) {
@@ -44,7 +55,7 @@ void Workers::serve(std::size_t thread) {
             seen = m_round;
             work = m_work;
         }
-        (*work)(thread);
+        attempt(*work, thread);
         const std::lock_guard lock(m_mutex);
         if (--m_busy == 0) m_finished.notify_one();
     }

@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -11,7 +12,8 @@
 namespace attractor {
 
 // A team of threads for one caller: run() executes work(0) … work(size − 1) at the same time, work(0) on the
-// caller, and returns when all are done. Fewer than asked for where the system gives no more threads.
+// caller, and returns when all are done. Fewer than asked for where the system gives no more threads. What
+// the work throws, as when memory is short, run() throws when all are done.
 class Workers {
 public:
     explicit Workers(std::size_t size);
@@ -24,6 +26,7 @@ public:
 
 private:
     void serve(std::size_t thread);
+    void attempt(const std::function<void(std::size_t)>& work, std::size_t thread);
 
     std::mutex m_mutex;
     std::condition_variable m_wake;
@@ -32,6 +35,7 @@ private:
     std::size_t m_round = 0;
     std::size_t m_busy = 0;
     bool m_quit = false;
+    std::exception_ptr m_thrown;         // the first of this round
     std::vector<std::jthread> m_threads; // last: they use the rest
 };
 

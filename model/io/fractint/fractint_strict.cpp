@@ -82,7 +82,7 @@ private:
         if (!title.isEmpty()) m_text.bytes += " ; " + title.first();
         m_text.bytes += '\n' + rowText(rows).join('\n') + "\n}\n";
         checkLimits(fractal, rows.size());
-        if (const auto loss = lossBeside({}, fractal)) warn({}, *loss); // which names the entry
+        if (const auto loss = lossBeside({}, fractal)) warn(fractal.name, *loss);
     }
 
     void addComment(const QString& text) {

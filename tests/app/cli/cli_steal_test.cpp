@@ -209,7 +209,7 @@ void CliStealTest::pictureLiesWhereRenderDrawsG() {
             const int turn = std::abs(inF(x, y).hslHue() - inG(x, y).hslHue());
             QVERIFY(std::min(turn, 360 - turn) < 20);
         }
-    QVERIFY(std::abs(inF(.1, .1).hslHue() - inF(.9, .1).hslHue()) > 30);
+    QVERIFY(std::abs(inF(.1, .1).hslHue() - inF(.1, .9).hslHue()) > 30);
 }
 
 void CliStealTest::cagesAreApplied() {

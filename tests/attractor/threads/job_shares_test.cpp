@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 
 using namespace attractor;
 
@@ -22,6 +23,22 @@ private slots:
                 QVERIFY(std::ranges::all_of(calls, [](const auto& n) { return n == 1; }));
             }
         }
+    }
+
+    void whatIsThrownReachesTheCaller() {
+        Workers workers(3);
+        for (const std::size_t thrower : {0U, 1U, 2U}) {
+            std::atomic<int> calls = 0;
+            const auto work = [&](std::size_t thread) {
+                ++calls;
+                if (thread == thrower) throw std::bad_alloc();
+            };
+            QVERIFY_THROWS_EXCEPTION(std::bad_alloc, workers.run(work));
+            QCOMPARE(calls.load(), 3);
+        }
+        int calls = 0;
+        workers.run([&](std::size_t thread) { calls += thread == 0; });
+        QCOMPARE(calls, 1);
     }
 
     void everyJobIsDoneOnce() {

@@ -7,10 +7,6 @@
 #include <cstring>
 #include <vector>
 
-extern "C" {
-#include <libavutil/opt.h>
-}
-
 namespace io::libav {
 
 namespace {
@@ -84,9 +80,9 @@ class Options {
 public:
     explicit Options(const std::vector<Option>& options) {
         for (const Option& option : options)
-            av_dict_set(&m_dictionary, option.name, option.value, 0);
+            library().av_dict_set(&m_dictionary, option.name, option.value, 0);
     }
-    ~Options() { av_dict_free(&m_dictionary); }
+    ~Options() { library().av_dict_free(&m_dictionary); }
     Options(const Options&) = delete;
     Options& operator=(const Options&) = delete;
 
@@ -115,12 +111,12 @@ bool copiesRows(AVPixelFormat format) {
 
 Pointer<SwsContext> conversion(int width, int height, AVPixelFormat to) {
     constexpr int flags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP | SWS_BITEXACT;
-    Pointer<SwsContext> context(
-        sws_getContext(width, height, AV_PIX_FMT_BGRA, width, height, to, flags, nullptr, nullptr, nullptr));
+    Pointer<SwsContext> context(library().sws_getContext(width, height, AV_PIX_FMT_BGRA, width, height, to,
+                                                         flags, nullptr, nullptr, nullptr));
     if (!context) return context;
     constexpr int one = 1 << 16;
-    const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
-    sws_setColorspaceDetails(context.get(), bt709, 1, bt709, isRgb(to) ? 1 : 0, 0, one, one);
+    const int* bt709 = library().sws_getCoefficients(SWS_CS_ITU709);
+    library().sws_setColorspaceDetails(context.get(), bt709, 1, bt709, isRgb(to) ? 1 : 0, 0, one, one);
     return context;
 }
 
@@ -131,11 +127,16 @@ QByteArray commentOf(const QByteArray& systemText) {
 }
 
 Failure encoderObstacle(VideoFormat format) {
+    if (!isInstalled())
+        return QCoreApplication::translate(
+            "VideoWriter",
+            "FFmpeg's libraries are not installed on this machine, so no videos can be written. "
+            "Install them, or write the frames as PNG pictures instead.");
     VideoSettings settings;
     settings.format = format;
     const Recipe recipe = recipeOf(settings);
-    if (avcodec_find_encoder_by_name(recipe.encoder) != nullptr &&
-        av_guess_format(recipe.muxer, nullptr, nullptr) != nullptr)
+    if (library().avcodec_find_encoder_by_name(recipe.encoder) != nullptr &&
+        library().av_guess_format(recipe.muxer, nullptr, nullptr) != nullptr)
         return std::nullopt;
     return QCoreApplication::translate(
                "VideoWriter", "FFmpeg's libraries on this machine cannot write %1 files: the encoder "
@@ -144,14 +145,14 @@ Failure encoderObstacle(VideoFormat format) {
 }
 
 Encoder::Encoder(QIODevice& device, const VideoSettings& settings) : m_file(device) {
-    av_log_set_level(AV_LOG_QUIET); // what fails is said by failure()
+    library().av_log_set_level(AV_LOG_QUIET); // what fails is said by failure()
     open(settings);
 }
 
 bool Encoder::isDone(int result) {
     if (result >= 0) return true;
     std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-    av_strerror(result, text.data(), text.size());
+    library().av_strerror(result, text.data(), text.size());
     if (!m_failure)
         m_failure = QCoreApplication::translate("VideoWriter", "The video cannot be written: %1.")
                         .arg(QString::fromUtf8(text.data()));
@@ -159,10 +160,10 @@ bool Encoder::isDone(int result) {
 }
 
 void Encoder::open(const VideoSettings& settings) {
-    m_packet.reset(av_packet_alloc());
+    m_packet.reset(library().av_packet_alloc());
     AVFormatContext* format = nullptr;
     const Recipe recipe = recipeOf(settings);
-    const int made = avformat_alloc_output_context2(&format, nullptr, recipe.muxer, nullptr);
+    const int made = library().avformat_alloc_output_context2(&format, nullptr, recipe.muxer, nullptr);
     m_format.reset(format);
     if (!isDone(m_packet ? made : AVERROR(ENOMEM))) return;
     openEncoder(settings);
@@ -171,8 +172,8 @@ void Encoder::open(const VideoSettings& settings) {
 
 void Encoder::openEncoder(const VideoSettings& settings) {
     const Recipe recipe = recipeOf(settings);
-    const AVCodec* codec = avcodec_find_encoder_by_name(recipe.encoder);
-    m_encoder.reset(codec != nullptr ? avcodec_alloc_context3(codec) : nullptr);
+    const AVCodec* codec = library().avcodec_find_encoder_by_name(recipe.encoder);
+    m_encoder.reset(codec != nullptr ? library().avcodec_alloc_context3(codec) : nullptr);
     if (!isDone(m_encoder ? 0 : AVERROR_ENCODER_NOT_FOUND)) return;
     m_encoder->width = settings.width;
     m_encoder->height = settings.height;
@@ -186,7 +187,7 @@ void Encoder::openEncoder(const VideoSettings& settings) {
     if ((m_format->oformat->flags & AVFMT_GLOBALHEADER) != 0) m_encoder->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
     describeColours(*m_encoder);
     Options options(recipe.options);
-    if (!isDone(avcodec_open2(m_encoder.get(), codec, options.get()))) return;
+    if (!isDone(library().avcodec_open2(m_encoder.get(), codec, options.get()))) return;
     if (isRgb(m_encoder->pix_fmt) && copiesRows(m_encoder->pix_fmt)) return;
     if (m_encoder->pix_fmt == AV_PIX_FMT_PAL8) return;
     m_colours = conversion(settings.width, settings.height, m_encoder->pix_fmt);
@@ -194,31 +195,31 @@ void Encoder::openEncoder(const VideoSettings& settings) {
 }
 
 void Encoder::openFile(const VideoSettings& settings) {
-    m_stream = avformat_new_stream(m_format.get(), nullptr);
+    m_stream = library().avformat_new_stream(m_format.get(), nullptr);
     if (!isDone(m_stream != nullptr ? 0 : AVERROR(ENOMEM))) return;
-    if (!isDone(avcodec_parameters_from_context(m_stream->codecpar, m_encoder.get()))) return;
+    if (!isDone(library().avcodec_parameters_from_context(m_stream->codecpar, m_encoder.get()))) return;
     m_stream->time_base = m_encoder->time_base;
     m_stream->avg_frame_rate = m_stream->r_frame_rate = m_encoder->framerate;
     if (settings.format == VideoFormat::WebM && settings.isTransparent)
-        av_dict_set(&m_stream->metadata, "alpha_mode", "1", 0);
+        library().av_dict_set(&m_stream->metadata, "alpha_mode", "1", 0);
     if (!settings.title.isEmpty())
-        av_dict_set(&m_format->metadata, "title", settings.title.toUtf8().constData(), 0);
+        library().av_dict_set(&m_format->metadata, "title", settings.title.toUtf8().constData(), 0);
     if (!settings.systemText.isEmpty())
-        av_dict_set(&m_format->metadata, "comment", commentOf(settings.systemText).constData(), 0);
+        library().av_dict_set(&m_format->metadata, "comment", commentOf(settings.systemText).constData(), 0);
     m_format->flags |= AVFMT_FLAG_BITEXACT;
     m_file.serve(*m_format);
     if (!isDone(m_format->pb != nullptr ? 0 : AVERROR(ENOMEM))) return;
     Options options(recipeOf(settings).fileOptions);
-    isDone(avformat_write_header(m_format.get(), options.get()));
+    isDone(library().avformat_write_header(m_format.get(), options.get()));
 }
 
 Frame Encoder::converted(AVFrame& picture) {
-    if (picture.format == AV_PIX_FMT_PAL8) return Frame(av_frame_clone(&picture));
+    if (picture.format == AV_PIX_FMT_PAL8) return Frame(library().av_frame_clone(&picture));
     Frame frame = newFrame(m_encoder->pix_fmt, picture.width, picture.height);
     if (!frame) return frame;
     if (m_colours) {
-        sws_scale(m_colours.get(), picture.data, picture.linesize, 0, picture.height, frame->data,
-                  frame->linesize);
+        library().sws_scale(m_colours.get(), picture.data, picture.linesize, 0, picture.height, frame->data,
+                            frame->linesize);
     } else {
         for (int row = 0; row < picture.height; ++row)
             std::memcpy(frame->data[0] + std::ptrdiff_t(row) * frame->linesize[0],
@@ -241,23 +242,23 @@ void Encoder::add(AVFrame& picture) {
 }
 
 void Encoder::encode(AVFrame* picture) {
-    if (!isDone(avcodec_send_frame(m_encoder.get(), picture))) return;
+    if (!isDone(library().avcodec_send_frame(m_encoder.get(), picture))) return;
     while (!m_failure) {
-        const int result = avcodec_receive_packet(m_encoder.get(), m_packet.get());
+        const int result = library().avcodec_receive_packet(m_encoder.get(), m_packet.get());
         if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
         if (!isDone(result)) return;
         if (m_packet->duration == 0) m_packet->duration = 1;
-        av_packet_rescale_ts(m_packet.get(), m_encoder->time_base, m_stream->time_base);
+        library().av_packet_rescale_ts(m_packet.get(), m_encoder->time_base, m_stream->time_base);
         m_packet->stream_index = m_stream->index;
-        isDone(av_interleaved_write_frame(m_format.get(), m_packet.get()));
+        isDone(library().av_interleaved_write_frame(m_format.get(), m_packet.get()));
     }
 }
 
 void Encoder::finish() {
     if (!m_failure) encode(nullptr);
-    if (!m_failure) isDone(av_write_trailer(m_format.get()));
+    if (!m_failure) isDone(library().av_write_trailer(m_format.get()));
     if (m_failure) return;
-    avio_flush(m_format->pb);
+    library().avio_flush(m_format->pb);
     isDone(m_format->pb->error);
 }
 

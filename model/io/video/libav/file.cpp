@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/video/libav/file.h"
 
+#include "io/video/libav/library.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-
-extern "C" {
-#include <libavformat/avformat.h>
-}
 
 namespace io::libav {
 
@@ -56,17 +54,17 @@ std::int64_t File::seek(void* cursor, std::int64_t offset, int whence) {
 
 AVIOContext* File::open(bool isWritable) {
     auto cursor = std::make_unique<Cursor>(Cursor{this});
-    auto* buffer = static_cast<unsigned char*>(av_malloc(bufferSize));
+    auto* buffer = static_cast<unsigned char*>(library().av_malloc(bufferSize));
     if (buffer == nullptr) return nullptr;
 #if LIBAVFORMAT_VERSION_MAJOR >= 61
     const auto writer = &File::write;
 #else
     const auto writer = [](void* at, std::uint8_t* data, int size) { return write(at, data, size); };
 #endif
-    AVIOContext* context = avio_alloc_context(buffer, bufferSize, isWritable ? 1 : 0, cursor.get(),
-                                              &File::read, writer, &File::seek);
+    AVIOContext* context = library().avio_alloc_context(buffer, bufferSize, isWritable ? 1 : 0, cursor.get(),
+                                                        &File::read, writer, &File::seek);
     if (context == nullptr) {
-        av_free(buffer);
+        library().av_free(buffer);
         return nullptr;
     }
     cursor.release(); // NOLINT(bugprone-unused-return-value): close() frees it
@@ -77,8 +75,8 @@ AVIOContext* File::open(bool isWritable) {
 void File::close(AVIOContext* context) {
     std::erase(m_open, context);
     delete static_cast<Cursor*>(context->opaque);
-    av_freep(&context->buffer);
-    avio_context_free(&context);
+    library().av_freep(&context->buffer);
+    library().avio_context_free(&context);
 }
 
 // Where all that is written comes first, the beginning is made room for by reading on.

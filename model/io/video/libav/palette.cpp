@@ -3,11 +3,6 @@
 
 #include <string>
 
-extern "C" {
-#include <libavfilter/buffersink.h>
-#include <libavfilter/buffersrc.h>
-}
-
 namespace io::libav {
 
 namespace {
@@ -19,34 +14,36 @@ std::string source(const char* name, int width, int height) {
 
 // Null when it cannot be made.
 Pointer<AVFilterGraph> graphOf(const std::string& description) {
-    Pointer<AVFilterGraph> graph(avfilter_graph_alloc());
+    Pointer<AVFilterGraph> graph(library().avfilter_graph_alloc());
     if (!graph) return graph;
     graph->nb_threads = 1;
     AVFilterInOut* inputs = nullptr;
     AVFilterInOut* outputs = nullptr;
-    const bool isMade = avfilter_graph_parse2(graph.get(), description.c_str(), &inputs, &outputs) >= 0 &&
-                        avfilter_graph_config(graph.get(), nullptr) >= 0;
-    avfilter_inout_free(&inputs);
-    avfilter_inout_free(&outputs);
+    const bool isMade =
+        library().avfilter_graph_parse2(graph.get(), description.c_str(), &inputs, &outputs) >= 0 &&
+        library().avfilter_graph_config(graph.get(), nullptr) >= 0;
+    library().avfilter_inout_free(&inputs);
+    library().avfilter_inout_free(&outputs);
     if (!isMade) graph.reset();
     return graph;
 }
 
 // The end where there is no picture.
 bool send(AVFilterGraph* graph, const char* name, const AVFrame* picture, int time) {
-    AVFilterContext* input = graph != nullptr ? avfilter_graph_get_filter(graph, name) : nullptr;
+    AVFilterContext* input = graph != nullptr ? library().avfilter_graph_get_filter(graph, name) : nullptr;
     if (input == nullptr) return false;
-    if (picture == nullptr) return av_buffersrc_close(input, time, 0) >= 0;
-    const Frame frame(av_frame_clone(picture));
+    if (picture == nullptr) return library().av_buffersrc_close(input, time, 0) >= 0;
+    const Frame frame(library().av_frame_clone(picture));
     if (!frame) return false;
     frame->pts = time;
-    return av_buffersrc_add_frame(input, frame.get()) >= 0;
+    return library().av_buffersrc_add_frame(input, frame.get()) >= 0;
 }
 
 Frame receive(AVFilterGraph* graph) {
-    AVFilterContext* output = graph != nullptr ? avfilter_graph_get_filter(graph, "buffersink@out") : nullptr;
-    Frame frame(output != nullptr ? av_frame_alloc() : nullptr);
-    if (frame && av_buffersink_get_frame(output, frame.get()) < 0) frame.reset();
+    AVFilterContext* output =
+        graph != nullptr ? library().avfilter_graph_get_filter(graph, "buffersink@out") : nullptr;
+    Frame frame(output != nullptr ? library().av_frame_alloc() : nullptr);
+    if (frame && library().av_buffersink_get_frame(output, frame.get()) < 0) frame.reset();
     return frame;
 }
 

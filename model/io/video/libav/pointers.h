@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
+#include "io/video/libav/library.h"
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavfilter/avfilter.h>
-#include <libavformat/avformat.h>
-#include <libavutil/frame.h>
-#include <libswscale/swscale.h>
-}
+#include <memory>
 
 // What FFmpeg's libraries hand out, owned.
 namespace io::libav {
 
 struct Free {
-    void operator()(AVFormatContext* context) const { avformat_free_context(context); }
-    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-    void operator()(AVFilterGraph* graph) const { avfilter_graph_free(&graph); }
-    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-    void operator()(SwsContext* context) const { sws_freeContext(context); }
+    void operator()(AVFormatContext* context) const { library().avformat_free_context(context); }
+    void operator()(AVCodecContext* context) const { library().avcodec_free_context(&context); }
+    void operator()(AVFilterGraph* graph) const { library().avfilter_graph_free(&graph); }
+    void operator()(AVFrame* frame) const { library().av_frame_free(&frame); }
+    void operator()(AVPacket* packet) const { library().av_packet_free(&packet); }
+    void operator()(SwsContext* context) const { library().sws_freeContext(context); }
 };
 template <class Thing> using Pointer = std::unique_ptr<Thing, Free>;
 
@@ -28,12 +22,12 @@ using Frame = Pointer<AVFrame>;
 
 // A frame with memory of its own; null when there is none.
 inline Frame newFrame(AVPixelFormat format, int width, int height) {
-    Frame frame(av_frame_alloc());
+    Frame frame(library().av_frame_alloc());
     if (!frame) return frame;
     frame->format = format;
     frame->width = width;
     frame->height = height;
-    if (av_frame_get_buffer(frame.get(), 0) < 0) frame.reset();
+    if (library().av_frame_get_buffer(frame.get(), 0) < 0) frame.reset();
     return frame;
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "io/video/libav/library.h"
+
+#include <QLibrary>
+
+#include <optional>
+
+namespace io::libav {
+
+namespace {
+
+struct Files {
+    QLibrary util{QStringLiteral("avutil"), LIBAVUTIL_VERSION_MAJOR};
+    QLibrary codec{QStringLiteral("avcodec"), LIBAVCODEC_VERSION_MAJOR};
+    QLibrary format{QStringLiteral("avformat"), LIBAVFORMAT_VERSION_MAJOR};
+    QLibrary filter{QStringLiteral("avfilter"), LIBAVFILTER_VERSION_MAJOR};
+    QLibrary scale{QStringLiteral("swscale"), LIBSWSCALE_VERSION_MAJOR};
+};
+
+// nullopt when a library or a function is missing.
+std::optional<Library> loaded() {
+    Files files;
+    Library library;
+    bool isComplete = true;
+#define BARYCAGE_LIBAV_RESOLVE(from, name)                                                                   \
+    library.name = reinterpret_cast<decltype(&::name)>(files.from.resolve(#name));                           \
+    isComplete = isComplete && library.name != nullptr;
+    BARYCAGE_LIBAV_FUNCTIONS(BARYCAGE_LIBAV_RESOLVE)
+#undef BARYCAGE_LIBAV_RESOLVE
+    return isComplete ? std::optional(library) : std::nullopt;
+}
+
+const std::optional<Library>& known() {
+    static const std::optional<Library> library = loaded(); // they stay for as long as the program runs
+    return library;
+}
+
+} // namespace
+
+bool isInstalled() {
+    return known().has_value();
+}
+
+const Library& library() {
+    return *known();
+}
+
+} // namespace io::libav
