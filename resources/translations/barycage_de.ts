@@ -1823,6 +1823,10 @@
         <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
         <translation>Die Animation dieses Fraktals: seine Bewegungen und die Schlüssel von allem, was sich bewegen kann.</translation>
     </message>
+    <message>
+        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
+        <translation>Dieses System hat mehr als %L1 Abbildungen, zu viele für einen Körper im Fenster. „barycage-cli convert --lift“ nimmt sie an.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3516,6 +3520,10 @@
     <message>
         <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
         <translation>Dieses Barycage wurde ohne die Bibliotheken von FFmpeg gebaut und schreibt keine Videos. Schreiben Sie die Einzelbilder stattdessen als PNG-Bilder.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
+        <translation>FFmpegs Bibliotheken sind auf diesem Rechner nicht installiert, also können keine Videos geschrieben werden. Installieren Sie sie, oder schreiben Sie die Einzelbilder stattdessen als PNG-Bilder.</translation>
     </message>
 </context>
 <context>

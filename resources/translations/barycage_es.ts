@@ -1823,6 +1823,10 @@
         <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
         <translation>La animación de este fractal: sus movimientos y las claves de todo lo que puede moverse.</translation>
     </message>
+    <message>
+        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
+        <translation>Este sistema tiene más de %L1 aplicaciones, demasiadas para un sólido en la ventana. «barycage-cli convert --lift» las admite.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3516,6 +3520,10 @@
     <message>
         <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
         <translation>Este Barycage se compiló sin las bibliotecas de FFmpeg y no escribe vídeos. Escriba los fotogramas como imágenes PNG.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
+        <translation>Las bibliotecas de FFmpeg no están instaladas en este equipo, así que no se pueden escribir vídeos. Instálelas o escriba los fotogramas como imágenes PNG.</translation>
     </message>
 </context>
 <context>

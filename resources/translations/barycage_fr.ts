@@ -1823,6 +1823,10 @@
         <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
         <translation>L’animation de cette fractale : ses mouvements et les clés de tout ce qui peut bouger.</translation>
     </message>
+    <message>
+        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
+        <translation>Ce système a plus de %L1 applications, trop pour un solide dans la fenêtre. « barycage-cli convert --lift » les accepte.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3516,6 +3520,10 @@
     <message>
         <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
         <translation>Ce Barycage a été compilé sans les bibliothèques de FFmpeg et n’écrit pas de vidéos. Écrivez plutôt les images en PNG.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
+        <translation>Les bibliothèques de FFmpeg ne sont pas installées sur cette machine, aucune vidéo ne peut donc être écrite. Installez-les, ou écrivez plutôt les images en PNG.</translation>
     </message>
 </context>
 <context>

@@ -1828,6 +1828,10 @@
         <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
         <translation>Анимацијата на овој фрактал: неговите движења и клучевите на сè што може да се движи.</translation>
     </message>
+    <message>
+        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
+        <translation>Овој систем има повеќе од %L1 пресликувања, премногу за тело во прозорецот. „barycage-cli convert --lift“ ги прифаќа.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3522,6 +3526,10 @@
     <message>
         <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
         <translation>Овој Barycage е изграден без библиотеките на FFmpeg и не запишува видеа. Запишете ги кадрите како PNG-слики.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
+        <translation>Библиотеките на FFmpeg не се инсталирани на овој компјутер, па не може да се запишуваат видеа. Инсталирајте ги или запишете ги кадрите како PNG-слики.</translation>
     </message>
 </context>
 <context>
