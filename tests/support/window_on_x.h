@@ -14,8 +14,8 @@
 #include <QUndoStack>
 
 #include <functional>
-#include <utility>
 #include <memory>
+#include <utility>
 
 class QAbstractItemView;
 class QComboBox;

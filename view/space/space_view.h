@@ -75,7 +75,7 @@ private:
     SpaceNavigation m_navigation;
     SpaceInput m_input;
     std::optional<ifs::ControlCage<3>> m_cage; // in force; nullopt while the entry is not in space
-    std::vector<ifs::Vector<3>> m_around; // corners of the box of what is cut
+    std::vector<ifs::Vector<3>> m_around;      // corners of the box of what is cut
     bool m_overlays = true;
     bool m_wasShown = false;
 };

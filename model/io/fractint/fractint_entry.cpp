@@ -147,19 +147,13 @@ void EntryParser::readName() {
     const Block& block = m_entry.layout.block;
     const QByteArrayView name = m_text.sliced(block.name.begin, block.name.size());
     m_entry.fractal.name = block.open < 0 ? QStringLiteral("unnamed") : decoded(name);
-    const auto contains = [&name](auto predicate) {
-        return std::any_of(name.begin(), name.end(), predicate);
-    };
-    if (contains([](char c) { return c == '\0' || c == '\x1a'; }))
-        warn(block.name.begin,
-             Text::tr("The name “%1” contains a control character, at which other programs may end it.")
-                 .arg(m_entry.fractal.name));
-    else if (contains(isBlank))
-        warn(block.name.begin, Text::tr("The name “%1” contains a space; Fractint uses only its first word.")
-                                   .arg(m_entry.fractal.name));
+    const auto say = [&](const QString& text) { warn(block.name.begin, text.arg(m_entry.fractal.name)); };
+    if (name.contains('\0') || name.contains('\x1a'))
+        say(Text::tr("The name “%1” contains a control character, at which other programs may end it."));
+    else if (std::any_of(name.begin(), name.end(), isBlank))
+        say(Text::tr("The name “%1” contains a space; Fractint uses only its first word."));
     else if (name.size() > maxName)
-        warn(block.name.begin, Text::tr("The name “%1” is longer than 18 bytes; Fractint truncates it.")
-                                   .arg(m_entry.fractal.name));
+        say(Text::tr("The name “%1” is longer than 18 bytes; Fractint truncates it."));
 }
 
 void EntryParser::readHeader() {

@@ -81,7 +81,8 @@ void CliMannersTest::messagesAreOurs_data() {
     const auto row = [](const char* arguments, const char* said) {
         QTest::newRow(arguments) << QByteArray(arguments) << QByteArray(said);
     };
-    row("", "Give a command: info, render, convert, gallery, animate, encode, morph, merge, collage or steal.");
+    row("",
+        "Give a command: info, render, convert, gallery, animate, encode, morph, merge, collage or steal.");
     row("render systems.ifs -o", "-o needs a value: -o OUT.");
     row("render systems.ifs", "-o OUT is missing. Usage: barycage-cli render FILE... -o OUT");
     row("render -o x.png", "FILE is missing. Usage: barycage-cli render");
