@@ -280,6 +280,9 @@ void MonkeyTest::startAfresh() {
 
 void MonkeyTest::follow(MainWindow* window) {
     connect(&window->document(), &document::Document::changed, this, [this, window](const auto& change) {
+        using document::Change;
+        const bool isOther = bool(change.parts & (Change::Current | Change::File));
+        if (change.parts & Change::Time && !isOther) return; // time runs or stops, whatever the gesture does
         if (change.live)
             m_live.insert(window);
         else

@@ -135,7 +135,7 @@ double effort(const std::function<void()>& task) {
 constexpr double linear = 24;
 double growth(const std::function<double(int)>& effortFor) {
     constexpr int attempts = 12; // for the least of either, whatever else the machine does
-    constexpr int few = 2'000;
+    constexpr int few = 8'000;   // more than the caches hold: small files are faster than in proportion
     double least = std::numeric_limits<double>::infinity(), most = least;
     for (int i = 0; i < attempts && !(most / least < linear); ++i) {
         least = std::min(least, effortFor(few));

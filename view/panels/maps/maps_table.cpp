@@ -27,7 +27,7 @@ MapsTable::MapsTable(QWidget* parent) : QTableView(parent) {
     header->setFont(small);
     header->setMinimumSectionSize(24);
     header->setHighlightSections(false);
-    header->setResizeContentsPrecision(200); // rows, besides those in sight
+    header->setResizeContentsPrecision(50); // rows, besides those in sight
     header->setSectionResizeMode(QHeaderView::Interactive);
 }
 
