@@ -14,7 +14,7 @@ munge='' controller='' daemon=''
 say() { printf '%s %s\n' "$(date +%T)" "$*"; }
 fail() {
   say "FAILED: $*"
-  tail -n 20 "$folder"/*.log "$folder"/work/wind.mkv.frames/*.log 2>/dev/null || true
+  tail -n 20 "$folder"/*.log "$folder"/drawn/wind.mkv.frames/*.log 2>/dev/null || true
   exit 1
 }
 
@@ -52,7 +52,7 @@ wait_for() {
 }
 
 configure() {
-  mkdir -p "$folder"/{munge,state,spool,work}
+  mkdir -p "$folder"/{munge,state,spool,drawn}
   dd if=/dev/urandom of="$folder/munge/key" bs=1 count=1024 status=none
   chmod 700 "$folder/munge"
   chmod 600 "$folder/munge/key"
@@ -144,8 +144,8 @@ TEXT
 
 configure
 start
-cd "$folder/work"
-frames=$folder/work/wind.mkv.frames
+cd "$folder/drawn"
+frames=$folder/drawn/wind.mkv.frames
 cat_animation >wind.ifs
 options=(--size 320x240 --points 6e8 --shutter 90)
 say "one process"
