@@ -54,8 +54,7 @@ void CanvasNavigation::fit() {
     m_isFitted = true;
     m_extent.setFuture({});
     const auto fractal = m_scene.document().sharedFractal();
-    const document::System2* system = document::system2(*fractal);
-    if (!system || system->maps.size() < manyMaps) return fitTo(document::displayedBox(*fractal));
+    if (!document::system2(*fractal)) return fitTo(std::nullopt);
     const QFuture<Extent> extent = io::inBackground<Extent>(
         [fractal](QPromise<Extent>& promise) { promise.addResult(document::displayedBox(*fractal)); });
     if (io::finishesWithin(fitPatience, extent) && extent.resultCount() > 0) // most often it is known

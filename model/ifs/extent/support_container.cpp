@@ -13,6 +13,21 @@ namespace {
 
 constexpr std::size_t minSweeps = 2; // of shrink(), however many the maps
 
+// What a sweep asks of map i in direction g. Only the heights change between sweeps, so where A_iᵀg lies in
+// the fan is found once.
+template <int Dim> struct PulledBack {
+    double offset;      // ⟨g,offset_i⟩
+    double ofEllipsoid; // the bound of A_iᵀg that does not depend on the heights
+    typename DirectionFan<Dim>::Combination parts;
+
+    double bound(const std::vector<double>& heights) const {
+        double ofFan = 0;
+        for (int k = 0; k < Dim; ++k)
+            ofFan += parts.factor[k] * heights[parts.index[std::size_t(k)]];
+        return std::min(ofFan, ofEllipsoid);
+    }
+};
+
 } // namespace
 
 template <int Dim> Vector<Dim> solveFixedPoint(const AffineMap<Dim>& map) {
@@ -84,15 +99,26 @@ template <int Dim> bool SupportContainer<Dim>::solve() {
 template <int Dim> void SupportContainer<Dim>::shrink(std::size_t maxWork) {
     const auto& directions = fan.directions();
     const std::size_t sweepWork = directions.size() * offsets.size();
+    const auto pulledBack = [&](std::size_t g, std::size_t i) {
+        const Vector<Dim> v = transposed[i] * directions[g];
+        return PulledBack<Dim>{directions[g].dot(offsets[i]), ellipsoid.bound(v), fan.combination(v)};
+    };
+    std::vector<PulledBack<Dim>> known; // of few maps, which take many sweeps
+    if (sweepWork <= maxTableWork)
+        for (std::size_t g = 0; g < directions.size(); ++g)
+            for (std::size_t i = 0; i < offsets.size(); ++i)
+                known.push_back(pulledBack(g, i));
     double progress = radius;
     const std::size_t most = std::max(maxWork, minSweeps * sweepWork);
     for (std::size_t work = 0; work < most && progress > 1e-6 * radius; work += sweepWork) {
         progress = 0;
         for (std::size_t g = 0; g < directions.size(); ++g) {
             double height = -std::numeric_limits<double>::infinity();
-            for (std::size_t i = 0; i < offsets.size(); ++i)
-                height =
-                    std::max(height, directions[g].dot(offsets[i]) + bound(transposed[i] * directions[g]));
+            for (std::size_t i = 0; i < offsets.size(); ++i) {
+                const PulledBack<Dim> image =
+                    known.empty() ? pulledBack(g, i) : known[g * offsets.size() + i];
+                height = std::max(height, image.offset + image.bound(heights));
+            }
             height += rounding();
             progress = std::max(progress, heights[g] - height);
             heights[g] = std::min(heights[g], height);

@@ -66,6 +66,11 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     connect(&m_planTimer, &QTimer::timeout, this, &ExportDialog::updateSvgPlan);
     connect(&m_planning, &QFutureWatcherBase::finished, this, &ExportDialog::showSvgPlan);
     connectOptions();
+    connect(&m_extent, &QFutureWatcherBase::finished, this, &ExportDialog::update);
+    m_extent.setFuture(io::inBackground<std::optional<document::Box>>(
+        [fractal = m_fractal](QPromise<std::optional<document::Box>>& promise) {
+            promise.addResult(document::displayedBox(fractal));
+        }));
     update();
 }
 
@@ -219,12 +224,11 @@ document::Fractal ExportDialog::fractalToExport() const {
 attractor::Camera ExportDialog::camera() const {
     const attractor::Camera camera = resized(m_camera, m_size->pixels());
     if (Section(m_section->currentIndex()) == Section::View) return camera;
-    const std::optional<document::Box> box = document::displayedBox(m_fractal);
+    const std::optional<document::Box> box = m_extent.result(); // waits
     return box ? attractor::fitted(camera, box->min, box->max) : camera;
 }
 
-io::Export ExportDialog::exportNow() const {
-    const attractor::Camera camera = this->camera();
+io::Export ExportDialog::exportOf(const attractor::Camera& camera) const {
     const auto cage = m_triangle->isChecked() ? io::CageVisibility::Shown : io::CageVisibility::Hidden;
     if (isSvg()) {
         const auto depth = m_autoDepth->isChecked() ? std::nullopt : std::optional(m_depth->value());
@@ -267,15 +271,16 @@ void ExportDialog::update() {
         m_planTimer.start();
         return;
     }
-    const auto png = std::get<io::PngExport>(exportNow());
+    const auto png =
+        std::get<io::PngExport>(exportOf(resized(m_camera, m_size->pixels()))); // wherever it looks
     m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png)))));
 }
 
 void ExportDialog::updateSvgPlan() {
     m_isPlanOld = m_planning.isRunning();
-    if (!isSvg() || m_isPlanOld) return;
+    if (!isSvg() || m_isPlanOld || !m_extent.future().isFinished()) return;
     m_planning.setFuture(io::inBackground<io::SvgPlan>(
-        [svg = std::get<io::SvgExport>(exportNow())](QPromise<io::SvgPlan>& promise) {
+        [svg = std::get<io::SvgExport>(exportOf(camera()))](QPromise<io::SvgPlan>& promise) {
             promise.addResult(io::svgPlan(svg.fractal, svg.camera, svg.format));
         }));
     QTimer::singleShot(300, this, [this] {
@@ -356,7 +361,8 @@ void ExportDialog::chooseFile() {
 void ExportDialog::exportTo(const QString& path) {
     setBusy(true);
     m_job = startExport(
-        exportNow(), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        exportOf(camera()), path, this,
+        [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
         [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
 }
 

@@ -3,6 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "document/document.h"
+#include "document/fractal_geometry.h"
 #include "io/export_job.h"
 
 #include <QDialog>
@@ -11,6 +12,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -58,7 +60,7 @@ private:
     io::ShapeStyle style() const;
     document::Fractal fractalToExport() const;
     attractor::Camera camera() const;
-    io::Export exportNow() const;
+    io::Export exportOf(const attractor::Camera& camera) const;
     void update();
     void updateSvgPlan(); // beside the window
     void showSvgPlan();
@@ -92,6 +94,7 @@ private:
     QPushButton* m_start = nullptr;
     QPushButton* m_close = nullptr;
     QTimer m_planTimer;
+    QFutureWatcher<std::optional<document::Box>> m_extent; // of what is exported, found in the background
     QFutureWatcher<io::SvgPlan> m_planning;
     bool m_isPlanOld = false;             // what is worked out is no longer what is wanted
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
