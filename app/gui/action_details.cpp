@@ -34,13 +34,11 @@ constexpr Detail details[] = {
          "changes: a new map for this branch, the last map of its address, or only this branch.")},
     {"animate",
      QT_TRANSLATE_NOOP("ActionDetails",
-                       "Choose a motion that needs no keys, or make keys: what has keys gets another one "
-                       "wherever you change it, what has none changes for the whole animation.")},
+                       "Choose a motion, which needs no keys, or set keys. A change to something that has "
+                       "keys sets a key at the playhead; any other change applies to the whole animation.")},
     {"define",
-     QT_TRANSLATE_NOOP(
-         "ActionDetails",
-         "The picture stays where it is: it is held by the new triangle from now on. Backspace takes "
-         "the last corner back, Esc cancels.")},
+     QT_TRANSLATE_NOOP("ActionDetails", "The picture stays where it is: it is held by the new triangle from "
+                                        "now on. Backspace removes the last point, Esc cancels.")},
     {"fit-simplex",
      QT_TRANSLATE_NOOP(
          "ActionDetails",
@@ -63,14 +61,11 @@ constexpr Detail details[] = {
                     "afterwards.")},
     {"fit", QT_TRANSLATE_NOOP(
                 "ActionDetails",
-                "The cage is included where that costs little room. The fractal itself does not change.")},
-    {"grid", QT_TRANSLATE_NOOP(
-                 "ActionDetails",
-                 "The distance of its lines follows the zoom. Vertices snap to it if this is chosen under "
-                 "View › Snap To.")},
-    {"y-axis",
-     QT_TRANSLATE_NOOP("ActionDetails",
-                       "Only the view is turned over: coefficients and coordinates do not change.")},
+                "The cage is included if that takes little room. The fractal itself does not change.")},
+    {"grid", QT_TRANSLATE_NOOP("ActionDetails", "The spacing of its lines follows the zoom. Vertices snap to "
+                                                "it if this is chosen under View › Snap To.")},
+    {"y-axis", QT_TRANSLATE_NOOP("ActionDetails",
+                                 "Only the view is flipped: coefficients and coordinates do not change.")},
     {"hide",
      QT_TRANSLATE_NOOP("ActionDetails",
                        "Cage, handles, grid, axes and outlines come back when you press the key again.")},
@@ -82,10 +77,9 @@ constexpr Detail details[] = {
      QT_TRANSLATE_NOOP("ActionDetails",
                        "As placement, the coefficients stay; as code, they become those of the transformed "
                        "fractal. The canvas shows the result before you accept it.")},
-    {"paste", QT_TRANSLATE_NOOP(
-                  "ActionDetails",
-                  "Where a table does not say what its columns are, you are asked. In the Maps panel, Paste "
-                  "replaces the selected maps instead.")},
+    {"paste", QT_TRANSLATE_NOOP("ActionDetails",
+                                "If a table does not name its columns, you are asked for their order. In the "
+                                "Maps panel, Paste replaces the selected maps instead.")},
     {"settings",
      QT_TRANSLATE_NOOP(
          "ActionDetails",

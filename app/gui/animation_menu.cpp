@@ -61,10 +61,10 @@ void AnimationMenu::addPlaying() {
         connect(new view::SpaceTap(canvas), &view::SpaceTap::tapped, this, toggle);
     add({nullptr, tr("P&revious Frame"), QKeySequence(tr(",")), tr("Move the playhead back one frame")},
         [&timeline] { timeline.setFrame(timeline.frame() - 1); });
-    add({nullptr, tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead on one frame")},
+    add({nullptr, tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead forward one frame")},
         [&timeline] { timeline.setFrame(timeline.frame() + 1); });
     add({"key-previous", tr("Pre&vious Key"), QKeySequence(tr("Alt+,")),
-         tr("Move the playhead to the key before it")},
+         tr("Move the playhead to the previous key")},
         [&timeline] { timeline.stepToKey(-1); });
     add({"key-next", tr("Nex&t Key"), QKeySequence(tr("Alt+.")), tr("Move the playhead to the next key")},
         [&timeline] { timeline.stepToKey(1); });

@@ -91,7 +91,7 @@ void FileMenu::fillRecent() {
     }
     if (m_recent->isEmpty()) m_recent->addAction(tr("No recent files"))->setEnabled(false);
     m_recent->addSeparator();
-    m_recent->addAction(tr("Clear this list"), this, [] { recent_files::clear(); });
+    m_recent->addAction(tr("Clear List"), this, [] { recent_files::clear(); });
 }
 
 void FileMenu::exportPicture() {

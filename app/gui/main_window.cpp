@@ -317,9 +317,7 @@ void MainWindow::createOptionsBar() {
     QAction* shown = m_optionsBar->toggleViewAction();
     shown->setStatusTip(tr("Show the options of the tool under the canvas"));
     shown->setToolTip(shown->statusTip());
-    shown->setWhatsThis(
-        tr("A bar that keeps its place: it shows the options of the tool that is chosen, or how "
-           "the tool is used."));
+    shown->setWhatsThis(tr("A bar with the options of the current tool, or a reminder of how to use it."));
 }
 
 void MainWindow::createToolBar() {

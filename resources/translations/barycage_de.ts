@@ -35,7 +35,7 @@
         <translation>Umschalt + Mausrad wählt, wie tief der Zweig liegt. Die Leiste unter der Zeichenfläche sagt, was der Zug ändert: eine neue Abbildung für diesen Zweig, die letzte Abbildung seiner Adresse oder nur diesen Zweig.</translation>
     </message>
     <message>
-        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace takes the last corner back, Esc cancels.</source>
+        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>Das Bild bleibt, wo es ist: Von nun an wird es am neuen Dreieck gehalten. Die Rücktaste nimmt die letzte Ecke zurück, Esc bricht ab.</translation>
     </message>
     <message>
@@ -59,15 +59,15 @@
         <translation>Die Tabelle der Abbildungen zeigt die neuen Zahlen schon während des Ziehens, und danach ist der Käfig wieder in Ruhe.</translation>
     </message>
     <message>
-        <source>The cage is included where that costs little room. The fractal itself does not change.</source>
+        <source>The cage is included if that takes little room. The fractal itself does not change.</source>
         <translation>Der Käfig gehört dazu, wo das wenig Platz kostet. Das Fraktal selbst ändert sich nicht.</translation>
     </message>
     <message>
-        <source>The distance of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
+        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
         <translation>Der Abstand der Linien folgt der Vergrößerung. Ecken rasten daran ein, wenn das unter Ansicht › Einrasten an gewählt ist.</translation>
     </message>
     <message>
-        <source>Only the view is turned over: coefficients and coordinates do not change.</source>
+        <source>Only the view is flipped: coefficients and coordinates do not change.</source>
         <translation>Nur die Ansicht wird gespiegelt: Koeffizienten und Koordinaten ändern sich nicht.</translation>
     </message>
     <message>
@@ -83,7 +83,7 @@
         <translation>Als Lage bleiben die Koeffizienten; als Code werden sie zu denen des transformierten Fraktals. Die Zeichenfläche zeigt das Ergebnis, bevor Sie es annehmen.</translation>
     </message>
     <message>
-        <source>Where a table does not say what its columns are, you are asked. In the Maps panel, Paste replaces the selected maps instead.</source>
+        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste replaces the selected maps instead.</source>
         <translation>Sagt eine Tabelle nicht, was ihre Spalten sind, werden Sie gefragt. Im Feld „Abbildungen“ ersetzt Einfügen stattdessen die gewählten Abbildungen.</translation>
     </message>
     <message>
@@ -91,7 +91,7 @@
         <translation>Eine neue Sprache gilt ab dem nächsten Start, alles andere sofort und in allen Fenstern.</translation>
     </message>
     <message>
-        <source>Choose a motion that needs no keys, or make keys: what has keys gets another one wherever you change it, what has none changes for the whole animation.</source>
+        <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
         <translation>Wählen Sie eine Bewegung, die keine Schlüssel braucht, oder setzen Sie Schlüssel: Was Schlüssel hat, bekommt einen weiteren, wo immer Sie es ändern; was keine hat, ändert sich für die ganze Animation.</translation>
     </message>
 </context>
@@ -257,7 +257,7 @@
         <translation>Überlappungen</translation>
     </message>
     <message>
-        <source>Words of maps that are one and the same map, neither of them the beginning of the other: their pieces coincide.</source>
+        <source>Different words that compose to the same map, neither a prefix of the other: their pieces coincide.</source>
         <translation>Wörter von Abbildungen, die ein und dieselbe Abbildung sind und von denen keines der Anfang des anderen ist: ihre Teile fallen zusammen.</translation>
     </message>
     <message>
@@ -297,7 +297,7 @@
         <translation>Die Zahl D mit Σ sᵢᴰ = 1, wobei sᵢ die Verhältnisse der Abbildungen sind, wenn alle in geeigneten Koordinaten Ähnlichkeiten sind. Sie ist die Dimension des Attraktors unter der Offene-Mengen-Bedingung, sonst eine obere Schranke dafür.</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the uncertainty comes from how parts of that range differ, and is no proof.</source>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is steadiest. This is an estimate: the uncertainty is how much parts of that range differ, and proves nothing.</source>
         <translation>Steigung der Ausgleichsgeraden von ln N über ln 1/ε, wobei N die Anzahl der Kästchen der Seite ε ist, die den Attraktor treffen, über die Größen, bei denen sie am gleichmäßigsten ist. Es ist eine Schätzung; die Unsicherheit folgt daraus, wie sich Teile dieses Bereichs unterscheiden, und ist kein Beweis.</translation>
     </message>
     <message>
@@ -626,7 +626,7 @@
         <translation>„%1“ ist kein System in der Ebene und kann deshalb nicht in den Raum gehoben werden.</translation>
     </message>
     <message>
-        <source>The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake or reset it first.</source>
+        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
         <translation>Der Käfig von „%1“ hat mehr als drei Ecken, aus denen kein Tetraeder wird. Rechnen Sie ihn zuerst ein oder setzen Sie ihn zurück.</translation>
     </message>
     <message>
@@ -646,7 +646,7 @@
         <translation>Der Käfig von „%1“ kann nicht in die Abbildungen eingerechnet werden; deshalb ist kein Abflachen möglich.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
+        <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>Abbildung %1 von „%2“ ändert die Richtung; der Schatten ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
     </message>
 </context>
@@ -843,8 +843,8 @@
         <translation>Keine zuletzt benutzten Dateien</translation>
     </message>
     <message>
-        <source>Clear this list</source>
-        <translation>Diese Liste leeren</translation>
+        <source>Clear List</source>
+        <translation>Liste leeren</translation>
     </message>
     <message>
         <source>%1[*] — %2</source>
@@ -1552,8 +1552,8 @@
         <translation>Die Optionen des Werkzeugs unter der Zeichenfläche zeigen</translation>
     </message>
     <message>
-        <source>A bar that keeps its place: it shows the options of the tool that is chosen, or how the tool is used.</source>
-        <translation>Eine Leiste, die ihren Platz behält: Sie zeigt die Optionen des gewählten Werkzeugs oder wie man es benutzt.</translation>
+        <source>A bar with the options of the current tool, or a reminder of how to use it.</source>
+        <translation>Eine Leiste mit den Optionen des aktuellen Werkzeugs oder einem Hinweis, wie es benutzt wird.</translation>
     </message>
     <message>
         <source>&amp;Maps</source>
@@ -1756,7 +1756,7 @@
         <translation>.</translation>
     </message>
     <message>
-        <source>Move the playhead on one frame</source>
+        <source>Move the playhead forward one frame</source>
         <translation>Den Abspielkopf ein Bild weitersetzen</translation>
     </message>
     <message>
@@ -1768,7 +1768,7 @@
         <translation>Alt+,</translation>
     </message>
     <message>
-        <source>Move the playhead to the key before it</source>
+        <source>Move the playhead to the previous key</source>
         <translation>Den Abspielkopf zum Schlüssel davor bewegen</translation>
     </message>
     <message>
@@ -3289,11 +3289,11 @@
         <translation>„%1“: %2</translation>
     </message>
     <message>
-        <source>“%1” is of another picture: the entry, the view, the size, the seed or the format differs.</source>
+        <source>“%1” belongs to another picture: the entry, the view, the size, the seed or the format differs.</source>
         <translation>„%1“ gehört zu einem anderen Bild: Eintrag, Ausschnitt, Größe, Startwert oder Format sind verschieden.</translation>
     </message>
     <message>
-        <source>“%1” is of a picture with another number of points, so the sums do not add up.</source>
+        <source>“%1” belongs to a picture with a different number of points, so the sums cannot be combined.</source>
         <translation>„%1“ gehört zu einem Bild mit anderer Punktzahl; die Summen lassen sich nicht addieren.</translation>
     </message>
     <message>
@@ -3305,7 +3305,7 @@
         <translation>„%1“ wurde von einer anderen Version des Programms geschrieben, die andere Pixel zeichnen kann.</translation>
     </message>
     <message>
-        <source>The picture is not complete: %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <source>The picture is incomplete: only %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
         <translation>Das Bild ist nicht vollständig: %1 % sind vorhanden. Fügen Sie die Dateien der anderen Teile hinzu, oder schreiben Sie eine .sum-Datei.</translation>
     </message>
     <message>
@@ -3687,8 +3687,8 @@
         <translation>Ein Eintrag braucht einen Namen.</translation>
     </message>
     <message>
-        <source>A name cannot contain spaces: Fractint would read only its first word.</source>
-        <translation>Ein Name enthält keine Leerzeichen: Fractint würde nur sein erstes Wort lesen.</translation>
+        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
+        <translation>Namen dürfen keine Leerzeichen enthalten: Fractint liest nur das erste Wort.</translation>
     </message>
     <message>
         <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
@@ -4459,11 +4459,11 @@
         <translation>%1 Ecken, in Ruhe: Das Bild ist das des Codes.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by Wachspress coordinates, cannot be baked.</source>
+        <source>%1 vertices: bent by Wachspress coordinates; cannot be baked.</source>
         <translation>%1 Ecken: mit Wachspress-Koordinaten gebogen, nicht einrechenbar.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
+        <source>%1 vertices: bent by mean value coordinates; cannot be baked.</source>
         <translation>%1 Ecken: mit Mittelwertkoordinaten gebogen, nicht einrechenbar.</translation>
     </message>
     <message>
@@ -4503,8 +4503,8 @@
         <translation>Der Käfig ist schon dort.</translation>
     </message>
     <message>
-        <source>Only a cage with three vertices has barycentric coordinates.</source>
-        <translation>Baryzentrische Koordinaten hat nur ein Käfig mit drei Ecken.</translation>
+        <source>Available for triangles only.</source>
+        <translation>Nur für Dreiecke verfügbar.</translation>
     </message>
     <message>
         <source>Move vertex %1 to (%2, %3)</source>
@@ -4563,8 +4563,8 @@
         <translation>Platziert: Volumen ändern sich um den Faktor %1.</translation>
     </message>
     <message>
-        <source>Only a cage with four vertices has barycentric coordinates.</source>
-        <translation>Nur ein Käfig mit vier Ecken hat baryzentrische Koordinaten.</translation>
+        <source>Available for tetrahedra only.</source>
+        <translation>Nur für Tetraeder verfügbar.</translation>
     </message>
     <message>
         <source>The tetrahedron is flat: it defines no coordinates.</source>
@@ -5084,8 +5084,8 @@
         <translation>Noch keine Favoriten. Wählen Sie ein Fraktal und drücken Sie Strg+D.</translation>
     </message>
     <message>
-        <source>No fractal here contains these words.</source>
-        <translation>Nichts hier enthält diese Wörter.</translation>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
     </message>
     <message>
         <source>Open the selected fractal as a separate document.</source>
@@ -5108,7 +5108,7 @@
         <translation>Das gewählte Fraktal als Favoriten merken.</translation>
     </message>
     <message>
-        <source>Only Fa&amp;vourites</source>
+        <source>Fa&amp;vourites Only</source>
         <translation>Nur Fa&amp;voriten</translation>
     </message>
     <message>
@@ -5261,8 +5261,8 @@
         <translation>Die Befehle, deren Namen diese Buchstaben haben.</translation>
     </message>
     <message>
-        <source>No matching command.</source>
-        <translation>Kein passender Befehl.</translation>
+        <source>No matching commands</source>
+        <translation>Keine passenden Befehle</translation>
     </message>
 </context>
 <context>
@@ -5394,8 +5394,8 @@
         <translation>Kommentar zu „%1“</translation>
     </message>
     <message>
-        <source>Comment after the name</source>
-        <translation>Kommentar hinter dem Namen</translation>
+        <source>Title</source>
+        <translation>Titel</translation>
     </message>
     <message>
         <source>Written on the first line of the entry, for example its title or author.</source>
@@ -5418,8 +5418,8 @@
         <translation>Den Kommentar behalten oder verwerfen</translation>
     </message>
     <message>
-        <source>&amp;After the name:</source>
-        <translation>&amp;Hinter dem Namen:</translation>
+        <source>&amp;Title:</source>
+        <translation>&amp;Titel:</translation>
     </message>
     <message>
         <source>Comment &amp;lines:</source>
@@ -5935,8 +5935,8 @@
         <translation>Anzahl der Punkte</translation>
     </message>
     <message>
-        <source>As deep as &amp;needed for the pixels</source>
-        <translation>So tief, wie ein Pixel es &amp;braucht</translation>
+        <source>&amp;Automatic depth</source>
+        <translation>&amp;Automatische Tiefe</translation>
     </message>
     <message>
         <source>Levels of copies</source>
@@ -6063,12 +6063,12 @@
         <translation>Kopien werden so klein gemacht, bis kein Pixel dieser Größe den Unterschied zeigen könnte oder Programme lange an ihnen zeichnen würden.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels from the attractor, and no point of the attractor is farther than that from the drawing.</source>
-        <translation>%1 Verweise (weniger als %3 sind erlaubt). Nichts Gezeichnetes ist weiter als %2 Pixel vom Attraktor entfernt, und nichts von ihm ist weiter von dem Gezeichneten.</translation>
+        <source>Guaranteed accuracy: %2 px. References: %1 (the limit is %3).</source>
+        <translation>Garantierte Genauigkeit: %2 px. Verweise: %1 (höchstens %3).</translation>
     </message>
     <message>
-        <source> Accuracy to the pixel needs more levels; with these, programs still draw the picture without a long wait.</source>
-        <translation> Ein Pixel braucht mehr: Tiefer zeichnen Programme nicht, ohne dass man lange wartet.</translation>
+        <source> More levels would be more accurate, but programs would take long to draw them.</source>
+        <translation> Mehr Stufen wären genauer, aber Programme würden lange daran zeichnen.</translation>
     </message>
     <message>
         <source>Computing the shapes…</source>
@@ -6130,16 +6130,16 @@
         <translation>%1 × der Bildschirm</translation>
     </message>
     <message>
-        <source>Custom size</source>
-        <translation>Eigene Größe</translation>
+        <source>Custom</source>
+        <translation>Benutzerdefiniert</translation>
     </message>
     <message>
         <source>Size relative to the screen</source>
         <translation>Größe im Verhältnis zum Bildschirm</translation>
     </message>
     <message>
-        <source>Keep proportions</source>
-        <translation>Form behalten</translation>
+        <source>Lock proportions</source>
+        <translation>Seitenverhältnis beibehalten</translation>
     </message>
     <message>
         <source>Keep the proportions of the picture on the screen</source>
@@ -6188,7 +6188,7 @@
         <translation>Palettenbearbeitung</translation>
     </message>
     <message>
-        <source>Colour of the stop</source>
+        <source>Stop Colour</source>
         <translation>Farbe der Marke</translation>
     </message>
     <message>
@@ -7082,16 +7082,16 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Der Datei &amp;hinzufügen</translation>
     </message>
     <message>
-        <source>&amp;Vary This One</source>
-        <translation>Dieses &amp;abwandeln</translation>
+        <source>&amp;Mutate Again</source>
+        <translation>&amp;Noch einmal abwandeln</translation>
     </message>
     <message>
         <source>Use the selected one as the new starting point</source>
         <translation>Das gewählte zum Ausgangspunkt der Abwandlungen machen</translation>
     </message>
     <message>
-        <source>How different the variations are</source>
-        <translation>Wie verschieden die Abwandlungen sind</translation>
+        <source>How strongly the variations differ</source>
+        <translation>Wie stark die Abwandlungen abweichen</translation>
     </message>
     <message>
         <source>Seed of the random numbers</source>
@@ -7102,16 +7102,16 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Derselbe Startwert gibt wieder dasselbe Blatt</translation>
     </message>
     <message>
-        <source>&amp;Others</source>
-        <translation>A&amp;ndere</translation>
+        <source>&amp;New Set</source>
+        <translation>&amp;Neue Auswahl</translation>
     </message>
     <message>
         <source>Show another sheet, from the next seed</source>
         <translation>Ein anderes Blatt: der nächste Startwert</translation>
     </message>
     <message>
-        <source>&amp;Difference:</source>
-        <translation>&amp;Unterschied:</translation>
+        <source>S&amp;trength:</source>
+        <translation>S&amp;tärke:</translation>
     </message>
     <message>
         <source>&amp;Seed:</source>
@@ -7252,20 +7252,20 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
 <context>
     <name>view::PreferencesDialog</name>
     <message>
-        <source>The new language takes effect when you restart Barycage.</source>
-        <translation>Die Sprache wechselt, wenn Barycage neu gestartet wird.</translation>
+        <source>Restart to change the language.</source>
+        <translation>Die neue Sprache gilt nach einem Neustart.</translation>
     </message>
     <message>
-        <source>&amp;Open the files of the last session at startup</source>
-        <translation>Beim Start die zuletzt geöffneten Dateien &amp;öffnen</translation>
+        <source>Re&amp;open last files on startup</source>
+        <translation>Beim Start die letzten Dateien wieder &amp;öffnen</translation>
     </message>
     <message>
         <source>Preferences</source>
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Same as the desktop</source>
-        <translation>Wie die Arbeitsumgebung</translation>
+        <source>System default</source>
+        <translation>Systemvorgabe</translation>
     </message>
     <message>
         <source>Language</source>
@@ -7304,8 +7304,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Fein: 1000 Millionen Punkte</translation>
     </message>
     <message>
-        <source>Picture quality</source>
-        <translation>Bildqualität</translation>
+        <source>Idle quality</source>
+        <translation>Bildqualität in Ruhe</translation>
     </message>
     <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
@@ -7324,8 +7324,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Farbschema:</translation>
     </message>
     <message>
-        <source>&amp;Picture quality:</source>
-        <translation>&amp;Bildqualität:</translation>
+        <source>&amp;Idle quality:</source>
+        <translation>&amp;Bildqualität in Ruhe:</translation>
     </message>
     <message>
         <source>Resets every setting in this dialog to its default.</source>
@@ -7906,7 +7906,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Größe:</translation>
     </message>
     <message>
-        <source>Draws so many pixels along each side of one: smoother edges.</source>
+        <source>Draws this many pixels along each side of a pixel, for smoother edges.</source>
         <translation>Zeichnet so viele Pixel längs jeder Seite eines Pixels: glattere Kanten.</translation>
     </message>
     <message>
@@ -7978,7 +7978,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Auf&amp;lösung:</translation>
     </message>
     <message>
-        <source>Thinner parts are made so thick, so that they can be printed.</source>
+        <source>Thinner parts are thickened to this, so that they can be printed.</source>
         <translation>Dünnere Teile werden so dick gemacht, dass sie sich drucken lassen.</translation>
     </message>
     <message>
@@ -7990,7 +7990,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Geschlossene &amp;Hohlräume füllen</translation>
     </message>
     <message>
-        <source>Fills what is closed off from outside.</source>
+        <source>Fills spaces that are closed off from the outside.</source>
         <translation>Füllt, was von außen abgeschlossen ist.</translation>
     </message>
     <message>
@@ -8144,7 +8144,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>The palette from below to above</source>
+        <source>The palette from bottom to top</source>
         <translation>Die Palette von unten nach oben</translation>
     </message>
     <message>
@@ -8160,7 +8160,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Färben nach</translation>
     </message>
     <message>
-        <source>Where the lamp stands, seen from the eye: in the middle it is the eye itself.</source>
+        <source>The direction of the light as seen from the eye; in the middle, it shines from the eye.</source>
         <translation>Wo die Lampe vom Auge aus gesehen steht: In der Mitte ist sie das Auge selbst.</translation>
     </message>
     <message>
@@ -8421,7 +8421,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Wind</translation>
     </message>
     <message>
-        <source>All branches sway about where they begin.</source>
+        <source>All branches sway about their roots.</source>
         <translation>Alle Äste schwingen um die Stelle, an der sie beginnen.</translation>
     </message>
     <message>
@@ -8429,7 +8429,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Drehen</translation>
     </message>
     <message>
-        <source>The maps turn once about their places.</source>
+        <source>Each map turns once in its place.</source>
         <translation>Die Abbildungen drehen sich einmal an ihrem Ort.</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Umlauf</translation>
     </message>
     <message>
-        <source>The whole picture goes round once.</source>
+        <source>The whole picture turns once.</source>
         <translation>Das ganze Bild läuft einmal herum.</translation>
     </message>
     <message>
@@ -8473,7 +8473,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Endlos hineinzoomen</translation>
     </message>
     <message>
-        <source>The view moves into a small copy of the whole, where the last frame is the first.</source>
+        <source>The view moves into a small copy of the whole; the last frame matches the first.</source>
         <translation>Die Ansicht taucht in eine kleine Kopie des Ganzen ein; dort ist das letzte Bild das erste.</translation>
     </message>
     <message>
@@ -8481,7 +8481,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Endlos hineinzoomen</translation>
     </message>
     <message>
-        <source>No map only scales the fractal to a copy that stands clear of the others.</source>
+        <source>No map makes a scaled copy of the fractal that is clear of the others.</source>
         <translation>Keine Abbildung verkleinert das Fraktal nur zu einer Kopie, die frei von den anderen steht.</translation>
     </message>
     <message>
@@ -8516,8 +8516,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ecke, Kante oder Inneres des Käfigs ziehen.  Strg dreht  ·  Alt skaliert  ·  Umschalt behält Richtungen bei  ·  Doppelklick auf eine Kante: neue Ecke</translation>
     </message>
     <message>
-        <source>Click the three corners of the new triangle.  Backspace takes a corner back  ·  Esc cancels</source>
-        <translation>Die drei Ecken des neuen Dreiecks anklicken.  Rücktaste nimmt eine Ecke zurück  ·  Esc bricht ab</translation>
+        <source>Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels</source>
+        <translation>Die drei Ecken des neuen Dreiecks anklicken.  Rücktaste entfernt den letzten Punkt  ·  Esc bricht ab</translation>
     </message>
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
@@ -8531,7 +8531,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Spuren und Schlüssel</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond in front makes a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
         <translation>Eine Zeile für jeden Teil, der sich bewegen kann. Die Raute davor setzt einen Schlüssel am Abspielkopf oder löscht ihn. Ziehen Sie Schlüssel, um sie zu verschieben: Alt nimmt alle späteren mit, Strg kopiert. Ziehen im Lineal bewegt den Abspielkopf, Ziehen von einer leeren Stelle aus wählt Schlüssel. Strg + Mausrad vergrößert. Ein Rechtsklick auf einen Schlüssel wählt seinen Übergang.</translation>
     </message>
     <message>
@@ -8757,7 +8757,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Länge</translation>
     </message>
     <message>
-        <source>How many frames the animation is long</source>
+        <source>The length of the animation in frames</source>
         <translation>Wie viele Bilder die Animation lang ist</translation>
     </message>
     <message>
@@ -8765,7 +8765,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>How many frames are played in a second</source>
+        <source>The number of frames played per second</source>
         <translation>Wie viele Bilder in einer Sekunde abgespielt werden</translation>
     </message>
     <message>
@@ -8773,7 +8773,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Voriger Schlüssel</translation>
     </message>
     <message>
-        <source>Move the playhead to the key before it</source>
+        <source>Move the playhead to the previous key</source>
         <translation>Den Abspielkopf zum Schlüssel davor bewegen</translation>
     </message>
     <message>
@@ -8805,11 +8805,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schleife</translation>
     </message>
     <message>
-        <source>What comes after the last frame</source>
+        <source>What happens after the last frame</source>
         <translation>Was nach dem letzten Bild kommt</translation>
     </message>
     <message>
-        <source>Off: the animation stops at its last frame. Cycle: it begins again, and the frame at its length is frame 0. There and Back: it runs backwards to its start.</source>
+        <source>Off: the animation stops at its last frame. Cycle: it starts again from frame 0. There and Back: it runs backwards to the start.</source>
         <translation>Aus: Die Animation hält beim letzten Bild an. Kreis: Sie beginnt von vorn, und das Bild an ihrem Ende ist Bild 0. Hin und zurück: Sie läuft rückwärts zum Anfang.</translation>
     </message>
     <message>
@@ -8830,7 +8830,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>%1 B/s</translation>
     </message>
     <message>
-        <source>How many pictures a second are drawn while it plays</source>
+        <source>The number of frames drawn per second during playback</source>
         <translation>Wie viele Bilder pro Sekunde beim Abspielen gezeichnet werden</translation>
     </message>
     <message>

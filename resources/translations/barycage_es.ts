@@ -35,7 +35,7 @@
         <translation>Mayús + rueda elige la profundidad de la rama. La barra bajo el lienzo dice qué cambia el arrastre: una aplicación nueva para esta rama, la última aplicación de su dirección o solo esta rama.</translation>
     </message>
     <message>
-        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace takes the last corner back, Esc cancels.</source>
+        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>La imagen se queda donde está: desde ahora la sujeta el nuevo triángulo. Retroceso quita el último vértice, Esc cancela.</translation>
     </message>
     <message>
@@ -59,15 +59,15 @@
         <translation>La tabla de aplicaciones muestra los números nuevos durante el arrastre, y después la jaula vuelve a estar en reposo.</translation>
     </message>
     <message>
-        <source>The cage is included where that costs little room. The fractal itself does not change.</source>
+        <source>The cage is included if that takes little room. The fractal itself does not change.</source>
         <translation>La jaula se incluye cuando ocupa poco espacio. El fractal en sí no cambia.</translation>
     </message>
     <message>
-        <source>The distance of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
+        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
         <translation>La distancia entre las líneas sigue al zoom. Los vértices se ajustan a ella si así se elige en el menú Ver.</translation>
     </message>
     <message>
-        <source>Only the view is turned over: coefficients and coordinates do not change.</source>
+        <source>Only the view is flipped: coefficients and coordinates do not change.</source>
         <translation>Solo se invierte la vista: ni los coeficientes ni las coordenadas cambian.</translation>
     </message>
     <message>
@@ -83,7 +83,7 @@
         <translation>Como colocación, los coeficientes no cambian; como código, pasan a ser los del fractal transformado. El lienzo muestra el resultado antes de aceptarlo.</translation>
     </message>
     <message>
-        <source>Where a table does not say what its columns are, you are asked. In the Maps panel, Paste replaces the selected maps instead.</source>
+        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste replaces the selected maps instead.</source>
         <translation>Si una tabla no dice cuáles son sus columnas, se le pregunta. En el panel de aplicaciones, Pegar sustituye las aplicaciones seleccionadas.</translation>
     </message>
     <message>
@@ -91,7 +91,7 @@
         <translation>Un idioma nuevo se aplica al volver a iniciar; todo lo demás, enseguida y en todas las ventanas.</translation>
     </message>
     <message>
-        <source>Choose a motion that needs no keys, or make keys: what has keys gets another one wherever you change it, what has none changes for the whole animation.</source>
+        <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
         <translation>Elija un movimiento que no necesita claves o cree claves: lo que tiene claves recibe otra allí donde lo cambie; lo que no tiene ninguna cambia para toda la animación.</translation>
     </message>
 </context>
@@ -257,7 +257,7 @@
         <translation>Solapamientos</translation>
     </message>
     <message>
-        <source>Words of maps that are one and the same map, neither of them the beginning of the other: their pieces coincide.</source>
+        <source>Different words that compose to the same map, neither a prefix of the other: their pieces coincide.</source>
         <translation>Palabras de aplicaciones que son una misma aplicación, sin que ninguna sea el comienzo de la otra: sus piezas coinciden.</translation>
     </message>
     <message>
@@ -297,7 +297,7 @@
         <translation>El número D con Σ sᵢᴰ = 1, donde sᵢ son las razones de las aplicaciones, si todas son semejanzas en algunas coordenadas. Es la dimensión del atractor bajo la condición del conjunto abierto y, si no, una cota superior.</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the uncertainty comes from how parts of that range differ, and is no proof.</source>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is steadiest. This is an estimate: the uncertainty is how much parts of that range differ, and proves nothing.</source>
         <translation>Pendiente de la recta de mínimos cuadrados de ln N frente a ln 1/ε, donde N es el número de cajas de lado ε que tocan el atractor, en los tamaños en que es más constante. Es una estimación; la incertidumbre sale de cuánto difieren partes de ese intervalo, y no es una demostración.</translation>
     </message>
     <message>
@@ -626,7 +626,7 @@
         <translation>«%1» no es un sistema del plano, así que no se puede llevar al espacio.</translation>
     </message>
     <message>
-        <source>The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake or reset it first.</source>
+        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
         <translation>La jaula de «%1» tiene más de tres vértices y no da un tetraedro. Incorpórela o restablézcala antes.</translation>
     </message>
     <message>
@@ -646,7 +646,7 @@
         <translation>La jaula de «%1» no se puede incorporar a las aplicaciones, así que no se puede aplanar.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
+        <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>La aplicación %1 de «%2» desvía la dirección, así que la sombra no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
     </message>
 </context>
@@ -843,8 +843,8 @@
         <translation>No hay archivos recientes</translation>
     </message>
     <message>
-        <source>Clear this list</source>
-        <translation>Vaciar esta lista</translation>
+        <source>Clear List</source>
+        <translation>Vaciar la lista</translation>
     </message>
     <message>
         <source>%1[*] — %2</source>
@@ -1552,8 +1552,8 @@
         <translation>Mostrar las opciones de la herramienta bajo el lienzo</translation>
     </message>
     <message>
-        <source>A bar that keeps its place: it shows the options of the tool that is chosen, or how the tool is used.</source>
-        <translation>Una barra que mantiene su sitio: muestra las opciones de la herramienta elegida, o cómo se usa.</translation>
+        <source>A bar with the options of the current tool, or a reminder of how to use it.</source>
+        <translation>Una barra con las opciones de la herramienta actual, o un recordatorio de cómo se usa.</translation>
     </message>
     <message>
         <source>&amp;Maps</source>
@@ -1756,7 +1756,7 @@
         <translation>.</translation>
     </message>
     <message>
-        <source>Move the playhead on one frame</source>
+        <source>Move the playhead forward one frame</source>
         <translation>Avanzar el cabezal un fotograma</translation>
     </message>
     <message>
@@ -1768,7 +1768,7 @@
         <translation>Alt+,</translation>
     </message>
     <message>
-        <source>Move the playhead to the key before it</source>
+        <source>Move the playhead to the previous key</source>
         <translation>Mover el cabezal a la clave anterior</translation>
     </message>
     <message>
@@ -3289,11 +3289,11 @@
         <translation>«%1»: %2</translation>
     </message>
     <message>
-        <source>“%1” is of another picture: the entry, the view, the size, the seed or the format differs.</source>
+        <source>“%1” belongs to another picture: the entry, the view, the size, the seed or the format differs.</source>
         <translation>«%1» es de otra imagen: la entrada, la vista, el tamaño, la semilla o el formato son distintos.</translation>
     </message>
     <message>
-        <source>“%1” is of a picture with another number of points, so the sums do not add up.</source>
+        <source>“%1” belongs to a picture with a different number of points, so the sums cannot be combined.</source>
         <translation>«%1» es de una imagen con otro número de puntos, así que las sumas no se pueden añadir.</translation>
     </message>
     <message>
@@ -3305,7 +3305,7 @@
         <translation>«%1» fue escrito por otra versión del programa, que puede dibujar otros píxeles.</translation>
     </message>
     <message>
-        <source>The picture is not complete: %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <source>The picture is incomplete: only %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
         <translation>La imagen no está completa: hay un %1 %. Añada los archivos de las otras partes o escriba un archivo .sum.</translation>
     </message>
     <message>
@@ -3687,8 +3687,8 @@
         <translation>Una entrada necesita un nombre.</translation>
     </message>
     <message>
-        <source>A name cannot contain spaces: Fractint would read only its first word.</source>
-        <translation>Un nombre no contiene espacios: Fractint leería solo su primera palabra.</translation>
+        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
+        <translation>Los nombres no pueden contener espacios: Fractint lee solo la primera palabra.</translation>
     </message>
     <message>
         <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
@@ -4459,11 +4459,11 @@
         <translation>%1 vértices, en reposo: la imagen es la del código.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by Wachspress coordinates, cannot be baked.</source>
+        <source>%1 vertices: bent by Wachspress coordinates; cannot be baked.</source>
         <translation>%1 vértices: curvada con coordenadas de Wachspress, no se puede incorporar.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
+        <source>%1 vertices: bent by mean value coordinates; cannot be baked.</source>
         <translation>%1 vértices: curvada con coordenadas de valor medio, no se puede incorporar.</translation>
     </message>
     <message>
@@ -4503,8 +4503,8 @@
         <translation>La jaula ya está ahí.</translation>
     </message>
     <message>
-        <source>Only a cage with three vertices has barycentric coordinates.</source>
-        <translation>Solo una jaula con tres vértices tiene coordenadas baricéntricas.</translation>
+        <source>Available for triangles only.</source>
+        <translation>Disponible solo para triángulos.</translation>
     </message>
     <message>
         <source>Move vertex %1 to (%2, %3)</source>
@@ -4563,8 +4563,8 @@
         <translation>Colocada: los volúmenes se multiplican por %1.</translation>
     </message>
     <message>
-        <source>Only a cage with four vertices has barycentric coordinates.</source>
-        <translation>Solo una jaula con cuatro vértices tiene coordenadas baricéntricas.</translation>
+        <source>Available for tetrahedra only.</source>
+        <translation>Disponible solo para tetraedros.</translation>
     </message>
     <message>
         <source>The tetrahedron is flat: it defines no coordinates.</source>
@@ -5084,8 +5084,8 @@
         <translation>Todavía no hay favoritos. Elija un fractal y pulse Ctrl+D.</translation>
     </message>
     <message>
-        <source>No fractal here contains these words.</source>
-        <translation>Nada contiene aquí estas palabras.</translation>
+        <source>No matches</source>
+        <translation>Sin resultados</translation>
     </message>
     <message>
         <source>Open the selected fractal as a separate document.</source>
@@ -5108,7 +5108,7 @@
         <translation>Marcar el fractal elegido como uno de sus favoritos.</translation>
     </message>
     <message>
-        <source>Only Fa&amp;vourites</source>
+        <source>Fa&amp;vourites Only</source>
         <translation>S&amp;olo favoritos</translation>
     </message>
     <message>
@@ -5261,8 +5261,8 @@
         <translation>Las órdenes cuyo nombre contiene estas letras.</translation>
     </message>
     <message>
-        <source>No matching command.</source>
-        <translation>Ninguna orden coincide.</translation>
+        <source>No matching commands</source>
+        <translation>Ninguna orden coincide</translation>
     </message>
 </context>
 <context>
@@ -5394,8 +5394,8 @@
         <translation>Comentario de «%1»</translation>
     </message>
     <message>
-        <source>Comment after the name</source>
-        <translation>Comentario detrás del nombre</translation>
+        <source>Title</source>
+        <translation>Título</translation>
     </message>
     <message>
         <source>Written on the first line of the entry, for example its title or author.</source>
@@ -5418,8 +5418,8 @@
         <translation>Conservar o descartar el comentario</translation>
     </message>
     <message>
-        <source>&amp;After the name:</source>
-        <translation>&amp;Detrás del nombre:</translation>
+        <source>&amp;Title:</source>
+        <translation>&amp;Título:</translation>
     </message>
     <message>
         <source>Comment &amp;lines:</source>
@@ -5935,8 +5935,8 @@
         <translation>Número de puntos</translation>
     </message>
     <message>
-        <source>As deep as &amp;needed for the pixels</source>
-        <translation>Tan profundo como &amp;necesite un píxel</translation>
+        <source>&amp;Automatic depth</source>
+        <translation>Profundidad &amp;automática</translation>
     </message>
     <message>
         <source>Levels of copies</source>
@@ -6063,12 +6063,12 @@
         <translation>Se hacen copias cada vez más pequeñas hasta que ningún píxel de este tamaño pueda notar la diferencia, o hasta que los programas tarden mucho en dibujarlas.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels from the attractor, and no point of the attractor is farther than that from the drawing.</source>
-        <translation>%1 referencias (se permiten menos de %3). Nada de lo dibujado dista del atractor más de %2 píxeles, y nada del atractor dista más de lo dibujado.</translation>
+        <source>Guaranteed accuracy: %2 px. References: %1 (the limit is %3).</source>
+        <translation>Precisión garantizada: %2 px. Referencias: %1 (el límite es %3).</translation>
     </message>
     <message>
-        <source> Accuracy to the pixel needs more levels; with these, programs still draw the picture without a long wait.</source>
-        <translation> Un píxel necesita más: esta es la mayor profundidad que los programas dibujan sin una larga espera.</translation>
+        <source> More levels would be more accurate, but programs would take long to draw them.</source>
+        <translation> Con más niveles sería más preciso, pero los programas tardarían mucho en dibujarlo.</translation>
     </message>
     <message>
         <source>Computing the shapes…</source>
@@ -6130,15 +6130,15 @@
         <translation>%1 × la pantalla</translation>
     </message>
     <message>
-        <source>Custom size</source>
-        <translation>Tamaño propio</translation>
+        <source>Custom</source>
+        <translation>Personalizado</translation>
     </message>
     <message>
         <source>Size relative to the screen</source>
         <translation>Tamaño con respecto a la pantalla</translation>
     </message>
     <message>
-        <source>Keep proportions</source>
+        <source>Lock proportions</source>
         <translation>Mantener la proporción</translation>
     </message>
     <message>
@@ -6188,7 +6188,7 @@
         <translation>Editor de paletas</translation>
     </message>
     <message>
-        <source>Colour of the stop</source>
+        <source>Stop Colour</source>
         <translation>Color de la parada</translation>
     </message>
     <message>
@@ -7082,16 +7082,16 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Añadir al archivo</translation>
     </message>
     <message>
-        <source>&amp;Vary This One</source>
-        <translation>&amp;Variar esta</translation>
+        <source>&amp;Mutate Again</source>
+        <translation>&amp;Variar de nuevo</translation>
     </message>
     <message>
         <source>Use the selected one as the new starting point</source>
         <translation>Tomar la elegida como punto de partida de las variaciones</translation>
     </message>
     <message>
-        <source>How different the variations are</source>
-        <translation>Cuán distintas son las variaciones</translation>
+        <source>How strongly the variations differ</source>
+        <translation>Cuánto difieren las variaciones</translation>
     </message>
     <message>
         <source>Seed of the random numbers</source>
@@ -7102,16 +7102,16 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>La misma semilla vuelve a dar la misma lámina</translation>
     </message>
     <message>
-        <source>&amp;Others</source>
-        <translation>&amp;Otras</translation>
+        <source>&amp;New Set</source>
+        <translation>&amp;Nuevo conjunto</translation>
     </message>
     <message>
         <source>Show another sheet, from the next seed</source>
         <translation>Otra lámina: la semilla siguiente</translation>
     </message>
     <message>
-        <source>&amp;Difference:</source>
-        <translation>&amp;Diferencia:</translation>
+        <source>S&amp;trength:</source>
+        <translation>I&amp;ntensidad:</translation>
     </message>
     <message>
         <source>&amp;Seed:</source>
@@ -7252,20 +7252,20 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
 <context>
     <name>view::PreferencesDialog</name>
     <message>
-        <source>The new language takes effect when you restart Barycage.</source>
-        <translation>El idioma cambia cuando se vuelve a iniciar Barycage.</translation>
+        <source>Restart to change the language.</source>
+        <translation>Reinicie para cambiar el idioma.</translation>
     </message>
     <message>
-        <source>&amp;Open the files of the last session at startup</source>
-        <translation>A&amp;brir al inicio los archivos de la última vez</translation>
+        <source>Re&amp;open last files on startup</source>
+        <translation>Rea&amp;brir los últimos archivos al inicio</translation>
     </message>
     <message>
         <source>Preferences</source>
         <translation>Preferencias</translation>
     </message>
     <message>
-        <source>Same as the desktop</source>
-        <translation>Como el escritorio</translation>
+        <source>System default</source>
+        <translation>Predeterminado del sistema</translation>
     </message>
     <message>
         <source>Language</source>
@@ -7304,8 +7304,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Fina: 1000 millones de puntos</translation>
     </message>
     <message>
-        <source>Picture quality</source>
-        <translation>Calidad de la imagen</translation>
+        <source>Idle quality</source>
+        <translation>Calidad en reposo</translation>
     </message>
     <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
@@ -7324,8 +7324,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Tema:</translation>
     </message>
     <message>
-        <source>&amp;Picture quality:</source>
-        <translation>Ca&amp;lidad de la imagen:</translation>
+        <source>&amp;Idle quality:</source>
+        <translation>Ca&amp;lidad en reposo:</translation>
     </message>
     <message>
         <source>Resets every setting in this dialog to its default.</source>
@@ -7906,7 +7906,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Ta&amp;maño:</translation>
     </message>
     <message>
-        <source>Draws so many pixels along each side of one: smoother edges.</source>
+        <source>Draws this many pixels along each side of a pixel, for smoother edges.</source>
         <translation>Dibuja tantos píxeles a lo largo de cada lado de uno: bordes más suaves.</translation>
     </message>
     <message>
@@ -7978,7 +7978,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Res&amp;olución:</translation>
     </message>
     <message>
-        <source>Thinner parts are made so thick, so that they can be printed.</source>
+        <source>Thinner parts are thickened to this, so that they can be printed.</source>
         <translation>Las partes más finas se engrosan hasta aquí para que se puedan imprimir.</translation>
     </message>
     <message>
@@ -7990,7 +7990,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Rellenar ca&amp;vidades cerradas</translation>
     </message>
     <message>
-        <source>Fills what is closed off from outside.</source>
+        <source>Fills spaces that are closed off from the outside.</source>
         <translation>Rellena lo que está aislado del exterior.</translation>
     </message>
     <message>
@@ -8144,7 +8144,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Altura</translation>
     </message>
     <message>
-        <source>The palette from below to above</source>
+        <source>The palette from bottom to top</source>
         <translation>La paleta de abajo arriba</translation>
     </message>
     <message>
@@ -8160,7 +8160,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Colorear por</translation>
     </message>
     <message>
-        <source>Where the lamp stands, seen from the eye: in the middle it is the eye itself.</source>
+        <source>The direction of the light as seen from the eye; in the middle, it shines from the eye.</source>
         <translation>Dónde está la lámpara vista desde el ojo: en el centro es el propio ojo.</translation>
     </message>
     <message>
@@ -8421,7 +8421,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Viento</translation>
     </message>
     <message>
-        <source>All branches sway about where they begin.</source>
+        <source>All branches sway about their roots.</source>
         <translation>Todas las ramas oscilan en torno a donde empiezan.</translation>
     </message>
     <message>
@@ -8429,7 +8429,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Giro</translation>
     </message>
     <message>
-        <source>The maps turn once about their places.</source>
+        <source>Each map turns once in its place.</source>
         <translation>Las aplicaciones giran una vez en su lugar.</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Órbita</translation>
     </message>
     <message>
-        <source>The whole picture goes round once.</source>
+        <source>The whole picture turns once.</source>
         <translation>Toda la imagen da una vuelta.</translation>
     </message>
     <message>
@@ -8473,7 +8473,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Acercar sin fin</translation>
     </message>
     <message>
-        <source>The view moves into a small copy of the whole, where the last frame is the first.</source>
+        <source>The view moves into a small copy of the whole; the last frame matches the first.</source>
         <translation>La vista entra en una pequeña copia del conjunto, donde el último fotograma es el primero.</translation>
     </message>
     <message>
@@ -8481,7 +8481,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Acercar sin fin</translation>
     </message>
     <message>
-        <source>No map only scales the fractal to a copy that stands clear of the others.</source>
+        <source>No map makes a scaled copy of the fractal that is clear of the others.</source>
         <translation>Ninguna aplicación se limita a reducir el fractal a una copia separada de las demás.</translation>
     </message>
     <message>
@@ -8516,8 +8516,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Arrastre un vértice, una arista o el interior de la jaula.  Ctrl gira  ·  Alt escala  ·  Mayús conserva las direcciones  ·  doble clic en una arista: vértice nuevo</translation>
     </message>
     <message>
-        <source>Click the three corners of the new triangle.  Backspace takes a corner back  ·  Esc cancels</source>
-        <translation>Haga clic en los tres vértices del triángulo nuevo.  Retroceso quita un vértice  ·  Esc cancela</translation>
+        <source>Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels</source>
+        <translation>Haga clic en los tres vértices del triángulo nuevo.  Retroceso quita el último punto  ·  Esc cancela</translation>
     </message>
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
@@ -8531,7 +8531,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Pistas y claves</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond in front makes a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
         <translation>Una fila por cada parte que puede moverse. El rombo de delante crea una clave en el cabezal o la elimina. Arrastre claves para moverlas: Alt mueve también las posteriores, Ctrl las copia. Arrastre en la regla para mover el cabezal, o desde un lugar vacío para seleccionar claves. Ctrl + rueda amplía. Clic derecho en una clave para su transición.</translation>
     </message>
     <message>
@@ -8757,7 +8757,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Duración</translation>
     </message>
     <message>
-        <source>How many frames the animation is long</source>
+        <source>The length of the animation in frames</source>
         <translation>Cuántos fotogramas dura la animación</translation>
     </message>
     <message>
@@ -8765,7 +8765,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Fotogramas por segundo</translation>
     </message>
     <message>
-        <source>How many frames are played in a second</source>
+        <source>The number of frames played per second</source>
         <translation>Cuántos fotogramas se reproducen por segundo</translation>
     </message>
     <message>
@@ -8773,7 +8773,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Clave anterior</translation>
     </message>
     <message>
-        <source>Move the playhead to the key before it</source>
+        <source>Move the playhead to the previous key</source>
         <translation>Mover el cabezal a la clave anterior</translation>
     </message>
     <message>
@@ -8805,11 +8805,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Bucle</translation>
     </message>
     <message>
-        <source>What comes after the last frame</source>
+        <source>What happens after the last frame</source>
         <translation>Qué viene después del último fotograma</translation>
     </message>
     <message>
-        <source>Off: the animation stops at its last frame. Cycle: it begins again, and the frame at its length is frame 0. There and Back: it runs backwards to its start.</source>
+        <source>Off: the animation stops at its last frame. Cycle: it starts again from frame 0. There and Back: it runs backwards to the start.</source>
         <translation>Desactivado: la animación se detiene en su último fotograma. Ciclo: empieza de nuevo, y el fotograma del final es el 0. Ida y vuelta: retrocede hasta el principio.</translation>
     </message>
     <message>
@@ -8830,7 +8830,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>%1 fps</translation>
     </message>
     <message>
-        <source>How many pictures a second are drawn while it plays</source>
+        <source>The number of frames drawn per second during playback</source>
         <translation>Cuántas imágenes por segundo se dibujan al reproducir</translation>
     </message>
     <message>

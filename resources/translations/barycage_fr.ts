@@ -35,7 +35,7 @@
         <translation>Maj + molette choisit la profondeur de la branche. La barre sous le canevas dit ce que le glissement modifie&#x202f;: une nouvelle application pour cette branche, la dernière application de son adresse, ou cette branche seule.</translation>
     </message>
     <message>
-        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace takes the last corner back, Esc cancels.</source>
+        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>L’image reste où elle est&#x202f;: elle est désormais tenue par le nouveau triangle. Retour arrière reprend le dernier coin, Échap annule.</translation>
     </message>
     <message>
@@ -59,15 +59,15 @@
         <translation>Le tableau des applications montre les nouveaux nombres pendant le glissement, et la cage est ensuite de nouveau au repos.</translation>
     </message>
     <message>
-        <source>The cage is included where that costs little room. The fractal itself does not change.</source>
+        <source>The cage is included if that takes little room. The fractal itself does not change.</source>
         <translation>La cage est comprise là où cela prend peu de place. La fractale elle-même ne change pas.</translation>
     </message>
     <message>
-        <source>The distance of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
+        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
         <translation>L’écart des lignes suit le zoom. Les sommets s’y alignent si cela est choisi dans le menu Affichage.</translation>
     </message>
     <message>
-        <source>Only the view is turned over: coefficients and coordinates do not change.</source>
+        <source>Only the view is flipped: coefficients and coordinates do not change.</source>
         <translation>Seule la vue est retournée&#x202f;: ni les coefficients ni les coordonnées ne changent.</translation>
     </message>
     <message>
@@ -83,7 +83,7 @@
         <translation>Comme placement, les coefficients restent&#x202f;; comme code, ils deviennent ceux de la fractale transformée. Le canevas montre le résultat avant que vous l’acceptiez.</translation>
     </message>
     <message>
-        <source>Where a table does not say what its columns are, you are asked. In the Maps panel, Paste replaces the selected maps instead.</source>
+        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste replaces the selected maps instead.</source>
         <translation>Si un tableau ne dit pas quelles sont ses colonnes, la question vous est posée. Dans le panneau des applications, Coller remplace les applications sélectionnées.</translation>
     </message>
     <message>
@@ -91,7 +91,7 @@
         <translation>Une nouvelle langue prend effet au prochain démarrage, tout le reste aussitôt et dans toutes les fenêtres.</translation>
     </message>
     <message>
-        <source>Choose a motion that needs no keys, or make keys: what has keys gets another one wherever you change it, what has none changes for the whole animation.</source>
+        <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
         <translation>Choisissez un mouvement qui n’a pas besoin de clés, ou créez des clés : ce qui a des clés en reçoit une autre partout où vous le modifiez ; ce qui n’en a pas change pour toute l’animation.</translation>
     </message>
 </context>
@@ -257,7 +257,7 @@
         <translation>Recouvrements</translation>
     </message>
     <message>
-        <source>Words of maps that are one and the same map, neither of them the beginning of the other: their pieces coincide.</source>
+        <source>Different words that compose to the same map, neither a prefix of the other: their pieces coincide.</source>
         <translation>Mots d’applications qui sont une seule et même application, sans que l’un soit le début de l’autre : leurs morceaux coïncident.</translation>
     </message>
     <message>
@@ -297,7 +297,7 @@
         <translation>Le nombre D tel que Σ sᵢᴰ = 1, où les sᵢ sont les rapports des applications, si toutes sont des similitudes dans certaines coordonnées. C’est la dimension de l’attracteur sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the uncertainty comes from how parts of that range differ, and is no proof.</source>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is steadiest. This is an estimate: the uncertainty is how much parts of that range differ, and proves nothing.</source>
         <translation>Pente de la droite des moindres carrés de ln N en fonction de ln 1/ε, où N est le nombre de boîtes de côté ε qui rencontrent l’attracteur, sur les tailles où elle est la plus régulière. C’est une estimation ; l’incertitude vient de l’écart entre des parties de cet intervalle et n’est pas une preuve.</translation>
     </message>
     <message>
@@ -626,7 +626,7 @@
         <translation>« %1 » n’est pas un système du plan et ne peut donc pas être élevé dans l’espace.</translation>
     </message>
     <message>
-        <source>The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake or reset it first.</source>
+        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
         <translation>La cage de « %1 » a plus de trois sommets et ne donne pas de tétraèdre. Intégrez-la ou réinitialisez-la d’abord.</translation>
     </message>
     <message>
@@ -646,7 +646,7 @@
         <translation>La cage de « %1 » ne peut pas être intégrée aux applications ; il ne peut donc pas être aplati.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
+        <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>L’application %1 de « %2 » change cette direction ; l’ombre n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
     </message>
 </context>
@@ -843,8 +843,8 @@
         <translation>Aucun fichier récent</translation>
     </message>
     <message>
-        <source>Clear this list</source>
-        <translation>Vider cette liste</translation>
+        <source>Clear List</source>
+        <translation>Vider la liste</translation>
     </message>
     <message>
         <source>%1[*] — %2</source>
@@ -1552,8 +1552,8 @@
         <translation>Afficher les options de l’outil sous le canevas</translation>
     </message>
     <message>
-        <source>A bar that keeps its place: it shows the options of the tool that is chosen, or how the tool is used.</source>
-        <translation>Une barre qui garde sa place&#x202f;: elle montre les options de l’outil choisi, ou la manière de s’en servir.</translation>
+        <source>A bar with the options of the current tool, or a reminder of how to use it.</source>
+        <translation>Une barre avec les options de l’outil en cours, ou un rappel de son emploi.</translation>
     </message>
     <message>
         <source>&amp;Maps</source>
@@ -1756,7 +1756,7 @@
         <translation>.</translation>
     </message>
     <message>
-        <source>Move the playhead on one frame</source>
+        <source>Move the playhead forward one frame</source>
         <translation>Avancer la tête de lecture d’une image</translation>
     </message>
     <message>
@@ -1768,7 +1768,7 @@
         <translation>Alt+,</translation>
     </message>
     <message>
-        <source>Move the playhead to the key before it</source>
+        <source>Move the playhead to the previous key</source>
         <translation>Déplacer la tête de lecture sur la clé précédente</translation>
     </message>
     <message>
@@ -3289,11 +3289,11 @@
         <translation>« %1 » : %2</translation>
     </message>
     <message>
-        <source>“%1” is of another picture: the entry, the view, the size, the seed or the format differs.</source>
+        <source>“%1” belongs to another picture: the entry, the view, the size, the seed or the format differs.</source>
         <translation>« %1 » vient d’une autre image : l’entrée, la vue, la taille, la graine ou le format diffèrent.</translation>
     </message>
     <message>
-        <source>“%1” is of a picture with another number of points, so the sums do not add up.</source>
+        <source>“%1” belongs to a picture with a different number of points, so the sums cannot be combined.</source>
         <translation>« %1 » vient d’une image avec un autre nombre de points : les sommes ne peuvent pas être ajoutées.</translation>
     </message>
     <message>
@@ -3305,7 +3305,7 @@
         <translation>« %1 » a été écrit par une autre version du programme, qui peut dessiner d’autres pixels.</translation>
     </message>
     <message>
-        <source>The picture is not complete: %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <source>The picture is incomplete: only %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
         <translation>L’image n’est pas complète : %1 % sont présents. Ajoutez les fichiers des autres parties, ou écrivez un fichier .sum.</translation>
     </message>
     <message>
@@ -3687,8 +3687,8 @@
         <translation>Une entrée a besoin d’un nom.</translation>
     </message>
     <message>
-        <source>A name cannot contain spaces: Fractint would read only its first word.</source>
-        <translation>Un nom ne contient pas d’espaces&#x202f;: Fractint n’en lirait que le premier mot.</translation>
+        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
+        <translation>Les noms ne peuvent pas contenir d’espaces : Fractint ne lit que le premier mot.</translation>
     </message>
     <message>
         <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
@@ -4459,11 +4459,11 @@
         <translation>%1 sommets, au repos&#x202f;: l’image est celle du code.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by Wachspress coordinates, cannot be baked.</source>
+        <source>%1 vertices: bent by Wachspress coordinates; cannot be baked.</source>
         <translation>%1 sommets&#x202f;: image courbée par les coordonnées de Wachspress, impossible à intégrer au code.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
+        <source>%1 vertices: bent by mean value coordinates; cannot be baked.</source>
         <translation>%1 sommets&#x202f;: image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
     </message>
     <message>
@@ -4503,8 +4503,8 @@
         <translation>La cage y est déjà.</translation>
     </message>
     <message>
-        <source>Only a cage with three vertices has barycentric coordinates.</source>
-        <translation>Seule une cage à trois sommets a des coordonnées barycentriques.</translation>
+        <source>Available for triangles only.</source>
+        <translation>Disponible pour les triangles seulement.</translation>
     </message>
     <message>
         <source>Move vertex %1 to (%2, %3)</source>
@@ -4563,8 +4563,8 @@
         <translation>Placée&#x202f;: les volumes sont multipliés par %1.</translation>
     </message>
     <message>
-        <source>Only a cage with four vertices has barycentric coordinates.</source>
-        <translation>Seule une cage à quatre sommets a des coordonnées barycentriques.</translation>
+        <source>Available for tetrahedra only.</source>
+        <translation>Disponible pour les tétraèdres seulement.</translation>
     </message>
     <message>
         <source>The tetrahedron is flat: it defines no coordinates.</source>
@@ -5084,8 +5084,8 @@
         <translation>Pas encore de favoris. Choisissez une fractale et appuyez sur Ctrl+D.</translation>
     </message>
     <message>
-        <source>No fractal here contains these words.</source>
-        <translation>Rien ici ne contient ces mots.</translation>
+        <source>No matches</source>
+        <translation>Aucun résultat</translation>
     </message>
     <message>
         <source>Open the selected fractal as a separate document.</source>
@@ -5108,7 +5108,7 @@
         <translation>Mettre la fractale choisie dans vos favoris.</translation>
     </message>
     <message>
-        <source>Only Fa&amp;vourites</source>
+        <source>Fa&amp;vourites Only</source>
         <translation>Fa&amp;voris seulement</translation>
     </message>
     <message>
@@ -5261,8 +5261,8 @@
         <translation>Les commandes dont le nom contient ces lettres.</translation>
     </message>
     <message>
-        <source>No matching command.</source>
-        <translation>Aucune commande correspondante.</translation>
+        <source>No matching commands</source>
+        <translation>Aucune commande correspondante</translation>
     </message>
 </context>
 <context>
@@ -5394,8 +5394,8 @@
         <translation>Commentaire de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>Comment after the name</source>
-        <translation>Commentaire à la suite du nom</translation>
+        <source>Title</source>
+        <translation>Titre</translation>
     </message>
     <message>
         <source>Written on the first line of the entry, for example its title or author.</source>
@@ -5418,8 +5418,8 @@
         <translation>Conserver ou abandonner le commentaire</translation>
     </message>
     <message>
-        <source>&amp;After the name:</source>
-        <translation>À la &amp;suite du nom&#x202f;:</translation>
+        <source>&amp;Title:</source>
+        <translation>&amp;Titre :</translation>
     </message>
     <message>
         <source>Comment &amp;lines:</source>
@@ -5935,8 +5935,8 @@
         <translation>Nombre de points</translation>
     </message>
     <message>
-        <source>As deep as &amp;needed for the pixels</source>
-        <translation>Aussi profond que &amp;le demande un pixel</translation>
+        <source>&amp;Automatic depth</source>
+        <translation>Profondeur &amp;automatique</translation>
     </message>
     <message>
         <source>Levels of copies</source>
@@ -6063,12 +6063,12 @@
         <translation>Les copies sont réduites jusqu’à ce qu’aucun pixel de cette taille ne puisse montrer la différence, ou que les logiciels mettent longtemps à les dessiner.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels from the attractor, and no point of the attractor is farther than that from the drawing.</source>
-        <translation>%1 références (moins de %3 sont permises). Rien de ce qui est dessiné n’est à plus de %2 pixels de l’attracteur, et rien de celui-ci n’est plus loin de ce qui est dessiné.</translation>
+        <source>Guaranteed accuracy: %2 px. References: %1 (the limit is %3).</source>
+        <translation>Précision garantie : %2 px. Références : %1 (la limite est %3).</translation>
     </message>
     <message>
-        <source> Accuracy to the pixel needs more levels; with these, programs still draw the picture without a long wait.</source>
-        <translation> Un pixel en demande plus&#x202f;: c’est la plus grande profondeur que les logiciels dessinent sans longue attente.</translation>
+        <source> More levels would be more accurate, but programs would take long to draw them.</source>
+        <translation> Plus de niveaux seraient plus précis, mais les programmes mettraient longtemps à les dessiner.</translation>
     </message>
     <message>
         <source>Computing the shapes…</source>
@@ -6130,15 +6130,15 @@
         <translation>%1 × l’écran</translation>
     </message>
     <message>
-        <source>Custom size</source>
-        <translation>Taille au choix</translation>
+        <source>Custom</source>
+        <translation>Personnalisée</translation>
     </message>
     <message>
         <source>Size relative to the screen</source>
         <translation>Taille par rapport à l’écran</translation>
     </message>
     <message>
-        <source>Keep proportions</source>
+        <source>Lock proportions</source>
         <translation>Garder les proportions</translation>
     </message>
     <message>
@@ -6188,7 +6188,7 @@
         <translation>Éditeur de palette</translation>
     </message>
     <message>
-        <source>Colour of the stop</source>
+        <source>Stop Colour</source>
         <translation>Couleur du repère</translation>
     </message>
     <message>
@@ -7082,15 +7082,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Ajouter au fichier</translation>
     </message>
     <message>
-        <source>&amp;Vary This One</source>
-        <translation>Faire &amp;varier celle-ci</translation>
+        <source>&amp;Mutate Again</source>
+        <translation>&amp;Varier de nouveau</translation>
     </message>
     <message>
         <source>Use the selected one as the new starting point</source>
         <translation>Faire de celle qui est choisie le point de départ des variations</translation>
     </message>
     <message>
-        <source>How different the variations are</source>
+        <source>How strongly the variations differ</source>
         <translation>À quel point les variations diffèrent</translation>
     </message>
     <message>
@@ -7102,16 +7102,16 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>La même graine redonne la même planche</translation>
     </message>
     <message>
-        <source>&amp;Others</source>
-        <translation>Au&amp;tres</translation>
+        <source>&amp;New Set</source>
+        <translation>&amp;Nouvelle série</translation>
     </message>
     <message>
         <source>Show another sheet, from the next seed</source>
         <translation>Une autre planche&#x202f;: la graine suivante</translation>
     </message>
     <message>
-        <source>&amp;Difference:</source>
-        <translation>&amp;Différence&#x202f;:</translation>
+        <source>S&amp;trength:</source>
+        <translation>&amp;Intensité :</translation>
     </message>
     <message>
         <source>&amp;Seed:</source>
@@ -7252,20 +7252,20 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
 <context>
     <name>view::PreferencesDialog</name>
     <message>
-        <source>The new language takes effect when you restart Barycage.</source>
-        <translation>La langue changera au prochain démarrage de Barycage.</translation>
+        <source>Restart to change the language.</source>
+        <translation>Redémarrez pour changer de langue.</translation>
     </message>
     <message>
-        <source>&amp;Open the files of the last session at startup</source>
-        <translation>R&amp;ouvrir au démarrage les fichiers de la dernière fois</translation>
+        <source>Re&amp;open last files on startup</source>
+        <translation>R&amp;ouvrir les derniers fichiers au démarrage</translation>
     </message>
     <message>
         <source>Preferences</source>
         <translation>Préférences</translation>
     </message>
     <message>
-        <source>Same as the desktop</source>
-        <translation>Comme le bureau</translation>
+        <source>System default</source>
+        <translation>Réglage du système</translation>
     </message>
     <message>
         <source>Language</source>
@@ -7304,8 +7304,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Fine&#x202f;: 1 milliard de points</translation>
     </message>
     <message>
-        <source>Picture quality</source>
-        <translation>Qualité de l’image</translation>
+        <source>Idle quality</source>
+        <translation>Qualité au repos</translation>
     </message>
     <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
@@ -7324,8 +7324,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Thème&#x202f;:</translation>
     </message>
     <message>
-        <source>&amp;Picture quality:</source>
-        <translation>&amp;Qualité de l’image :</translation>
+        <source>&amp;Idle quality:</source>
+        <translation>&amp;Qualité au repos :</translation>
     </message>
     <message>
         <source>Resets every setting in this dialog to its default.</source>
@@ -7906,7 +7906,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Taille :</translation>
     </message>
     <message>
-        <source>Draws so many pixels along each side of one: smoother edges.</source>
+        <source>Draws this many pixels along each side of a pixel, for smoother edges.</source>
         <translation>Dessine autant de pixels le long de chaque côté d’un pixel : des bords plus lisses.</translation>
     </message>
     <message>
@@ -7978,7 +7978,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Résolutio&amp;n :</translation>
     </message>
     <message>
-        <source>Thinner parts are made so thick, so that they can be printed.</source>
+        <source>Thinner parts are thickened to this, so that they can be printed.</source>
         <translation>Les parties plus minces sont épaissies jusque-là pour pouvoir être imprimées.</translation>
     </message>
     <message>
@@ -7990,7 +7990,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Remplir les ca&amp;vités fermées</translation>
     </message>
     <message>
-        <source>Fills what is closed off from outside.</source>
+        <source>Fills spaces that are closed off from the outside.</source>
         <translation>Remplit ce qui est isolé de l’extérieur.</translation>
     </message>
     <message>
@@ -8144,7 +8144,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Hauteur</translation>
     </message>
     <message>
-        <source>The palette from below to above</source>
+        <source>The palette from bottom to top</source>
         <translation>La palette de bas en haut</translation>
     </message>
     <message>
@@ -8160,7 +8160,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Colorer selon</translation>
     </message>
     <message>
-        <source>Where the lamp stands, seen from the eye: in the middle it is the eye itself.</source>
+        <source>The direction of the light as seen from the eye; in the middle, it shines from the eye.</source>
         <translation>Où se trouve la lampe vue de l’œil : au milieu, c’est l’œil lui-même.</translation>
     </message>
     <message>
@@ -8421,7 +8421,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Vent</translation>
     </message>
     <message>
-        <source>All branches sway about where they begin.</source>
+        <source>All branches sway about their roots.</source>
         <translation>Toutes les branches oscillent autour de leur base.</translation>
     </message>
     <message>
@@ -8429,7 +8429,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Rotation</translation>
     </message>
     <message>
-        <source>The maps turn once about their places.</source>
+        <source>Each map turns once in its place.</source>
         <translation>Les applications tournent une fois sur place.</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Orbite</translation>
     </message>
     <message>
-        <source>The whole picture goes round once.</source>
+        <source>The whole picture turns once.</source>
         <translation>Toute l’image fait un tour.</translation>
     </message>
     <message>
@@ -8473,7 +8473,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Zoom sans fin</translation>
     </message>
     <message>
-        <source>The view moves into a small copy of the whole, where the last frame is the first.</source>
+        <source>The view moves into a small copy of the whole; the last frame matches the first.</source>
         <translation>La vue plonge dans une petite copie de l’ensemble, où la dernière image est la première.</translation>
     </message>
     <message>
@@ -8481,7 +8481,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Zoomer sans fin</translation>
     </message>
     <message>
-        <source>No map only scales the fractal to a copy that stands clear of the others.</source>
+        <source>No map makes a scaled copy of the fractal that is clear of the others.</source>
         <translation>Aucune application ne fait que réduire la fractale en une copie à l’écart des autres.</translation>
     </message>
     <message>
@@ -8516,8 +8516,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Faites glisser un coin, une arête ou l’intérieur de la cage.  Ctrl fait tourner  ·  Alt met à l’échelle  ·  Maj conserve les directions  ·  double-clic sur une arête&#x202f;: nouveau sommet</translation>
     </message>
     <message>
-        <source>Click the three corners of the new triangle.  Backspace takes a corner back  ·  Esc cancels</source>
-        <translation>Cliquez sur les trois coins du nouveau triangle.  Retour arrière reprend un coin  ·  Échap annule</translation>
+        <source>Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels</source>
+        <translation>Cliquez sur les trois coins du nouveau triangle.  Retour arrière retire le dernier point  ·  Échap annule</translation>
     </message>
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
@@ -8531,7 +8531,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Pistes et clés</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond in front makes a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
         <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer : Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition.</translation>
     </message>
     <message>
@@ -8757,7 +8757,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Durée</translation>
     </message>
     <message>
-        <source>How many frames the animation is long</source>
+        <source>The length of the animation in frames</source>
         <translation>Nombre d’images de l’animation</translation>
     </message>
     <message>
@@ -8765,7 +8765,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Images par seconde</translation>
     </message>
     <message>
-        <source>How many frames are played in a second</source>
+        <source>The number of frames played per second</source>
         <translation>Nombre d’images lues par seconde</translation>
     </message>
     <message>
@@ -8773,7 +8773,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Clé précédente</translation>
     </message>
     <message>
-        <source>Move the playhead to the key before it</source>
+        <source>Move the playhead to the previous key</source>
         <translation>Déplacer la tête de lecture sur la clé précédente</translation>
     </message>
     <message>
@@ -8805,11 +8805,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Boucle</translation>
     </message>
     <message>
-        <source>What comes after the last frame</source>
+        <source>What happens after the last frame</source>
         <translation>Ce qui suit la dernière image</translation>
     </message>
     <message>
-        <source>Off: the animation stops at its last frame. Cycle: it begins again, and the frame at its length is frame 0. There and Back: it runs backwards to its start.</source>
+        <source>Off: the animation stops at its last frame. Cycle: it starts again from frame 0. There and Back: it runs backwards to the start.</source>
         <translation>Non : l’animation s’arrête à sa dernière image. Cycle : elle recommence, et l’image de la fin est l’image 0. Aller-retour : elle revient en arrière jusqu’au début.</translation>
     </message>
     <message>
@@ -8830,7 +8830,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>%1 i/s</translation>
     </message>
     <message>
-        <source>How many pictures a second are drawn while it plays</source>
+        <source>The number of frames drawn per second during playback</source>
         <translation>Nombre d’images dessinées par seconde pendant la lecture</translation>
     </message>
     <message>

@@ -35,7 +35,7 @@
         <translation>Shift + тркалце избира колку длабока е гранката. Лентата под платното кажува што менува влечењето: ново пресликување за гранката, последното пресликување од нејзината адреса или само оваа гранка.</translation>
     </message>
     <message>
-        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace takes the last corner back, Esc cancels.</source>
+        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>Сликата останува каде што е: отсега ја држи новиот триаголник. Backspace го враќа последното теме, Esc откажува.</translation>
     </message>
     <message>
@@ -59,15 +59,15 @@
         <translation>Табелата на пресликувања ги покажува новите броеви за време на влечењето, а потоа кафезот пак е во мирување.</translation>
     </message>
     <message>
-        <source>The cage is included where that costs little room. The fractal itself does not change.</source>
+        <source>The cage is included if that takes little room. The fractal itself does not change.</source>
         <translation>Кафезот е вклучен кога тоа бара малку простор. Самиот фрактал не се менува.</translation>
     </message>
     <message>
-        <source>The distance of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
+        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
         <translation>Растојанието на линиите го следи зумот. Темињата се лепат за мрежата ако тоа е избрано во менито Приказ.</translation>
     </message>
     <message>
-        <source>Only the view is turned over: coefficients and coordinates do not change.</source>
+        <source>Only the view is flipped: coefficients and coordinates do not change.</source>
         <translation>Се превртува само приказот: коефициентите и координатите не се менуваат.</translation>
     </message>
     <message>
@@ -83,7 +83,7 @@
         <translation>Како поставеност, коефициентите остануваат; како код, стануваат коефициенти на трансформираниот фрактал. Платното го покажува резултатот пред да го прифатиш.</translation>
     </message>
     <message>
-        <source>Where a table does not say what its columns are, you are asked. In the Maps panel, Paste replaces the selected maps instead.</source>
+        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste replaces the selected maps instead.</source>
         <translation>Ако табелата не кажува кои се нејзините колони, програмата прашува. Во панелот со пресликувања, вметнувањето ги заменува избраните пресликувања.</translation>
     </message>
     <message>
@@ -91,7 +91,7 @@
         <translation>Новиот јазик важи од следното стартување; сѐ друго веднаш, во сите прозорци.</translation>
     </message>
     <message>
-        <source>Choose a motion that needs no keys, or make keys: what has keys gets another one wherever you change it, what has none changes for the whole animation.</source>
+        <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
         <translation>Изберете движење за кое не се потребни клучеви или поставете клучеви: она што има клучеви добива уште еден каде и да го измените, а она што нема се менува за целата анимација.</translation>
     </message>
 </context>
@@ -258,7 +258,7 @@
         <translation>Преклопувања</translation>
     </message>
     <message>
-        <source>Words of maps that are one and the same map, neither of them the beginning of the other: their pieces coincide.</source>
+        <source>Different words that compose to the same map, neither a prefix of the other: their pieces coincide.</source>
         <translation>Зборови од пресликувања што се едно исто пресликување, а ниеден не е почеток на другиот: нивните делови се совпаѓаат.</translation>
     </message>
     <message>
@@ -298,7 +298,7 @@
         <translation>Бројот D со Σ sᵢᴰ = 1, каде што sᵢ се коефициентите на пресликувањата, ако сите се сличности во некои координати. Тоа е димензијата на атракторот под условот на отворено множество, а инаку нејзина горна граница.</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the uncertainty comes from how parts of that range differ, and is no proof.</source>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is steadiest. This is an estimate: the uncertainty is how much parts of that range differ, and proves nothing.</source>
         <translation>Наклон на правата на најмали квадрати за ln N наспроти ln 1/ε, каде што N е бројот на кутии со страна ε што го допираат атракторот, за големините при кои е најрамномерен. Тоа е проценка; несигурноста доаѓа од разликите меѓу деловите на тој опсег и не е доказ.</translation>
     </message>
     <message>
@@ -627,7 +627,7 @@
         <translation>„%1“ не е систем во рамнината, па не може да се подигне во просторот.</translation>
     </message>
     <message>
-        <source>The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake or reset it first.</source>
+        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
         <translation>Кафезот на „%1“ има повеќе од три темиња, од кои не се добива тетраедар. Прво впишете го или вратете го.</translation>
     </message>
     <message>
@@ -647,7 +647,7 @@
         <translation>Кафезот на „%1“ не може да се впише во пресликувањата, па не може да се израмни.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
+        <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>Пресликувањето %1 од „%2“ ја менува насоката, па сенката не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
     </message>
 </context>
@@ -848,8 +848,8 @@
         <translation>Нема неодамнешни датотеки</translation>
     </message>
     <message>
-        <source>Clear this list</source>
-        <translation>Исчисти го списоков</translation>
+        <source>Clear List</source>
+        <translation>Исчисти го списокот</translation>
     </message>
     <message>
         <source>%1[*] — %2</source>
@@ -1557,8 +1557,8 @@
         <translation>Прикажи ги опциите на алатката под платното</translation>
     </message>
     <message>
-        <source>A bar that keeps its place: it shows the options of the tool that is chosen, or how the tool is used.</source>
-        <translation>Лента што си го задржува местото: ги покажува опциите на избраната алатка или како таа се користи.</translation>
+        <source>A bar with the options of the current tool, or a reminder of how to use it.</source>
+        <translation>Лента со опциите на тековната алатка или потсетник како се користи.</translation>
     </message>
     <message>
         <source>&amp;Maps</source>
@@ -1761,7 +1761,7 @@
         <translation>.</translation>
     </message>
     <message>
-        <source>Move the playhead on one frame</source>
+        <source>Move the playhead forward one frame</source>
         <translation>Помести ја главата за пуштање една слика напред</translation>
     </message>
     <message>
@@ -1773,7 +1773,7 @@
         <translation>Alt+,</translation>
     </message>
     <message>
-        <source>Move the playhead to the key before it</source>
+        <source>Move the playhead to the previous key</source>
         <translation>Помести ја главата за пуштање на претходниот клуч</translation>
     </message>
     <message>
@@ -3295,11 +3295,11 @@
         <translation>„%1“: %2</translation>
     </message>
     <message>
-        <source>“%1” is of another picture: the entry, the view, the size, the seed or the format differs.</source>
+        <source>“%1” belongs to another picture: the entry, the view, the size, the seed or the format differs.</source>
         <translation>„%1“ е од друга слика: записот, погледот, големината, семето или форматот се разликуваат.</translation>
     </message>
     <message>
-        <source>“%1” is of a picture with another number of points, so the sums do not add up.</source>
+        <source>“%1” belongs to a picture with a different number of points, so the sums cannot be combined.</source>
         <translation>„%1“ е од слика со друг број точки, па збировите не можат да се соберат.</translation>
     </message>
     <message>
@@ -3311,7 +3311,7 @@
         <translation>„%1“ е запишана со друга верзија на програмата, која може да црта други пиксели.</translation>
     </message>
     <message>
-        <source>The picture is not complete: %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <source>The picture is incomplete: only %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
         <translation>Сликата не е целосна: има %1 % од неа. Додајте ги датотеките на другите делови или запишете .sum датотека.</translation>
     </message>
     <message>
@@ -3693,8 +3693,8 @@
         <translation>Записот мора да има име.</translation>
     </message>
     <message>
-        <source>A name cannot contain spaces: Fractint would read only its first word.</source>
-        <translation>Името не смее да содржи празни места: Fractint би го прочитал само првиот збор.</translation>
+        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
+        <translation>Имињата не смеат да содржат празни места: Fractint го чита само првиот збор.</translation>
     </message>
     <message>
         <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
@@ -4466,11 +4466,11 @@
         <translation>%1 темиња, во мирување: сликата е онаа на кодот.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by Wachspress coordinates, cannot be baked.</source>
+        <source>%1 vertices: bent by Wachspress coordinates; cannot be baked.</source>
         <translation>%1 темиња: свиткана со Вакспресови координати, не може да се впише во кодот.</translation>
     </message>
     <message>
-        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
+        <source>%1 vertices: bent by mean value coordinates; cannot be baked.</source>
         <translation>%1 темиња: свиткана со координати на средна вредност, не може да се впише во кодот.</translation>
     </message>
     <message>
@@ -4510,8 +4510,8 @@
         <translation>Кафезот веќе е таму.</translation>
     </message>
     <message>
-        <source>Only a cage with three vertices has barycentric coordinates.</source>
-        <translation>Само кафез со три темиња има барицентрични координати.</translation>
+        <source>Available for triangles only.</source>
+        <translation>Достапно само за триаголници.</translation>
     </message>
     <message>
         <source>Move vertex %1 to (%2, %3)</source>
@@ -4570,8 +4570,8 @@
         <translation>Поставена: волумените се менуваат со коефициент %1.</translation>
     </message>
     <message>
-        <source>Only a cage with four vertices has barycentric coordinates.</source>
-        <translation>Само кафез со четири темиња има барицентрични координати.</translation>
+        <source>Available for tetrahedra only.</source>
+        <translation>Достапно само за тетраедри.</translation>
     </message>
     <message>
         <source>The tetrahedron is flat: it defines no coordinates.</source>
@@ -5091,8 +5091,8 @@
         <translation>Сѐ уште нема омилени. Изберете фрактал и притиснете Ctrl+D.</translation>
     </message>
     <message>
-        <source>No fractal here contains these words.</source>
-        <translation>Ништо тука не ги содржи овие зборови.</translation>
+        <source>No matches</source>
+        <translation>Нема резултати</translation>
     </message>
     <message>
         <source>Open the selected fractal as a separate document.</source>
@@ -5115,7 +5115,7 @@
         <translation>Означи го избраниот фрактал како омилен.</translation>
     </message>
     <message>
-        <source>Only Fa&amp;vourites</source>
+        <source>Fa&amp;vourites Only</source>
         <translation>Само омил&amp;ени</translation>
     </message>
     <message>
@@ -5268,8 +5268,8 @@
         <translation>Наредбите чии имиња ги содржат овие букви.</translation>
     </message>
     <message>
-        <source>No matching command.</source>
-        <translation>Нема соодветна команда.</translation>
+        <source>No matching commands</source>
+        <translation>Нема соодветни команди</translation>
     </message>
 </context>
 <context>
@@ -5401,8 +5401,8 @@
         <translation>Коментар на „%1“</translation>
     </message>
     <message>
-        <source>Comment after the name</source>
-        <translation>Коментар по името</translation>
+        <source>Title</source>
+        <translation>Наслов</translation>
     </message>
     <message>
         <source>Written on the first line of the entry, for example its title or author.</source>
@@ -5425,8 +5425,8 @@
         <translation>Зачувај го или отфрли го коментарот</translation>
     </message>
     <message>
-        <source>&amp;After the name:</source>
-        <translation>&amp;По името:</translation>
+        <source>&amp;Title:</source>
+        <translation>&amp;Наслов:</translation>
     </message>
     <message>
         <source>Comment &amp;lines:</source>
@@ -5948,8 +5948,8 @@
         <translation>Број на точки</translation>
     </message>
     <message>
-        <source>As deep as &amp;needed for the pixels</source>
-        <translation>Колку што &amp;треба за еден пиксел</translation>
+        <source>&amp;Automatic depth</source>
+        <translation>&amp;Автоматска длабочина</translation>
     </message>
     <message>
         <source>Levels of copies</source>
@@ -6076,12 +6076,12 @@
         <translation>Копиите се смалуваат сѐ додека ниеден пиксел со оваа големина не може да ја забележи разликата или додека на програмите не им треба долго да ги нацртаат.</translation>
     </message>
     <message>
-        <source>%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels from the attractor, and no point of the attractor is farther than that from the drawing.</source>
-        <translation>%1 упатувања (дозволени се помалку од %3). Ништо од нацртаното не е на растојание поголемо од %2 пиксели од атракторот и ниеден негов дел не е подалеку од нацртаното.</translation>
+        <source>Guaranteed accuracy: %2 px. References: %1 (the limit is %3).</source>
+        <translation>Гарантирана точност: %2 px. Референци: %1 (границата е %3).</translation>
     </message>
     <message>
-        <source> Accuracy to the pixel needs more levels; with these, programs still draw the picture without a long wait.</source>
-        <translation> За еден пиксел треба повеќе: ова е најголемата длабочина што програмите ја цртаат без долго чекање.</translation>
+        <source> More levels would be more accurate, but programs would take long to draw them.</source>
+        <translation> Со повеќе нивоа би било поточно, но програмите долго би цртале.</translation>
     </message>
     <message>
         <source>Computing the shapes…</source>
@@ -6143,16 +6143,16 @@
         <translation>%1 × екранот</translation>
     </message>
     <message>
-        <source>Custom size</source>
-        <translation>Сопствена големина</translation>
+        <source>Custom</source>
+        <translation>Приспособено</translation>
     </message>
     <message>
         <source>Size relative to the screen</source>
         <translation>Големина во однос на екранот</translation>
     </message>
     <message>
-        <source>Keep proportions</source>
-        <translation>Задржи облик</translation>
+        <source>Lock proportions</source>
+        <translation>Задржи го односот на страните</translation>
     </message>
     <message>
         <source>Keep the proportions of the picture on the screen</source>
@@ -6201,7 +6201,7 @@
         <translation>Уредувач на палета</translation>
     </message>
     <message>
-        <source>Colour of the stop</source>
+        <source>Stop Colour</source>
         <translation>Боја на маркерот</translation>
     </message>
     <message>
@@ -7095,15 +7095,15 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Додај во датотеката</translation>
     </message>
     <message>
-        <source>&amp;Vary This One</source>
-        <translation>&amp;Варирај го ова</translation>
+        <source>&amp;Mutate Again</source>
+        <translation>&amp;Варирај повторно</translation>
     </message>
     <message>
         <source>Use the selected one as the new starting point</source>
         <translation>Варијантите нека тргнуваат од избраното</translation>
     </message>
     <message>
-        <source>How different the variations are</source>
+        <source>How strongly the variations differ</source>
         <translation>Колку се разликуваат варијантите</translation>
     </message>
     <message>
@@ -7115,16 +7115,16 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Истото семе повторно ја дава истата страница</translation>
     </message>
     <message>
-        <source>&amp;Others</source>
-        <translation>Дру&amp;ги</translation>
+        <source>&amp;New Set</source>
+        <translation>&amp;Нов избор</translation>
     </message>
     <message>
         <source>Show another sheet, from the next seed</source>
         <translation>Друга страница: следното семе</translation>
     </message>
     <message>
-        <source>&amp;Difference:</source>
-        <translation>&amp;Разлика:</translation>
+        <source>S&amp;trength:</source>
+        <translation>&amp;Јачина:</translation>
     </message>
     <message>
         <source>&amp;Seed:</source>
@@ -7265,20 +7265,20 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
 <context>
     <name>view::PreferencesDialog</name>
     <message>
-        <source>The new language takes effect when you restart Barycage.</source>
-        <translation>Јазикот ќе се смени кога Barycage ќе се стартува повторно.</translation>
+        <source>Restart to change the language.</source>
+        <translation>Стартувај повторно за да се смени јазикот.</translation>
     </message>
     <message>
-        <source>&amp;Open the files of the last session at startup</source>
-        <translation>На почетокот &amp;отвори ги датотеките од минатиот пат</translation>
+        <source>Re&amp;open last files on startup</source>
+        <translation>Повторно &amp;отвори ги последните датотеки на почеток</translation>
     </message>
     <message>
         <source>Preferences</source>
         <translation>Поставки</translation>
     </message>
     <message>
-        <source>Same as the desktop</source>
-        <translation>Како работната околина</translation>
+        <source>System default</source>
+        <translation>Системски избор</translation>
     </message>
     <message>
         <source>Language</source>
@@ -7317,8 +7317,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Фино: 1000 милиони точки</translation>
     </message>
     <message>
-        <source>Picture quality</source>
-        <translation>Квалитет на сликата</translation>
+        <source>Idle quality</source>
+        <translation>Квалитет во мирување</translation>
     </message>
     <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
@@ -7337,8 +7337,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Тема:</translation>
     </message>
     <message>
-        <source>&amp;Picture quality:</source>
-        <translation>&amp;Квалитет на сликата:</translation>
+        <source>&amp;Idle quality:</source>
+        <translation>&amp;Квалитет во мирување:</translation>
     </message>
     <message>
         <source>Resets every setting in this dialog to its default.</source>
@@ -7920,7 +7920,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Големина:</translation>
     </message>
     <message>
-        <source>Draws so many pixels along each side of one: smoother edges.</source>
+        <source>Draws this many pixels along each side of a pixel, for smoother edges.</source>
         <translation>Црта толку пиксели по секоја страна на еден: помазни рабови.</translation>
     </message>
     <message>
@@ -7992,7 +7992,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Резолу&amp;ција:</translation>
     </message>
     <message>
-        <source>Thinner parts are made so thick, so that they can be printed.</source>
+        <source>Thinner parts are thickened to this, so that they can be printed.</source>
         <translation>Потенките делови се здебелуваат дотолку за да може да се печатат.</translation>
     </message>
     <message>
@@ -8004,7 +8004,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Пополни затворени &amp;шуплини</translation>
     </message>
     <message>
-        <source>Fills what is closed off from outside.</source>
+        <source>Fills spaces that are closed off from the outside.</source>
         <translation>Го пополнува она што е затворено однадвор.</translation>
     </message>
     <message>
@@ -8158,7 +8158,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Висина</translation>
     </message>
     <message>
-        <source>The palette from below to above</source>
+        <source>The palette from bottom to top</source>
         <translation>Палетата од долу нагоре</translation>
     </message>
     <message>
@@ -8174,7 +8174,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Боја според</translation>
     </message>
     <message>
-        <source>Where the lamp stands, seen from the eye: in the middle it is the eye itself.</source>
+        <source>The direction of the light as seen from the eye; in the middle, it shines from the eye.</source>
         <translation>Каде стои ламбата гледано од окото: во средината тоа е самото око.</translation>
     </message>
     <message>
@@ -8435,7 +8435,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Ветер</translation>
     </message>
     <message>
-        <source>All branches sway about where they begin.</source>
+        <source>All branches sway about their roots.</source>
         <translation>Сите гранки се нишаат околу местото каде што почнуваат.</translation>
     </message>
     <message>
@@ -8443,7 +8443,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Вртење</translation>
     </message>
     <message>
-        <source>The maps turn once about their places.</source>
+        <source>Each map turns once in its place.</source>
         <translation>Пресликувањата се вртат еднаш на своето место.</translation>
     </message>
     <message>
@@ -8459,7 +8459,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Орбита</translation>
     </message>
     <message>
-        <source>The whole picture goes round once.</source>
+        <source>The whole picture turns once.</source>
         <translation>Целата слика прави еден круг.</translation>
     </message>
     <message>
@@ -8487,7 +8487,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Бескрајно зумирање</translation>
     </message>
     <message>
-        <source>The view moves into a small copy of the whole, where the last frame is the first.</source>
+        <source>The view moves into a small copy of the whole; the last frame matches the first.</source>
         <translation>Погледот навлегува во мала копија на целината, каде што последната слика е првата.</translation>
     </message>
     <message>
@@ -8495,7 +8495,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Зумирај бескрајно</translation>
     </message>
     <message>
-        <source>No map only scales the fractal to a copy that stands clear of the others.</source>
+        <source>No map makes a scaled copy of the fractal that is clear of the others.</source>
         <translation>Ниедно пресликување само не го смалува фракталот во копија одвоена од другите.</translation>
     </message>
     <message>
@@ -8530,8 +8530,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Влечи теме, раб или внатрешност на кафезот.  Ctrl врти  ·  Alt менува големина  ·  Shift ги задржува правците  ·  двоен клик на раб: ново теме</translation>
     </message>
     <message>
-        <source>Click the three corners of the new triangle.  Backspace takes a corner back  ·  Esc cancels</source>
-        <translation>Кликни ги трите темиња на новиот триаголник.  Backspace враќа теме  ·  Esc откажува</translation>
+        <source>Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels</source>
+        <translation>Кликни ги трите темиња на новиот триаголник.  Backspace ја брише последната точка  ·  Esc откажува</translation>
     </message>
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
@@ -8545,7 +8545,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Патеки и клучеви</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond in front makes a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
         <translation>По еден ред за секој дел што може да се движи. Ромбот напред поставува клуч кај главата за пуштање или го брише. Влечете клучеви за да ги поместите: Alt ги носи и подоцнежните, Ctrl ги копира. Влечете по линијарот за да ја поместите главата, а од празно место за да изберете клучеви. Ctrl + тркалце зумира. Десен клик на клуч за неговиот премин.</translation>
     </message>
     <message>
@@ -8771,7 +8771,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Должина</translation>
     </message>
     <message>
-        <source>How many frames the animation is long</source>
+        <source>The length of the animation in frames</source>
         <translation>Колку слики е долга анимацијата</translation>
     </message>
     <message>
@@ -8779,7 +8779,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Слики во секунда</translation>
     </message>
     <message>
-        <source>How many frames are played in a second</source>
+        <source>The number of frames played per second</source>
         <translation>Колку слики се пуштаат во секунда</translation>
     </message>
     <message>
@@ -8787,7 +8787,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Претходен клуч</translation>
     </message>
     <message>
-        <source>Move the playhead to the key before it</source>
+        <source>Move the playhead to the previous key</source>
         <translation>Помести ја главата за пуштање на претходниот клуч</translation>
     </message>
     <message>
@@ -8819,11 +8819,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Јамка</translation>
     </message>
     <message>
-        <source>What comes after the last frame</source>
+        <source>What happens after the last frame</source>
         <translation>Што доаѓа по последната слика</translation>
     </message>
     <message>
-        <source>Off: the animation stops at its last frame. Cycle: it begins again, and the frame at its length is frame 0. There and Back: it runs backwards to its start.</source>
+        <source>Off: the animation stops at its last frame. Cycle: it starts again from frame 0. There and Back: it runs backwards to the start.</source>
         <translation>Исклучено: анимацијата запира на последната слика. Круг: почнува одново, а сликата на крајот е слика 0. Напред и назад: се враќа наназад до почетокот.</translation>
     </message>
     <message>
@@ -8844,7 +8844,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>%1 сл./с</translation>
     </message>
     <message>
-        <source>How many pictures a second are drawn while it plays</source>
+        <source>The number of frames drawn per second during playback</source>
         <translation>Колку слики во секунда се цртаат при пуштањето</translation>
     </message>
     <message>

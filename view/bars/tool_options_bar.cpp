@@ -15,8 +15,8 @@ ToolOptionsBar::ToolOptionsBar(document::Document* document, CanvasView* canvas,
     addWidget(m_branches);
     m_cage = addHint(tr("Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  "
                         "Shift keeps directions  ·  double-click an edge for a new vertex"));
-    m_define = addHint(tr("Click the three corners of the new triangle.  Backspace takes a corner back  ·  "
-                          "Esc cancels"));
+    m_define = addHint(
+        tr("Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels"));
     m_space = addHint(tr("Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt "
                          "scales  ·  drag anywhere else to turn the view"));
     connect(canvas, &CanvasView::toolChanged, this, &ToolOptionsBar::follow);

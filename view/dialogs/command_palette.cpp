@@ -190,7 +190,7 @@ void CommandPalette::filter(const QString& text) {
     for (const bool enabled : {true, false})
         if (enabled || !text.isEmpty()) add(text, enabled);
     if (m_model->rowCount() == 0) {
-        auto* none = new QStandardItem(m_noIcon, tr("No matching command."));
+        auto* none = new QStandardItem(m_noIcon, tr("No matching commands"));
         none->setEnabled(false);
         m_model->appendRow(none);
     }

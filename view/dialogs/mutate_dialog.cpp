@@ -84,7 +84,7 @@ MutateDialog::MutateDialog(document::Document* document, Source source, QWidget*
     m_use = buttons->addButton(source == Source::Current ? tr("&Use This One") : tr("&Add to the File"),
                                QDialogButtonBox::AcceptRole);
     m_use->setWhatsThis(tr("Uses the selected one, in one step that you can undo."));
-    m_vary = buttons->addButton(tr("&Vary This One"), QDialogButtonBox::ActionRole);
+    m_vary = buttons->addButton(tr("&Mutate Again"), QDialogButtonBox::ActionRole);
     m_vary->setToolTip(tr("Use the selected one as the new starting point"));
     auto* layout = new QVBoxLayout(this);
     createControls();
@@ -107,16 +107,16 @@ void MutateDialog::createControls() {
     m_strength = new QSlider(Qt::Horizontal, this);
     m_strength->setRange(2, strengthSteps);
     m_strength->setValue(30);
-    m_strength->setAccessibleName(tr("How different the variations are"));
+    m_strength->setAccessibleName(tr("How strongly the variations differ"));
     m_strength->setWhatsThis(tr(
         "On the left, the variations stay close to their starting point; on the right, they differ wildly."));
     m_seed = new QSpinBox(this);
     m_seed->setRange(1, 999'999);
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("The same seed gives the same sheet again"));
-    auto* other = new QPushButton(tr("&Others"), this);
+    auto* other = new QPushButton(tr("&New Set"), this);
     other->setToolTip(tr("Show another sheet, from the next seed"));
-    auto* strengthLabel = new QLabel(tr("&Difference:"), this);
+    auto* strengthLabel = new QLabel(tr("S&trength:"), this);
     strengthLabel->setBuddy(m_strength);
     auto* seedLabel = new QLabel(tr("&Seed:"), this);
     seedLabel->setBuddy(m_seed);

@@ -37,18 +37,18 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     : QDialog(parent),
       m_spoken(Preferences::stored().language),
       m_language(new QComboBox(this)),
-      m_restart(new QLabel(tr("The new language takes effect when you restart Barycage."), this)),
+      m_restart(new QLabel(tr("Restart to change the language."), this)),
       m_theme(new QComboBox(this)),
       m_quality(new QComboBox(this)),
-      m_reopen(new QCheckBox(tr("&Open the files of the last session at startup"), this)) {
+      m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)) {
     setWindowTitle(tr("Preferences"));
-    m_language->addItem(tr("Same as the desktop"), QString());
+    m_language->addItem(tr("System default"), QString());
     for (const auto& [code, name] : languages())
         m_language->addItem(name, code);
     m_language->setAccessibleName(tr("Language"));
     m_language->setWhatsThis(tr("The language of menus and messages. Files and numbers are the same in every "
                                 "language."));
-    m_theme->addItem(tr("Same as the desktop"), int(Preferences::Theme::Desktop));
+    m_theme->addItem(tr("System default"), int(Preferences::Theme::Desktop));
     m_theme->addItem(tr("Light"), int(Preferences::Theme::Light));
     m_theme->addItem(tr("Dark"), int(Preferences::Theme::Dark));
     m_theme->setAccessibleName(tr("Theme"));
@@ -56,7 +56,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_quality->addItem(tr("Draft: 50 million points"), quint64(50'000'000));
     m_quality->addItem(tr("Good: 200 million points"), quint64(200'000'000));
     m_quality->addItem(tr("Fine: 1000 million points"), quint64(1'000'000'000));
-    m_quality->setAccessibleName(tr("Picture quality"));
+    m_quality->setAccessibleName(tr("Idle quality"));
     m_quality->setWhatsThis(tr("The number of points drawn while nothing moves. More points make a smoother "
                                "picture and keep the processor busy for longer."));
     m_reopen->setWhatsThis(tr("When this is on, Barycage reopens the files that were open when you closed "
@@ -70,7 +70,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(tr("&Language:"), m_language);
     form->addRow(QString(), m_restart);
     form->addRow(tr("&Theme:"), m_theme);
-    form->addRow(tr("&Picture quality:"), m_quality);
+    form->addRow(tr("&Idle quality:"), m_quality);
     form->addRow(QString(), m_reopen);
     form->addRow(buttons);
 
@@ -99,7 +99,7 @@ void PreferencesDialog::fill(const Preferences& preferences) {
 }
 
 void PreferencesDialog::setUnsaved(const QStringList& names) {
-    m_restart->setText(tr("The new language takes effect when you restart Barycage."));
+    m_restart->setText(tr("Restart to change the language."));
     if (!names.isEmpty())
         m_restart->setText(m_restart->text() + u' ' +
                            tr("Not saved yet: %1.").arg(names.join(QStringLiteral(", "))));

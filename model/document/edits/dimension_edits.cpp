@@ -90,9 +90,8 @@ QString liftObstacle(const Fractal& fractal) {
     if (!shape)
         return Text::tr("“%1” is not a system in the plane, so it cannot be lifted.").arg(fractal.name);
     if (shape->cage && shape->cage->rest.size() != 3 && shape->cage->current != shape->cage->rest)
-        return Text::tr(
-                   "The cage of “%1” has more than three corners, of which a tetrahedron is not made. Bake "
-                   "or reset it first.")
+        return Text::tr("The cage of “%1” has more than three corners, so it cannot become a tetrahedron. "
+                        "Bake or reset it first.")
             .arg(fractal.name);
     return {};
 }
@@ -126,9 +125,8 @@ QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction)
             .arg(fractal.name);
     for (std::size_t i = 0; i < system->maps.size(); ++i)
         if (!keepsLine(system->maps[i].map.linear, direction))
-            return Text::tr(
-                       "Map %1 of “%2” turns the direction away, so the shadow is not an iterated function "
-                       "system. Export a picture from that side instead.")
+            return Text::tr("Map %1 of “%2” does not keep this direction, so the shadow is not an iterated "
+                            "function system. Export a picture from that side instead.")
                 .arg(i + 1)
                 .arg(fractal.name);
     return {};

@@ -134,7 +134,7 @@ std::optional<QString> nameProblem(const FractalFile& file, EntryId id, const QS
         if (c.isSpace())
             return sentence(
                 QT_TRANSLATE_NOOP("document::EntriesEdits",
-                                  "A name cannot contain spaces: Fractint would read only its first word."));
+                                  "Names cannot contain spaces: Fractint reads only the first word."));
         if ((!c.isPrint() && !c.isSurrogate()) || QStringLiteral("(){};:").contains(c))
             return sentence(
                        QT_TRANSLATE_NOOP("document::EntriesEdits",

@@ -183,12 +183,13 @@ bool SumFiles::failed(const Part& part) {
 Failure SumFiles::misfit(const QString& name, const SumHeader& other) const {
     if (other.request != m_header.request || other.kind != m_header.kind ||
         other.columns != m_header.columns || other.rows != m_header.rows)
-        return Text::tr("“%1” is of another picture: the entry, the view, the size, the seed or the "
+        return Text::tr("“%1” belongs to another picture: the entry, the view, the size, the seed or the "
                         "format differs.")
             .arg(name);
     if (!isPrefix(other.passes, m_header.passes) && !isPrefix(m_header.passes, other.passes))
-        return Text::tr("“%1” is of a picture with another number of points, so the sums do not add up.")
-            .arg(name);
+        return Text::
+            tr("“%1” belongs to a picture with a different number of points, so the sums cannot be combined.")
+                .arg(name);
     for (const SumShare& share : other.shares)
         for (std::size_t i = 0; i < m_header.shares.size(); ++i)
             if (overlap(share, m_header.shares[i]))
@@ -319,8 +320,8 @@ Failure incompleteness(const PictureSums& sums) {
         there += double(units) * (share.endRow - share.firstRow);
     }
     if (there >= all) return {};
-    return Text::tr("The picture is not complete: %1 % of it is there. Add the files of the other parts, or "
-                    "merge to a .sum file.")
+    return Text::tr("The picture is incomplete: only %1 % of it is there. Add the files of the other parts, "
+                    "or merge to a .sum file.")
         .arg(std::min(99.9, std::floor(1000 * there / all) / 10));
 }
 

@@ -173,7 +173,7 @@ void RealEntriesTest::aVariationIsPicked() {
     auto* sheet = dialog->findChild<QListWidget*>();
     photograph(QStringLiteral("mutate.png"));
     clickOn(sheet, sheet->model()->index(5, 0));
-    click(named<QPushButton>(*dialog, QStringLiteral("Vary This One")));
+    click(named<QPushButton>(*dialog, QStringLiteral("Mutate Again")));
     QTRY_VERIFY(sheet->selectedItems().isEmpty());
     QVERIFY(support::waitFor([&] { return !sheet->item(7)->icon().isNull(); }));
     clickOn(sheet, sheet->model()->index(7, 0));

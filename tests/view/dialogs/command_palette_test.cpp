@@ -94,7 +94,7 @@ private slots:
         QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("zzz"));
         QCOMPARE(found->rowCount(), 1);
         QVERIFY(!(found->index(0, 0).flags() & Qt::ItemIsEnabled));
-        QCOMPARE(found->index(0, 0).data().toString(), QStringLiteral("No matching command."));
+        QCOMPARE(found->index(0, 0).data().toString(), QStringLiteral("No matching commands"));
         palette.findChild<QLineEdit*>()->clear();
         QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("weights equal"));
         QCOMPARE(palette.findChild<QListView*>()->model()->rowCount(), 1);

@@ -130,15 +130,15 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     dialog.show();
     named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
     auto* plan = named<QLabel>(dialog, "Description of the picture");
-    QTRY_VERIFY(plan->text().contains(QStringLiteral("references")));
+    QTRY_VERIFY(plan->text().contains(QStringLiteral("References")));
     const QString automatic = plan->text();
     keep(dialog.grab().toImage(), "export-svg.png");
     for (auto* box : dialog.findChildren<QCheckBox*>())
-        if (box->text().contains(QStringLiteral("pixel"))) box->setChecked(false);
+        if (box->text().contains(QStringLiteral("Automatic"))) box->setChecked(false);
     named<QSpinBox>(dialog, "Levels of copies")->setValue(2);
     QTRY_VERIFY(plan->text() != automatic);
-    QVERIFY(!automatic.contains(QStringLiteral("Accuracy to the pixel needs more")));
-    QVERIFY(plan->text().startsWith(QStringLiteral("12 references"))); // 3 + 9 for a Sierpiński triangle
+    QVERIFY(!automatic.contains(QStringLiteral("More levels would be more accurate")));
+    QVERIFY(plan->text().contains(QStringLiteral("References: 12 "))); // 3 + 9 for a Sierpiński triangle
 }
 
 // The long thin copies of the maple stay long, however many there are.
@@ -152,12 +152,12 @@ void ExportDialogTest::saysWhenAPixelNeedsMore() {
     dialog.show();
     named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
     auto* plan = named<QLabel>(dialog, "Description of the picture");
-    const QString remark = QStringLiteral("Accuracy to the pixel needs more");
+    const QString remark = QStringLiteral("More levels would be more accurate");
     QTRY_VERIFY(plan->text().contains(remark));
-    QVERIFY(plan->text().contains(QStringLiteral("fewer than 400\u202f000")));
+    QVERIFY(plan->text().contains(QStringLiteral("the limit is 400\u202f000")));
     QTRY_VERIFY(plan->height() >= plan->heightForWidth(plan->width()));
     for (auto* box : dialog.findChildren<QCheckBox*>())
-        if (box->text().contains(QStringLiteral("pixel"))) box->setChecked(false);
+        if (box->text().contains(QStringLiteral("Automatic"))) box->setChecked(false);
     QTRY_VERIFY(!plan->text().contains(remark)); // the depth is one's own
 }
 

@@ -59,7 +59,7 @@ void MutateDialogTest::theChosenOneIsSeen() {
     grid->setFocus();
     QCOMPARE(grid->currentRow(), 0);
     QVERIFY(!button(dialog, QStringLiteral("Use"))->isEnabled());
-    QVERIFY(!button(dialog, QStringLiteral("Vary"))->isEnabled());
+    QVERIFY(!button(dialog, QStringLiteral("Mutate Again"))->isEnabled());
     QTest::keyClick(grid, Qt::Key_Right);
     QVERIFY(button(dialog, QStringLiteral("Use"))->isEnabled());
 
@@ -110,7 +110,7 @@ void MutateDialogTest::variesWhatIsChosen() {
         document::variation(document.fractal(), 0.3, std::uint64_t{MutateDialog::count} + 2);
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
     dialog.findChild<QListWidget*>()->setCurrentRow(2);
-    button(dialog, QStringLiteral("Vary"))->click();
+    button(dialog, QStringLiteral("Mutate Again"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
     dialog.findChild<QListWidget*>()->setCurrentRow(5);
     dialog.accept();

@@ -60,10 +60,10 @@ void PreferencesDialogTest::choicesAreStoredAndTold() {
     dialog.show();
     QSignalSpy told(&dialog, &PreferencesDialog::changed);
     choose(box(dialog, QStringLiteral("Theme")), int(Preferences::Theme::Dark));
-    choose(box(dialog, QStringLiteral("Picture quality")), quint64(1'000'000'000));
+    choose(box(dialog, QStringLiteral("Idle quality")), quint64(1'000'000'000));
     QLabel* restart = nullptr;
     for (auto* label : dialog.findChildren<QLabel*>())
-        if (label->text().contains(QStringLiteral("restart Barycage"))) restart = label;
+        if (label->text().contains(QStringLiteral("Restart"))) restart = label;
     QVERIFY(restart && !restart->isVisible());
     choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
     QVERIFY(restart->isVisible());

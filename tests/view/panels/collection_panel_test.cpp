@@ -302,7 +302,7 @@ void CollectionPanelTest::favouritesAreKept() {
     view::CollectionPanel again;
     again.show();
     QTRY_VERIFY(grid(again)->model()->rowCount() > 20);
-    action(again, u"Only Fa&vourites"_s)->setChecked(true);
+    action(again, u"Fa&vourites Only"_s)->setChecked(true);
     QTRY_COMPARE(grid(again)->model()->rowCount(), 2); // a title and the favourite
     QCOMPARE(grid(again)->model()->index(1, 0).data().toString(), name);
     grid(again)->setCurrentIndex(grid(again)->model()->index(1, 0));
@@ -314,7 +314,7 @@ void CollectionPanelTest::favouritesAreKept() {
     const QString none = why->text();
     again.findChild<QLineEdit*>()->setText(u"no such fractal"_s);
     QVERIFY(why->isVisible() && why->text() != none);
-    action(again, u"Only Fa&vourites"_s)->setChecked(false);
+    action(again, u"Fa&vourites Only"_s)->setChecked(false);
     again.findChild<QLineEdit*>()->clear();
     QTRY_VERIFY(!why->isVisible());
 }

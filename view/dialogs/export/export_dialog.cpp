@@ -153,7 +153,7 @@ void ExportDialog::createSvgOptions() {
     m_points->setSingleStep(10'000);
     m_points->setAccessibleName(tr("Number of points"));
     m_points->setWhatsThis(tr("How many dots of the chaos game are drawn."));
-    m_autoDepth = new QCheckBox(tr("As deep as &needed for the pixels"), m_options);
+    m_autoDepth = new QCheckBox(tr("&Automatic depth"), m_options);
     m_autoDepth->setChecked(true);
     m_autoDepth->setWhatsThis(
         tr("Makes the copies smaller until they cannot be distinguished from the attractor at this pixel "
@@ -304,17 +304,16 @@ void ExportDialog::showSvgPlan() {
         showPlan(tr("One dot for every visible point of the chaos game."));
         return;
     }
-    showPlan(
-        tr("%1 references (fewer than %3 are allowed). No point of the drawing is farther than %2 pixels "
-           "from the attractor, and no point of the attractor is farther than that from the drawing.")
-            .arg(groupedNumber(double(plan.references)), QString::number(plan.errorInPixels, 'f', 2),
-                 groupedNumber(double(ifs::CopyHierarchy::maxReferences))) +
-        (plan.isCutShort ? tr(" Accuracy to the pixel needs more levels; with these, programs still draw the "
-                              "picture without a long wait.")
-                         : QString()) +
-        (plan.unbent ? tr(" The cage bends the picture, which copies cannot reproduce: the affine fit of the "
-                          "cage is written instead. A PNG shows the bend.")
-                     : QString()));
+    showPlan(tr("Guaranteed accuracy: %2 px. References: %1 (the limit is %3).")
+                 .arg(groupedNumber(double(plan.references)), QString::number(plan.errorInPixels, 'f', 2),
+                      groupedNumber(double(ifs::CopyHierarchy::maxReferences))) +
+             (plan.isCutShort
+                  ? tr(" More levels would be more accurate, but programs would take long to draw them.")
+                  : QString()) +
+             (plan.unbent
+                  ? tr(" The cage bends the picture, which copies cannot reproduce: the affine fit of the "
+                       "cage is written instead. A PNG shows the bend.")
+                  : QString()));
 }
 
 void ExportDialog::showPlan(const QString& text) {

@@ -62,10 +62,10 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     for (const int factor : {1, 2, 4, 8})
         m_scale->addItem(factor == 1 ? tr("Same as on the screen") : tr("%1 × the screen").arg(factor),
                          factor);
-    m_scale->addItem(tr("Custom size"), 0);
+    m_scale->addItem(tr("Custom"), 0);
     m_scale->setAccessibleName(tr("Size relative to the screen"));
     m_scale->setWhatsThis(tr("The size of the picture on the screen, or a multiple of it."));
-    m_lock->setText(tr("Keep proportions"));
+    m_lock->setText(tr("Lock proportions"));
     m_lock->setCheckable(true);
     m_lock->setChecked(true);
     m_lock->setToolTip(tr("Keep the proportions of the picture on the screen"));

@@ -72,7 +72,7 @@ void SpaceExportDialog::createPicture() {
     m_supersample = new QSpinBox(this);
     m_supersample->setRange(1, 4);
     m_supersample->setValue(2);
-    m_supersample->setWhatsThis(tr("Draws so many pixels along each side of one: smoother edges."));
+    m_supersample->setWhatsThis(tr("Draws this many pixels along each side of a pixel, for smoother edges."));
     m_form->addRow(tr("S&upersampling:"), m_supersample);
     m_depth = new QComboBox(this);
     m_depth->addItems({tr("8 bits"), tr("16 bits")});
@@ -105,10 +105,10 @@ void SpaceExportDialog::createBody() {
     m_resolution->setValue(128);
     m_resolution->setWhatsThis(tr("Voxels along the longest side: finer steps, and more of them."));
     m_form->addRow(tr("&Resolution:"), m_resolution);
-    m_wall = millimetres(0, 1000, tr("Thinner parts are made so thick, so that they can be printed."));
+    m_wall = millimetres(0, 1000, tr("Thinner parts are thickened to this, so that they can be printed."));
     m_form->addRow(tr("Smallest &wall:"), m_wall);
     m_fill = new QCheckBox(tr("Fill closed ca&vities"), this);
-    m_fill->setWhatsThis(tr("Fills what is closed off from outside."));
+    m_fill->setWhatsThis(tr("Fills spaces that are closed off from the outside."));
     m_form->addRow(QString(), m_fill);
 }
 

@@ -240,8 +240,8 @@ template <int Dim> void Facts::addContacts() {
             return tr("unknown");
         });
     add(tr("Overlaps"),
-        tr("Words of maps that are one and the same map, neither of them the beginning of the other: their "
-           "pieces coincide."),
+        tr("Different words that compose to the same map, neither a prefix of the other: their pieces "
+           "coincide."),
         invariants.contacts && !invariants.contacts->overlaps.empty(),
         [index](const Analysis& analysis, Format) {
             QStringList texts;
@@ -308,8 +308,8 @@ template <int Dim> void Facts::addDimensions() {
     m_lines.last().isPending = !m_analysis->isComplete;
     add(tr("Box-counting dimension"),
         tr("Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε "
-           "that meet the attractor, over the sizes at which it is the steadiest. It is an estimate; the "
-           "uncertainty comes from how parts of that range differ, and is no proof."),
+           "that meet the attractor, over the sizes where it is steadiest. This is an estimate: the "
+           "uncertainty is how much parts of that range differ, and proves nothing."),
         m_analysis->boxCounting.has_value(), [](const Analysis& analysis, Format number) {
             const auto& counting = *analysis.boxCounting;
             return QStringLiteral("%1 ± %2").arg(number(counting.fit.slope), bound(counting.uncertainty));

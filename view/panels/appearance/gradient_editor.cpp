@@ -29,7 +29,7 @@ namespace view {
 GradientEditor::GradientEditor(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Palette editor"));
     m_strip = new GradientStrip(this);
-    m_colour = new ColourButton(tr("Colour of the stop"), ColourButton::Alpha::Adjustable, this);
+    m_colour = new ColourButton(tr("Stop Colour"), ColourButton::Alpha::Adjustable, this);
     m_position = new NumberField(this);
     m_position->setAccessibleName(tr("Position of the stop"));
     m_position->setToolTip(tr("Position of the stop, from 0 to 1"));

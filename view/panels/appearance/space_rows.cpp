@@ -64,7 +64,7 @@ void SpaceRows::makeColours(QWidget* parent) {
     addChoice(m_colourBy, tr("Plain"), tr("One colour"), SolidColour::Plain);
     addChoice(m_colourBy, tr("Map"), tr("The colour of the map whose piece it is"), SolidColour::Map);
     addChoice(m_colourBy, tr("Address"), tr("The palette along the addresses"), SolidColour::Address);
-    addChoice(m_colourBy, tr("Height"), tr("The palette from below to above"), SolidColour::Height);
+    addChoice(m_colourBy, tr("Height"), tr("The palette from bottom to top"), SolidColour::Height);
     addChoice(m_colourBy, tr("Depth"), tr("The palette from near to far"), SolidColour::Depth);
     connect(m_colourBy, &QComboBox::activated, this, [this] {
         const auto colour = static_cast<SolidColour>(m_colourBy->currentData().toInt());
@@ -77,7 +77,7 @@ void SpaceRows::makeColours(QWidget* parent) {
 void SpaceRows::makeLight(QWidget* parent) {
     m_light = new LightBall(parent);
     m_light->setWhatsThis(
-        tr("Where the lamp stands, seen from the eye: in the middle it is the eye itself."));
+        tr("The direction of the light as seen from the eye; in the middle, it shines from the eye."));
     connect(m_light, &LightBall::tried, this, [this](double azimuth, double elevation) {
         preview(tr("Light: %1°, %2°").arg(shortNumber(azimuth), shortNumber(elevation)),
                 [=](SpaceAppearance& a) {

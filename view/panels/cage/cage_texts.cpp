@@ -40,8 +40,8 @@ QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<2>& 
     if (ifs::bends(cage)) {
         const bool smooth =
             document::placement(fractal).bend()->coordinates() == ifs::Coordinates::Wachspress;
-        return smooth ? Texts::tr("%1 vertices: bent by Wachspress coordinates, cannot be baked.").arg(count)
-                      : Texts::tr("%1 vertices: bent by mean value coordinates, cannot be baked.").arg(count);
+        return smooth ? Texts::tr("%1 vertices: bent by Wachspress coordinates; cannot be baked.").arg(count)
+                      : Texts::tr("%1 vertices: bent by mean value coordinates; cannot be baked.").arg(count);
     }
     if (!ifs::isInvertible(cage))
         return Texts::tr("Flat: the picture is squeezed onto a line. Open the cage to get it back.");
@@ -68,8 +68,8 @@ QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<3>& 
 template <int Dim> QString barycentricText(const ifs::ControlCage<Dim>& cage, const ifs::Vector<Dim>& point) {
     if (cage.current.empty()) return {};
     if (cage.current.size() != Dim + 1)
-        return Dim == 2 ? Texts::tr("Only a cage with three vertices has barycentric coordinates.")
-                        : Texts::tr("Only a cage with four vertices has barycentric coordinates.");
+        return Dim == 2 ? Texts::tr("Available for triangles only.")
+                        : Texts::tr("Available for tetrahedra only.");
     ifs::Simplex<Dim> simplex;
     std::copy(cage.current.begin(), cage.current.end(), simplex.begin());
     if (!ifs::isAffineBasis<Dim>(simplex))

@@ -121,7 +121,7 @@ void CollectionPanel::sayWhyEmpty() {
     m_whyEmpty->setVisible(m_filtered->rowCount() == 0);
     m_whyEmpty->setText(m_search->text().isEmpty()
                             ? tr("No favourites yet. Select a fractal and press Ctrl+D.")
-                            : tr("No fractal here contains these words."));
+                            : tr("No matches"));
 }
 
 void CollectionPanel::createActions() {
@@ -140,7 +140,7 @@ void CollectionPanel::createActions() {
     m_favourite = createAction(tr("Fa&vourite"), tr("Add the selected fractal to your favourites."),
                                QStringLiteral("favourite"), {Qt::CTRL | Qt::Key_D});
     m_favourite->setCheckable(true);
-    m_onlyFavourites = createAction(tr("Only Fa&vourites"), tr("Show only your favourites."),
+    m_onlyFavourites = createAction(tr("Fa&vourites Only"), tr("Show only your favourites."),
                                     QStringLiteral("favourite"), {});
     m_onlyFavourites->setCheckable(true);
     connect(m_favourite, &QAction::triggered, this, [this](bool on) {

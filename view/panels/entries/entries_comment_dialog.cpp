@@ -38,7 +38,7 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
       m_problem(new QLabel(this)),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Comment of “%1”").arg(titleText(fractal.name)));
-    m_header->setAccessibleName(tr("Comment after the name"));
+    m_header->setAccessibleName(tr("Title"));
     m_header->setToolTip(tr("Written on the first line of the entry, for example its title or author."));
     m_lines->setAccessibleName(tr("Comment lines"));
     m_lines->setToolTip(tr("Written on separate lines below the name, each after a semicolon."));
@@ -49,7 +49,7 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
     m_buttons->setAccessibleName(tr("Keep or discard the comment"));
 
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(caption(tr("&After the name:"), m_header, this));
+    layout->addWidget(caption(tr("&Title:"), m_header, this));
     layout->addWidget(m_header);
     layout->addWidget(caption(tr("Comment &lines:"), m_lines, this));
     layout->addWidget(m_lines, 1);

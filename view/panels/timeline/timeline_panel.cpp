@@ -134,11 +134,11 @@ void TimelinePanel::createMotions() {
                 [this, text, make, failure] { this->apply(text, make, failure); });
     };
     const QString noMaps = tr("There are no maps to move.");
-    addMotion("wind", tr("Wind"), tr("All branches sway about where they begin."))->setMenu(m_winds);
+    addMotion("wind", tr("Wind"), tr("All branches sway about their roots."))->setMenu(m_winds);
     addWinds();
-    apply(addMotion("turn", tr("Turn"), tr("The maps turn once about their places.")), tr("Turn the maps"),
+    apply(addMotion("turn", tr("Turn"), tr("Each map turns once in its place.")), tr("Turn the maps"),
           &document::withTurn, tr("No map can turn without losing the attractor."));
-    apply(addMotion("orbit", tr("Orbit"), tr("The whole picture goes round once.")), tr("Orbit"),
+    apply(addMotion("orbit", tr("Orbit"), tr("The whole picture turns once.")), tr("Orbit"),
           &document::withOrbit, noMaps);
     apply(addMotion("breathe", tr("Breathe"), tr("The maps swell and shrink.")), tr("Breathe"),
           &document::withBreathing, noMaps);
@@ -146,13 +146,13 @@ void TimelinePanel::createMotions() {
           tr("Cycle the palette"), &document::withPaletteCycle, noMaps);
     apply(
         addMotion("zoom-in", tr("Zoom In Endlessly"),
-                  tr("The view moves into a small copy of the whole, where the last frame is the first.")),
+                  tr("The view moves into a small copy of the whole; the last frame matches the first.")),
         tr("Zoom in endlessly"),
         [this](const document::Fractal& entry) {
             const auto view = m_timeline.view();
             return document::withEndlessZoom(entry, usualAspect, view ? view->yAxis : attractor::YAxis::Up);
         },
-        tr("No map only scales the fractal to a copy that stands clear of the others."));
+        tr("No map makes a scaled copy of the fractal that is clear of the others."));
     addMotion("morph", tr("Morph To"), tr("The fractal becomes another entry of this file, and returns."))
         ->setMenu(m_entries);
     connect(m_entries, &QMenu::aboutToShow, this, &TimelinePanel::listEntries);
@@ -172,7 +172,7 @@ void TimelinePanel::addWinds() {
                 },
                 tr("There are no maps to move."));
         });
-        action->setWhatsThis(tr("All branches sway about where they begin."));
+        action->setWhatsThis(tr("All branches sway about their roots."));
     }
 }
 

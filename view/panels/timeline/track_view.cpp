@@ -50,11 +50,10 @@ TrackView::TrackView(Timeline* timeline, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Tracks and keys"));
-    setWhatsThis(tr(
-        "One row for each part that can move. The diamond in front makes a key at the playhead, or "
-        "deletes it. Drag keys to move them: Alt moves all later ones, too, Ctrl copies. Drag in the ruler "
-        "to move the playhead, from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for "
-        "its ease."));
+    setWhatsThis(tr("One row for each part that can move. The diamond on the left sets a key at the "
+                    "playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl "
+                    "copies. Drag in the ruler to move the playhead, or from an empty place to select keys. "
+                    "Ctrl + wheel zooms. Right-click a key for its ease."));
     viewport()->setMouseTracking(false);
     m_unit->setCheckable(true);
     m_unit->setAutoRaise(true);

@@ -48,12 +48,12 @@ TransportBar::TransportBar(Timeline* timeline, QWidget* last, QWidget* parent)
       m_timeline(timeline),
       m_play(flatButton(QStringLiteral("play"), tr("Play"), tr("Play the animation"), this)),
       m_frame(spinBox(tr("Frame"), tr("The frame that is shown and edited"), 0, animation::maxLength)),
-      m_length(spinBox(tr("Length"), tr("How many frames the animation is long"), 1, animation::maxLength)),
-      m_rate(spinBox(tr("Frames per second"), tr("How many frames are played in a second"), 1, maxRate)),
+      m_length(spinBox(tr("Length"), tr("The length of the animation in frames"), 1, animation::maxLength)),
+      m_rate(spinBox(tr("Frames per second"), tr("The number of frames played per second"), 1, maxRate)),
       m_loop(new QComboBox(this)),
       m_pictures(new QLabel(this)) {
     auto* previous = flatButton(QStringLiteral("key-previous"), tr("Previous Key"),
-                                tr("Move the playhead to the key before it"), this);
+                                tr("Move the playhead to the previous key"), this);
     auto* next =
         flatButton(QStringLiteral("key-next"), tr("Next Key"), tr("Move the playhead to the next key"), this);
     auto* row = new QHBoxLayout(this);
@@ -104,16 +104,15 @@ void TransportBar::fitInto(int width) {
 
 void TransportBar::makeFields() {
     m_loop->setAccessibleName(tr("Loop"));
-    m_loop->setToolTip(tr("What comes after the last frame"));
-    m_loop->setWhatsThis(
-        tr("Off: the animation stops at its last frame. Cycle: it begins again, and the "
-           "frame at its length is frame 0. There and Back: it runs backwards to its start."));
+    m_loop->setToolTip(tr("What happens after the last frame"));
+    m_loop->setWhatsThis(tr("Off: the animation stops at its last frame. Cycle: it starts again from frame "
+                            "0. There and Back: it runs backwards to the start."));
     for (const auto& [loop, name] : {std::tuple{animation::Loop::Off, tr("Off", "loop")},
                                      {animation::Loop::Cycle, tr("Cycle")},
                                      {animation::Loop::ThereAndBack, tr("There and Back")}})
         m_loop->addItem(name, int(loop));
     m_pictures->setMinimumWidth(m_pictures->fontMetrics().horizontalAdvance(tr("%1 fps").arg(000.0)));
-    m_pictures->setToolTip(tr("How many pictures a second are drawn while it plays"));
+    m_pictures->setToolTip(tr("The number of frames drawn per second during playback"));
     connect(m_frame, &QSpinBox::valueChanged, m_timeline, &Timeline::setFrame);
     connect(m_length, &QSpinBox::valueChanged, this, [this](int length) {
         document::Timing timing = m_timeline->timing();
