@@ -18,11 +18,11 @@ class CanonicalRequest {
 public:
     void add(const char* name, const QByteArray& value) { m_text += QByteArray(name) + ' ' + value + '\n'; }
     void addCount(const char* name, std::uint64_t value) { add(name, QByteArray::number(qulonglong(value))); }
-    void addText(const char* name, const RenderArguments::Text& value) {
+    void addText(const char* name, const OptionText& value) {
         if (value) add(name, QByteArray::fromStdString(*value));
     }
     // Numbers between commas, as doubles.
-    void addNumbers(const char* name, const RenderArguments::Text& value) {
+    void addNumbers(const char* name, const OptionText& value) {
         if (!value) return;
         QByteArrayList parts;
         for (const double number : numbers(QString::fromStdString(*value)))

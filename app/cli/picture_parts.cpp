@@ -83,7 +83,7 @@ void refuseWhatIsDecided(const RenderArguments& arguments) {
     const RenderArguments standard;
     refuseIf(arguments.size != standard.size, "--size", reason);
     refuseIf(arguments.seed != standard.seed, "--seed", reason);
-    const std::pair<const RenderArguments::Text*, const char*> options[] = {
+    const std::pair<const OptionText*, const char*> options[] = {
         {&arguments.margin, "--margin"},
         {&arguments.cage, "--cage"},
         {&arguments.restCage, "--rest-cage"},

@@ -33,32 +33,48 @@ struct Steps {
     int last = 0;
 };
 
-struct RenderArguments {
-    using Text = std::optional<std::string>;
+using OptionText = std::optional<std::string>; // as typed; nullopt: not given
 
+struct AppearanceOptions {
+    OptionText palette, colour, gamma, brightness, background;
+    std::optional<attractor::Palette> readPalette; // that `palette` names
+};
+
+struct SpaceOptions {
+    OptionText orbit, perspective, look, light, fog, slice, stereo;
+};
+
+struct FrameOptions { // of an animation
+    OptionText frame;
+    OptionText shutter; // in degrees
+    std::string exposure = "smooth";
+};
+
+struct PartOptions { // of a picture made on several machines, or in several runs
+    OptionText part, band, resume;
+};
+
+struct ResourceOptions {
+    OptionText threads, simd, timeLimit, memoryLimit;
+};
+
+struct RenderArguments : AppearanceOptions, SpaceOptions, FrameOptions, PartOptions, ResourceOptions {
     std::vector<std::string> files;
     std::vector<std::string> entries;
     std::string output;
     std::string format;
     std::string size = "1200x900";
     std::string seed = "1";
-    Text points, margin, cage, restCage, view, palette, colour, gamma, brightness, background, dpi, simd, svg;
-    Text part, band, resume;
-    Text orbit, perspective, look, light, fog, slice, stereo; // in space only
-    Text frame;                                               // of an animation
-    Text shutter;                                             // of its frames, in degrees
-    std::string exposure = "smooth";                          // of its frames
     std::string algorithm = "density";
-    Text iterations, supersample, threads, depth, bits, quality;
-    Text timeLimit, memoryLimit;
-    Text overlay;
+    OptionText points, iterations, supersample;
+    OptionText view, margin, cage, restCage;
+    OptionText depth, bits, quality, dpi;
+    OptionText svg, overlay;
     bool yDown = false;
     bool legend = false;
     bool listPalettes = false;
     Verbosity verbosity;
-
-    std::optional<attractor::Palette> readPalette; // that `palette` names
-    Steps steps;                                   // that `iterations` asks for
+    Steps steps; // that `iterations` asks for
 };
 
 void addRenderOptions(CLI::App& command, RenderArguments& arguments);
