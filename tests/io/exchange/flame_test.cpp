@@ -68,6 +68,37 @@ document::Fractal randomFractal(QRandomGenerator& random, int index) {
     return fractal;
 }
 
+// The pixels drawn in one picture near which the other shows no trace.
+int missing(const QImage& a, const QImage& b) {
+    constexpr int drawn = 120;
+    constexpr int traced = 12;
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            if (qGray(a.pixel(x, y)) < drawn) continue;
+            bool found = false;
+            for (int dy = -1; dy <= 1 && !found; ++dy)
+                for (int dx = -1; dx <= 1 && !found; ++dx)
+                    found = b.valid(x + dx, y + dy) && qGray(b.pixel(x + dx, y + dy)) > traced;
+            count += !found;
+        }
+    return count;
+}
+
+// What flam3-render draws of the flames in a file, at that part of their size; null when it fails.
+QImage drawnByFlam3(const QString& program, const QString& flames, double part) {
+    const QString output = flames + QStringLiteral(".png");
+    QProcess flam3;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("in"), flames);
+    environment.insert(QStringLiteral("out"), output);
+    environment.insert(QStringLiteral("ss"), QString::number(part));
+    environment.insert(QStringLiteral("isaac_seed"), QStringLiteral("7"));
+    flam3.setProcessEnvironment(environment);
+    flam3.start(program, QStringList());
+    return flam3.waitForFinished(120'000) ? QImage(output) : QImage();
+}
+
 } // namespace
 
 void FlameTest::readsColumnsAndFlipsY() {
@@ -246,36 +277,12 @@ void FlameTest::flam3DrawsTheSame() {
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(text.toUtf8());
     file.close();
-    QProcess flam3;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("in"), file.fileName());
-    environment.insert(QStringLiteral("out"), folder.filePath(QStringLiteral("out.png")));
-    environment.insert(QStringLiteral("ss"), QString::number(part));
-    environment.insert(QStringLiteral("isaac_seed"), QStringLiteral("7"));
-    flam3.setProcessEnvironment(environment);
-    flam3.start(program, QStringList());
-    QVERIFY(flam3.waitForFinished(120'000));
-    const QImage theirs(folder.filePath(QStringLiteral("out.png")));
+    const QImage theirs = drawnByFlam3(program, file.fileName(), part);
     QCOMPARE(theirs.size(), QSize(camera.width, camera.height));
 
     io::PngExport png{fractal, document::renderRequest(fractal, camera), {}};
     png.request.samples = 20'000'000;
     const QImage ours = io::drawPicture(png).image;
-    const auto missing = [](const QImage& a, const QImage& b) {
-        constexpr int drawn = 120;
-        constexpr int traced = 12;
-        int count = 0;
-        for (int y = 0; y < a.height(); ++y)
-            for (int x = 0; x < a.width(); ++x) {
-                if (qGray(a.pixel(x, y)) < drawn) continue;
-                bool found = false;
-                for (int dy = -1; dy <= 1 && !found; ++dy)
-                    for (int dx = -1; dx <= 1 && !found; ++dx)
-                        found = b.valid(x + dx, y + dy) && qGray(b.pixel(x + dx, y + dy)) > traced;
-                count += !found;
-            }
-        return count;
-    };
     QCOMPARE(missing(theirs, ours), 0);
     QCOMPARE(missing(ours, theirs), 0);
     QVERIFY(missing(ours, theirs.mirrored()) > 100); // it could fail
