@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Prints the targets table of docs/performance.md as ratios of times measured in this run, and writes them as
 // one flat JSON object. barycage_bench [--quick] [--json FILE] [Google Benchmark's own options]
+// barycage_bench --noise [ENTRY...] measures the noise of the collection instead.
 #include "attractor/cells/cell_sums.h"
 #include "attractor/cells/splat.h"
 #include "attractor/cut/address_cut.h"
@@ -13,6 +14,7 @@
 #include "bench/canvas_drag.h"
 #include "bench/geometry_bench.h"
 #include "bench/light_bench.h"
+#include "bench/noise_bench.h"
 #include "bench/plain_rivals.h"
 #include "bench/space_bench.h"
 
@@ -486,6 +488,12 @@ void addWholeEngine(std::vector<Metric>& metrics, bool quick) {
     metrics.push_back({"refine.psnr_db.maple", refinementPsnr(maple, reference), ">= 40"});
 }
 
+void addNoise(std::vector<Metric>& metrics) {
+    for (const Case& c : cases())
+        for (const auto& [name, value] : noise::rowsOf(c.name, c.request))
+            metrics.push_back({name, value, "<= 1.5"});
+}
+
 void addGeometry(std::vector<Metric>& metrics, bool quick) {
     for (const auto& distribution : geometry::measureCollection(quick ? 1 : 5)) {
         const auto& times = distribution.milliseconds;
@@ -531,7 +539,10 @@ int main(int argc, char** argv) {
             quick = true;
         else if (std::strcmp(argv[i], "--drag") == 0)
             dragOnly = true;
-        else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
+        else if (std::strcmp(argv[i], "--noise") == 0) {
+            noise::printCollection(QCoreApplication::arguments().mid(i + 1));
+            return 0;
+        } else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
             json = argv[++i];
         else
             rest.push_back(argv[i]);
@@ -549,6 +560,7 @@ int main(int argc, char** argv) {
     addDrag(whole, quick);
     if (!dragOnly) {
         addGeometry(whole, quick);
+        addNoise(whole);
         addSpace(whole, quick);
         addWholeEngine(whole, quick);
         for (Case& c : cases())

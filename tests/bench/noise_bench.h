@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/render_request.h"
+
+#include <QStringList>
+
+#include <string>
+#include <vector>
+
+// How much noisier density pictures are than independent samples would make them; docs/testing.md, "Noise".
+namespace noise {
+
+struct Row {
+    std::string name; // noise.pixel.SYSTEM or noise.tile.SYSTEM
+    double value = 0; // the worst group at 10⁶ and 10⁷ samples
+};
+
+std::vector<Row> rowsOf(const std::string& system, const attractor::RenderRequest& request);
+
+// Prints two lines for every system of the collection in the plane, or for those of these names.
+void printCollection(const QStringList& names);
+
+} // namespace noise
