@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prints the targets table of docs/performance.md as ratios of times measured in this run, and writes them as
 // one flat JSON object. barycage_bench [--quick] [--json FILE] [Google Benchmark's own options]
-// barycage_bench --noise [ENTRY...] measures the noise of the collection instead.
 #include "attractor/cells/cell_sums.h"
 #include "attractor/cells/splat.h"
 #include "attractor/cut/address_cut.h"
@@ -539,10 +538,7 @@ int main(int argc, char** argv) {
             quick = true;
         else if (std::strcmp(argv[i], "--drag") == 0)
             dragOnly = true;
-        else if (std::strcmp(argv[i], "--noise") == 0) {
-            noise::printCollection(QCoreApplication::arguments().mid(i + 1));
-            return 0;
-        } else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
+        else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
             json = argv[++i];
         else
             rest.push_back(argv[i]);

@@ -3,8 +3,6 @@
 
 #include "attractor/request/render_request.h"
 
-#include <QStringList>
-
 #include <string>
 #include <vector>
 
@@ -17,8 +15,5 @@ struct Row {
 };
 
 std::vector<Row> rowsOf(const std::string& system, const attractor::RenderRequest& request);
-
-// Prints two lines for every system of the collection in the plane, or for those of these names.
-void printCollection(const QStringList& names);
 
 } // namespace noise
