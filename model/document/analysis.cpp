@@ -155,6 +155,9 @@ std::optional<Analysis> Analyser::completed(Analysis analysis, const std::stop_t
     if (analysis.solid) return completedInSpace(std::move(analysis), stop);
     if (!m_hasDimension) {
         m_code->affinityDimension = ifs::affinityDimension(m_code->active.maps, stop);
+        const auto& moran = m_code->similarityDimension;
+        m_code->affinityDimensionError = moran ? ifs::similarityDimensionError<2>(m_code->active.maps, *moran)
+                                               : ifs::affinityDimensionError;
         if (stop.stop_requested()) return std::nullopt;
         if (auto& dimension = m_code->affinityDimension) dimension = std::min(*dimension, 2.0);
         m_code->invariants = ifs::invariantsOf(*m_code);
@@ -163,7 +166,9 @@ std::optional<Analysis> Analyser::completed(Analysis analysis, const std::stop_t
     }
     if (!analysis.facts.active.maps.empty()) { // the picture is not flat
         analysis.facts.affinityDimension = m_code->affinityDimension;
-        analysis.facts.invariants = m_code->invariants;
+        analysis.facts.affinityDimensionError = m_code->affinityDimensionError;
+        analysis.facts.invariants =
+            ifs::scaled(m_code->invariants, std::abs(ifs::determinant<2>(m_display.linear)));
         if (m_code->support) analysis.boxCounting = ifs::boxCounting(*m_code->support, m_display, stop);
     }
     if (stop.stop_requested()) return std::nullopt;

@@ -7,6 +7,7 @@
 #include "ifs/dimension/measure.h"
 #include "ifs/extent/polygon.h"
 #include "ifs/processor_clock.h"
+#include "ifs/separation/exact_hull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,6 +125,7 @@ bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
         for (std::size_t k = 0; k < points.size(); ++k)
             if (found[k] && points[k] == vertex) facts.extremePoints.back() = found[k];
     }
+    facts.isHullExact = isExactHull(facts.active.maps, facts.extremePoints);
     return true;
 }
 
@@ -140,6 +142,8 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
     result.measureDimension = measureDimension(active);
     budget.spend(LongFact::Contacts, [&](const std::stop_token&) {
         result.contacts = pieceContacts(*facts.support);
+        if constexpr (Dim == 2)
+            if (facts.box) result.tile = tile(active.maps, *facts.box);
         return true;
     });
 }
@@ -147,6 +151,7 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
 void findAffinityDimension(Facts<2>& facts, Budget& budget) {
     budget.spend(LongFact::AffinityDimension, [&](const std::stop_token& stop) {
         facts.affinityDimension = affinityDimension(facts.active.maps, stop);
+        facts.affinityDimensionError = affinityDimensionError;
         return facts.affinityDimension || !stop.stop_requested();
     });
 }
@@ -180,12 +185,19 @@ Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<doub
     findInvariants(facts, facts.invariants, budget); // in less time than what follows
     if (facts.support) findHull(facts, hullTolerance, budget);
     facts.affinityDimension = facts.similarityDimension;
+    if (const auto& dimension = facts.similarityDimension)
+        facts.affinityDimensionError = similarityDimensionError<Dim>(facts.active.maps, *dimension);
     if constexpr (Dim == 2) {
         if (limits.withAffinityDimension && !facts.affinityDimension) findAffinityDimension(facts, budget);
         if (facts.hull) findExtremePoints(facts, budget);
     }
     if (auto& dimension = facts.affinityDimension) dimension = std::min(*dimension, double(Dim));
     return facts;
+}
+
+Invariants scaled(Invariants invariants, double areaFactor) {
+    if (invariants.tile && invariants.tile->area) *invariants.tile->area *= areaFactor;
+    return invariants;
 }
 
 namespace {
@@ -255,6 +267,8 @@ template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const 
     }
     if (facts.hull) result.hull = moved(transformation, *facts.hull);
     result.extremePoints.clear();
+    result.isHullExact = false;
+    result.invariants = scaled(facts.invariants, std::abs(determinant<Dim>(transformation.linear)));
     const auto sigma = singularValues<Dim>(transformation.linear);
     if (!(sigma[Dim - 1] > 1e-6 * sigma[0])) {
         if constexpr (Dim == 3) result.hull.reset();

@@ -9,6 +9,7 @@
 #include "ifs/extent/extreme_points.h"
 #include "ifs/separation/piece_contacts.h"
 #include "ifs/system/iterated_function_system.h"
+#include "ifs/tiles/tile.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,13 +20,14 @@ namespace ifs {
 
 template <int Dim> using HullIn = std::conditional_t<Dim == 2, ConvexHull, ConvexHull3>;
 
-// What an invertible affine map of the attractor does not change.
+// What an invertible affine map of the attractor does not change, but for areas.
 struct Invariants {
     std::optional<double> entropy;          // of the probabilities, in nats
     std::optional<double> lyapunovExponent; // of similarities
     std::optional<double> measureDimension; // of similarities; an upper bound where pieces overlap
     std::optional<JointSpectralRadius> jointSpectralRadius; // of finite maps
     std::optional<PieceContacts> contacts;                  // where there is an attractor
+    std::optional<Tile> tile;                               // in the plane
 };
 
 // Those that can take long.
@@ -62,8 +64,10 @@ template <int Dim> struct Facts {
     // In the plane, for each vertex of the hull its address when it is eventually periodic and proved. Empty
     // until they are asked for.
     std::vector<std::optional<PeriodicPoint>> extremePoints;
+    bool isHullExact = false; // proved with them, but for the rounding of the vertices
     std::optional<double> similarityDimension;
     std::optional<double> affinityDimension; // not above Dim; in space, of similarities only
+    double affinityDimensionError = 0;       // how far it is off, at most
     Invariants invariants;                   // empty until they are asked for
     std::vector<LongFact> late; // missing because they would take more time than FactLimits allow
 
@@ -82,6 +86,8 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system,
                           std::optional<double> hullTolerance = {});
 
 template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts);
+// Those of an image whose area is so many times that of the attractor.
+Invariants scaled(Invariants invariants, double areaFactor);
 
 // Those of the attractor's image under an affine map T: of the maps T∘w∘T⁻¹, whose attractor it is. Extents
 // come from the support function of the code (which is kept), so that they are as sharp however T leans. An

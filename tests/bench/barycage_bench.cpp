@@ -13,6 +13,7 @@
 #include "bench/canvas_drag.h"
 #include "bench/geometry_bench.h"
 #include "bench/light_bench.h"
+#include "bench/noise_bench.h"
 #include "bench/plain_rivals.h"
 #include "bench/space_bench.h"
 
@@ -486,6 +487,12 @@ void addWholeEngine(std::vector<Metric>& metrics, bool quick) {
     metrics.push_back({"refine.psnr_db.maple", refinementPsnr(maple, reference), ">= 40"});
 }
 
+void addNoise(std::vector<Metric>& metrics) {
+    for (const Case& c : cases())
+        for (const auto& [name, value] : noise::rowsOf(c.name, c.request))
+            metrics.push_back({name, value, "<= 1.5"});
+}
+
 void addGeometry(std::vector<Metric>& metrics, bool quick) {
     for (const auto& distribution : geometry::measureCollection(quick ? 1 : 5)) {
         const auto& times = distribution.milliseconds;
@@ -549,6 +556,7 @@ int main(int argc, char** argv) {
     addDrag(whole, quick);
     if (!dragOnly) {
         addGeometry(whole, quick);
+        addNoise(whole);
         addSpace(whole, quick);
         addWholeEngine(whole, quick);
         for (Case& c : cases())

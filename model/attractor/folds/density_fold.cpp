@@ -103,7 +103,10 @@ void DensityFold::planSampleSet() {
     makeRoomFor(number);
     const std::uint64_t firstUnit = m_sampleSets * PicturePart::unitsPerSet;
     const bool isInPart = m_part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet);
-    if (isInPart) drawSamples(system, seed, m_sampleSets, m_samples);
+    if (isInPart) {
+        m_strata.follow(system);
+        drawSamples(system, seed, m_sampleSets, m_samples, &m_strata);
+    }
     const double perMeasure = static_cast<double>(number) / m_cut->probability;
     double sum = unitInterval(mixed(mixed(seed) ^ m_sampleSets));
     std::uint64_t before = 0;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace ifs {
@@ -97,6 +98,14 @@ template <int Dim> std::optional<double> similarityDimension(std::span<const Aff
     return ratios ? moranDimension(*ratios) : std::nullopt;
 }
 
+template <int Dim> double similarityDimensionError(std::span<const AffineMap<Dim>> maps, double dimension) {
+    if (dimension == 0) return 0;
+    double least = std::numeric_limits<double>::infinity(); // of −ln s
+    for (const double ratio : determinantRatios<Dim>(maps))
+        least = std::min(least, -std::log(ratio));
+    return 1e-9 * dimension / least;
+}
+
 template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, double t) {
     if (t >= Dim) return std::pow(std::abs(determinant<Dim>(linear)), t / Dim);
     const Vector<Dim> sigma = singularValues<Dim>(linear);
@@ -133,6 +142,7 @@ template <int Dim> std::vector<double> dimensionWeights(std::span<const AffineMa
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template std::optional<std::vector<double>> similarityRatios<Dim>(std::span<const AffineMap<Dim>>);      \
     template std::optional<double> similarityDimension<Dim>(std::span<const AffineMap<Dim>>);                \
+    template double similarityDimensionError<Dim>(std::span<const AffineMap<Dim>>, double);                  \
     template double singularValueFunction<Dim>(const Matrix<Dim>&, double);                                  \
     template std::vector<double> dimensionWeights<Dim>(std::span<const AffineMap<Dim>>, double);
 BARYCAGE_INSTANTIATE(2)

@@ -21,12 +21,16 @@ template <int Dim> std::optional<std::vector<double>> similarityRatios(std::span
 // condition.
 template <int Dim> std::optional<double> similarityDimension(std::span<const AffineMap<Dim>> maps);
 
+// By how much the ratios, which are known to 1e-9, can falsify a similarity dimension.
+template <int Dim> double similarityDimensionError(std::span<const AffineMap<Dim>> maps, double dimension);
+
 // φ^t(A), Falconer's singular value function, t ≥ 0.
 template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, double t);
 
 // Falconer's affinity dimension (not capped at Dim), by the transfer operator on directions in the plane, and
-// exactly where every map is flat; an upper bound of the box dimension. The error is about 1e-6. nullopt
-// without an attractor, where that is not reached, or when stopped.
+// exactly where every map is flat; an upper bound of the box dimension. nullopt without an attractor, where
+// the error is not reached, or when stopped.
 std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop = {});
+constexpr double affinityDimensionError = 1e-6; // by which it may be off
 
 } // namespace ifs

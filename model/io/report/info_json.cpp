@@ -200,6 +200,7 @@ template <int Dim> void writeHull(JsonWriter& json, const ifs::Facts<Dim>& facts
         json.member("area", hull->area);
         json.member("area_error", ifs::areaError(*hull));
         writeAddresses(json, facts);
+        json.member("exact", facts.isHullExact);
     } else {
         json.member("volume", hull->volume);
         json.member("volume_error", ifs::volumeError(*hull));
@@ -263,9 +264,20 @@ void writeContacts(JsonWriter& json, const std::optional<ifs::PieceContacts>& co
     json.endArray();
 }
 
+void writeTile(JsonWriter& json, const std::optional<ifs::Tile>& tile) {
+    if (!tile) return writeNull(json, "tile");
+    json.key("tile");
+    json.beginObject(Layout::Inline);
+    json.member("area", tile->area);
+    json.member("boundary_dimension", tile->boundaryDimension);
+    json.member("exact", tile->isExact);
+    json.endObject();
+}
+
 template <int Dim> void writeInvariants(JsonWriter& json, const ifs::Facts<Dim>& facts) {
     const ifs::Invariants& invariants = facts.invariants;
     writeContacts(json, invariants.contacts, facts.active.index, facts.isLate(ifs::LongFact::Contacts));
+    writeTile(json, invariants.tile);
     const auto& radius = invariants.jointSpectralRadius;
     if (radius && std::isfinite(radius->most)) {
         json.key("joint_spectral_radius");
@@ -290,11 +302,11 @@ std::vector<const char*> keysOf(ifs::LongFact fact) {
     case ifs::LongFact::JointSpectralRadius:
         return {"joint_spectral_radius"};
     case ifs::LongFact::Contacts:
-        return {"separation", "connectedness", "overlaps"};
+        return {"separation", "connectedness", "overlaps", "tile"};
     case ifs::LongFact::Hull:
         return {"hull"};
     case ifs::LongFact::AffinityDimension:
-        return {"affinity_dimension"};
+        return {"affinity_dimension", "affinity_dimension_error"};
     case ifs::LongFact::ExtremePoints:
         break;
     }
@@ -320,6 +332,8 @@ void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& syste
     writeHull<Dim>(json, facts);
     json.member("similarity_dimension", facts.similarityDimension);
     json.member("affinity_dimension", facts.affinityDimension);
+    json.member("affinity_dimension_error",
+                facts.affinityDimension ? std::optional(facts.affinityDimensionError) : std::nullopt);
     json.key("out_of_time");
     json.beginArray(Layout::Inline);
     for (const ifs::LongFact fact : facts.late)
@@ -394,10 +408,12 @@ void writeEntry(JsonWriter& json, const document::Fractal& entry, const InfoSubj
                                 "hull",
                                 "similarity_dimension",
                                 "affinity_dimension",
+                                "affinity_dimension_error",
                                 "out_of_time",
                                 "separation",
                                 "connectedness",
                                 "overlaps",
+                                "tile",
                                 "joint_spectral_radius",
                                 "entropy",
                                 "lyapunov_exponent",

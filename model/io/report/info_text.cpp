@@ -209,6 +209,10 @@ template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
     return (high - low).norm();
 }
 
+QString vertexCount(std::size_t vertices) {
+    return vertices == 1 ? Text::tr("1 vertex") : Text::tr("%1 vertices").arg(vertices);
+}
+
 void addHull(Lines& lines, const ifs::Facts<2>& facts) {
     if (facts.isLate(ifs::LongFact::Hull)) lines.add(Text::tr("convex hull"), notComputed());
     if (!facts.hull) return;
@@ -219,13 +223,16 @@ void addHull(Lines& lines, const ifs::Facts<2>& facts) {
             : digits(facts.hull->area) + io::errorNote({facts.hull->area}, error, size, shownDigits);
     if (facts.isLate(ifs::LongFact::ExtremePoints))
         return lines.add(Text::tr("convex hull"),
-                         Text::tr("%1 vertices, area %2; error at most %3; periodic addresses not computed "
-                                  "within the budget")
-                             .arg(facts.hull->vertices.size())
-                             .arg(area, digits(facts.hull->error)));
+                         Text::tr("%1, area %2; error at most %3; periodic addresses not computed within the "
+                                  "budget")
+                             .arg(vertexCount(facts.hull->vertices.size()), area, digits(facts.hull->error)));
+    if (facts.isHullExact)
+        return lines.add(Text::tr("convex hull"),
+                         Text::tr("%1, all of them with periodic addresses, area %2; exact")
+                             .arg(vertexCount(facts.hull->vertices.size()), area));
     lines.add(Text::tr("convex hull"),
-              Text::tr("%1 vertices, %2 of them with periodic addresses, area %3; error at most %4")
-                  .arg(facts.hull->vertices.size())
+              Text::tr("%1, %2 of them with periodic addresses, area %3; error at most %4")
+                  .arg(vertexCount(facts.hull->vertices.size()))
                   .arg(std::ranges::count_if(facts.extremePoints,
                                              [](const auto& point) { return point.has_value(); }))
                   .arg(area, digits(facts.hull->error)));
@@ -237,9 +244,10 @@ void addHull(Lines& lines, const ifs::Facts<3>& facts) {
     const double size = std::pow(sizeOf(facts), 3);
     const double error = ifs::volumeError(*facts.hull);
     lines.add(Text::tr("convex hull"),
-              Text::tr("%1 vertices, %2 facets, volume %3; error at most %4")
-                  .arg(facts.hull->vertices.size())
-                  .arg(facts.hull->facets.size())
+              Text::tr("%1, %2, volume %3; error at most %4")
+                  .arg(vertexCount(facts.hull->vertices.size()))
+                  .arg(facts.hull->facets.size() == 1 ? Text::tr("1 facet")
+                                                      : Text::tr("%1 facets").arg(facts.hull->facets.size()))
                   .arg(isWorthless(error, std::max(facts.hull->volume, 1e-3 * size))
                            ? Text::tr("unknown")
                            : digits(facts.hull->volume) +
@@ -286,6 +294,14 @@ QString connectednessText(ifs::Connectedness connectedness) {
     return Text::tr("unknown");
 }
 
+void addTile(Lines& lines, const std::optional<ifs::Tile>& tile) {
+    if (!tile) return;
+    const QString note = tile->isExact ? QString() : u' ' + Text::tr("(as far as rounding tells)");
+    if (tile->area) lines.add(Text::tr("area of the tile"), digits(*tile->area) + note);
+    if (tile->boundaryDimension)
+        lines.add(Text::tr("dimension of boundary"), digits(*tile->boundaryDimension) + note);
+}
+
 template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts) {
     const ifs::Invariants& invariants = facts.invariants;
     const auto& index = facts.active.index;
@@ -302,6 +318,7 @@ template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts
                                        : Text::tr("the words %1 and %2 are the same map to rounding"))
                           .arg(wordText(overlap.first, index), wordText(overlap.second, index)));
     }
+    addTile(lines, invariants.tile);
     if (facts.isLate(ifs::LongFact::JointSpectralRadius))
         lines.add(Text::tr("joint spectral radius"), notComputed());
     if (const auto& radius = invariants.jointSpectralRadius; radius && std::isfinite(radius->most))
@@ -335,7 +352,11 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
     if (facts.isLate(ifs::LongFact::AffinityDimension))
         lines.add(Text::tr("affinity dimension"), notComputed());
     else if (subject.limits.withAffinityDimension)
-        lines.add(Text::tr("affinity dimension"), digits(facts.affinityDimension));
+        lines.add(Text::tr("affinity dimension"),
+                  digits(facts.affinityDimension) +
+                      (facts.affinityDimension ? io::errorNote({*facts.affinityDimension},
+                                                               facts.affinityDimensionError, 1, shownDigits)
+                                               : QString()));
     addInvariants(lines, facts);
 }
 

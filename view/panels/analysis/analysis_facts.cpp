@@ -90,6 +90,7 @@ private:
     template <int Dim> void addHull();
     template <int Dim> void addContacts();
     template <int Dim> void addInvariants();
+    void addTile();
     template <int Dim> static QString caveat(const Analysis& analysis);
 
     std::shared_ptr<const Analysis> m_analysis;
@@ -137,6 +138,7 @@ QList<Fact> Facts::all() {
         addHull<Dim>();
         const qsizetype first = m_lines.size();
         addContacts<Dim>();
+        if constexpr (Dim == 2) addTile();
         addInvariants<Dim>();
         for (qsizetype k = first; k < m_lines.size(); ++k)
             m_lines[k].isPending = !m_analysis->isComplete;
@@ -252,6 +254,27 @@ template <int Dim> void Facts::addContacts() {
         });
 }
 
+void Facts::addTile() {
+    const auto& tile = m_analysis->facts.invariants.tile;
+    const auto withNote = [](const QString& figure, const Analysis& analysis) {
+        return analysis.facts.invariants.tile->isExact ? figure
+                                                       : figure + u' ' + tr("(as far as rounding tells)");
+    };
+    add(tr("Tile area"),
+        tr("Area of the attractor, if all maps have one linear part and translated copies of the attractor "
+           "tile the plane by the lattice that their translations make; proved by the contacts of the "
+           "copies."),
+        tile && tile->area, [withNote](const Analysis& analysis, Format number) {
+            return withNote(number(*analysis.facts.invariants.tile->area), analysis);
+        });
+    add(tr("Boundary dimension"),
+        tr("Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area "
+           "and meet in finitely many ways: from the growth of the number of contacts."),
+        tile && tile->boundaryDimension, [withNote](const Analysis& analysis, Format number) {
+            return withNote(number(*analysis.facts.invariants.tile->boundaryDimension), analysis);
+        });
+}
+
 template <int Dim> void Facts::addInvariants() {
     const auto& invariants = factsIn<Dim>(*m_analysis).invariants;
     add(tr("Joint spectral radius"),
@@ -303,8 +326,10 @@ template <int Dim> void Facts::addDimensions() {
            "of all words of one length neither grows nor shrinks as the words get longer. It is an upper "
            "bound for the box-counting dimension, and equal to it for almost all translations if the maps "
            "contract enough."),
-        facts.affinityDimension.has_value(),
-        [](const Analysis& analysis, Format number) { return number(*analysis.facts.affinityDimension); });
+        facts.affinityDimension.has_value(), [](const Analysis& analysis, Format number) {
+            const double dimension = *analysis.facts.affinityDimension;
+            return number(dimension) + note({dimension}, analysis.facts.affinityDimensionError, 1, number);
+        });
     m_lines.last().isPending = !m_analysis->isComplete;
     add(tr("Box-counting dimension"),
         tr("Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε "

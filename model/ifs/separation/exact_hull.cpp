@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/separation/exact_hull.h"
+
+#include "ifs/separation/exact_map.h"
+
+#include <algorithm>
+
+namespace ifs {
+
+namespace {
+
+constexpr std::size_t maxVertices = 64;
+constexpr std::size_t maxLetters = 24; // of an address
+constexpr std::size_t maxTurns = 50'000;
+
+using Point = ExactPoint<2>;
+
+// Whether c lies to the left of the line from a to b or on it.
+bool isLeftOrOn(const Point& a, const Point& b, const Point& c) {
+    const auto cross = [](const Point& p, const Point& q) {
+        return p.numerator[0] * q.numerator[1] - p.numerator[1] * q.numerator[0];
+    };
+    // The determinant of the rows (x, y, 1), times the denominators.
+    const Dyadic determinant =
+        cross(b, c) * a.denominator - cross(a, c) * b.denominator + cross(a, b) * c.denominator;
+    return determinant.sign() * a.denominator.sign() * b.denominator.sign() * c.denominator.sign() >= 0;
+}
+
+std::optional<Point> pointOf(std::span<const AffineMap<2>> maps,
+                             const std::optional<PeriodicPoint>& address) {
+    if (!address || address->prefix.size() + address->period.size() > maxLetters) return std::nullopt;
+    const Point fixed = exactFixedPoint(exactWord(maps, address->period));
+    if (fixed.denominator.sign() == 0) return std::nullopt;
+    return image(exactWord(maps, address->prefix), fixed);
+}
+
+} // namespace
+
+bool isExactHull(std::span<const AffineMap<2>> maps,
+                 const std::vector<std::optional<PeriodicPoint>>& points) {
+    const std::size_t count = points.size();
+    if (count < 3 || count > maxVertices || count * count * maps.size() > maxTurns) return false;
+    std::vector<Point> polygon;
+    for (const auto& address : points) {
+        const auto point = pointOf(maps, address);
+        if (!point) return false;
+        polygon.push_back(*point);
+    }
+    const auto holds = [&polygon](const Point& x) {
+        for (std::size_t k = 0; k < polygon.size(); ++k)
+            if (!isLeftOrOn(polygon[k], polygon[(k + 1) % polygon.size()], x)) return false;
+        return true;
+    };
+    if (!std::ranges::all_of(polygon, holds)) return false; // convex, and run through counter-clockwise
+    return std::ranges::all_of(maps, [&](const AffineMap<2>& map) {
+        const ExactMap<2> exact = exactWord<2>({&map, 1}, {0});
+        return std::ranges::all_of(polygon, [&](const Point& vertex) { return holds(image(exact, vertex)); });
+    });
+}
+
+} // namespace ifs

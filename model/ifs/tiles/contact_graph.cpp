@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/tiles/contact_graph.h"
+
+#include <algorithm>
+#include <bitset>
+#include <limits>
+
+namespace ifs {
+
+std::size_t ContactGraph::prune() {
+    const std::size_t count = m_edges.size();
+    std::vector<char> isKept(count, 1);
+    for (bool isChanged = true; isChanged;) {
+        isChanged = false;
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!isKept[k] ||
+                std::ranges::any_of(m_edges[k], [&](std::size_t to) { return isKept[to] != 0; }))
+                continue;
+            isKept[k] = 0;
+            isChanged = true;
+        }
+    }
+    std::vector<std::size_t> index(count);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < count; ++k)
+        if (isKept[k]) index[k] = kept++;
+    std::vector<std::vector<std::size_t>> edges(kept);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!isKept[k]) continue;
+        for (const std::size_t to : m_edges[k])
+            if (isKept[to]) edges[index[k]].push_back(index[to]);
+    }
+    m_edges = std::move(edges);
+    return kept;
+}
+
+// Vertices that can all be reached from one another, by the transitive closure.
+std::vector<std::vector<std::size_t>> ContactGraph::strongParts() const {
+    const std::size_t count = m_edges.size();
+    std::vector<std::bitset<maxVertices>> reached(count);
+    for (std::size_t k = 0; k < count; ++k)
+        for (const std::size_t to : m_edges[k])
+            reached[k].set(to);
+    for (std::size_t via = 0; via < count; ++via)
+        for (std::size_t k = 0; k < count; ++k)
+            if (reached[k][via]) reached[k] |= reached[via];
+    std::vector<std::vector<std::size_t>> parts;
+    std::vector<char> isPlaced(count, 0);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (isPlaced[k] || !reached[k][k]) continue;
+        std::vector<std::size_t> part;
+        for (std::size_t other = k; other < count; ++other)
+            if (reached[k][other] && reached[other][k]) part.push_back(other);
+        for (const std::size_t member : part)
+            isPlaced[member] = 1;
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+// Adding the identity keeps the iteration from going round and round.
+std::optional<ContactGraph::Radius> ContactGraph::radiusOf(const std::vector<std::size_t>& part) const {
+    constexpr int maxRounds = 20'000;
+    constexpr double tight = 1e-11;
+    std::vector<std::size_t> index(m_edges.size(), part.size());
+    for (std::size_t k = 0; k < part.size(); ++k)
+        index[part[k]] = k;
+    std::vector<double> f(part.size(), 1), next(part.size());
+    for (int round = 0; round < maxRounds; ++round) {
+        Radius radius{std::numeric_limits<double>::infinity(), 0};
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            next[k] = 0;
+            for (const std::size_t to : m_edges[part[k]])
+                if (index[to] < part.size()) next[k] += f[index[to]];
+            radius.least = std::min(radius.least, next[k] / f[k]);
+            radius.most = std::max(radius.most, next[k] / f[k]);
+        }
+        if (radius.most - radius.least <= tight * radius.most) return radius;
+        double largest = 0;
+        for (std::size_t k = 0; k < part.size(); ++k)
+            largest = std::max(largest, next[k] += f[k]);
+        for (std::size_t k = 0; k < part.size(); ++k)
+            f[k] = next[k] / largest;
+    }
+    return std::nullopt;
+}
+
+std::optional<ContactGraph::Radius> ContactGraph::spectralRadius() const {
+    if (m_edges.size() > maxVertices) return std::nullopt;
+    Radius result;
+    for (const auto& part : strongParts()) {
+        const auto radius = radiusOf(part);
+        if (!radius) return std::nullopt;
+        result = {std::max(result.least, radius->least), std::max(result.most, radius->most)};
+    }
+    return result;
+}
+
+} // namespace ifs

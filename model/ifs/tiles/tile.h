@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/extent/extent.h"
+#include "ifs/system/affine_map.h"
+
+#include <optional>
+#include <span>
+
+// Attractors with inner points, made of copies that meet in their boundaries alone. docs/mathematics.md,
+// "Tiles".
+namespace ifs {
+
+struct Tile {
+    std::optional<double> area;              // of an integer digit tile that tiles by its lattice
+    std::optional<double> boundaryDimension; // where all maps are similarities of one ratio
+    bool isExact = false; // proved of the coefficients as they are; else as far as their rounding tells
+};
+
+// Nothing where neither is proved, within bounded work. The box is that of the attractor.
+std::optional<Tile> tile(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box);
+
+} // namespace ifs

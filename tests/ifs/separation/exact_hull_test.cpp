@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/separation/exact_hull.h"
+
+#include "ifs/canonical_systems.h"
+#include "ifs/facts.h"
+
+#include <QtTest>
+
+using namespace ifs;
+
+class TestExactHull : public QObject {
+    Q_OBJECT
+
+private slots:
+    void polygonsAreExact_data() {
+        QTest::addColumn<int>("corners");
+        QTest::newRow("levy") << 8;
+        QTest::newRow("heighway") << 8;
+        QTest::newRow("twin") << 6;
+        QTest::newRow("sierpinski") << 3;
+        QTest::newRow("square") << 4;
+    }
+    void polygonsAreExact() {
+        QFETCH(int, corners);
+        const QByteArray name = QTest::currentDataTag();
+        const auto maps = name == "levy"       ? canonical::levy()
+                          : name == "heighway" ? canonical::heighway()
+                          : name == "twin"     ? canonical::twin()
+                          : name == "square"   ? canonical::square()
+                                               : canonical::sierpinskiRight();
+        const auto facts = factsOf(canonical::system<2>(maps));
+        QCOMPARE(int(facts.hull->vertices.size()), corners);
+        QVERIFY(facts.isHullExact);
+        auto points = facts.extremePoints;
+        QVERIFY(isExactHull(maps, points));
+        std::reverse(points.begin(), points.end());
+        QVERIFY(!isExactHull(maps, points));
+    }
+
+    // What lacks a corner is no hull: an image of another corner lies outside.
+    void aMissingCornerShows() {
+        const auto maps = canonical::levy();
+        const auto facts = factsOf(canonical::system<2>(maps));
+        for (std::size_t k = 0; k < facts.extremePoints.size(); ++k) {
+            auto points = facts.extremePoints;
+            points.erase(points.begin() + std::ptrdiff_t(k));
+            QVERIFY(!isExactHull(maps, points));
+            points.insert(points.begin() + std::ptrdiff_t(k), std::nullopt);
+            QVERIFY(!isExactHull(maps, points));
+        }
+    }
+
+    void roundOnesAreNot() {
+        QVERIFY(!factsOf(canonical::system<2>(canonical::flower())).isHullExact);
+        QVERIFY(!factsOf(canonical::system<2>(canonical::maple())).isHullExact);
+    }
+
+    // An image is known to rounding alone.
+    void movedHullsAreNotExact() {
+        const auto facts = factsOf(canonical::system<2>(canonical::levy()));
+        QVERIFY(!moved(affineMap(1, .1, .2, 1, 0, 0), facts).isHullExact);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExactHull)
+#include "exact_hull_test.moc"
