@@ -4,10 +4,16 @@
 #include "io/file/background.h"
 #include "io/file/save_file.h"
 #include "io/picture/png_system.h"
+#include "panels/collage/collage_panel.h"
+#include "panels/collage/target_box.h"
 #include "widgets/wait_for.h"
 
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QFileInfo>
+#include <QMainWindow>
+
+namespace {
 
 bool isPlainPicture(const QString& path, QWidget* window) {
     static const QStringList others{QStringLiteral("jpg"), QStringLiteral("jpeg"), QStringLiteral("gif"),
@@ -24,4 +30,15 @@ bool isPlainPicture(const QString& path, QWidget* window) {
     const QString label = QCoreApplication::translate("MainWindow", "Reading “%1”…").arg(file.fileName());
     return view::waitFor(QFuture<void>(reading), label, window) && reading.isResultReadyAt(0) &&
            reading.resultAt(0);
+}
+
+} // namespace
+
+bool takeAsTarget(const QStringList& paths, QMainWindow& window, view::CollagePanel& panel) {
+    if (paths.size() != 1 || !isPlainPicture(paths.front(), &window)) return false;
+    auto* dock = window.findChild<QDockWidget*>(QStringLiteral("collage"));
+    dock->show();
+    dock->raise();
+    panel.target()->read(paths.front());
+    return true;
 }

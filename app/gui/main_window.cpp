@@ -24,7 +24,6 @@
 #include "panels/appearance/appearance_panel.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/collage/collage_panel.h"
-#include "panels/collage/target_box.h"
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "panels/history/history_panel.h"
@@ -237,15 +236,6 @@ void MainWindow::createCollage(QDockWidget* neighbour) {
     tabifyDockWidget(neighbour, collage);
     collage->hide();
     connect(m_collage, &view::CollagePanel::message, m_messages, &WindowMessages::say);
-}
-
-bool MainWindow::takeTarget(const QStringList& paths) {
-    if (paths.size() != 1 || !isPlainPicture(paths.front(), this)) return false;
-    auto* panel = findChild<QDockWidget*>(QStringLiteral("collage"));
-    panel->show();
-    panel->raise();
-    m_collage->target()->read(paths.front());
-    return true;
 }
 
 void MainWindow::createTimeline() {
@@ -598,7 +588,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     QMetaObject::invokeMethod(
         this,
         [this, paths] {
-            if (!takeTarget(paths) && m_fileCommands->maybeSave()) openEach(paths, this);
+            if (!takeAsTarget(paths, *this, *m_collage) && m_fileCommands->maybeSave()) openEach(paths, this);
         },
         Qt::QueuedConnection);
 }

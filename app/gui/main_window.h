@@ -64,7 +64,6 @@ private:
     void createPanels();
     void createTimeline();
     void createCollage(QDockWidget* neighbour);
-    bool takeTarget(const QStringList& paths); // of a collage: when a picture alone was dropped
     void explainPanels();
     void createConstructionBar();
     void createOptionsBar();
