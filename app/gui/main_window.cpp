@@ -49,6 +49,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPointer>
 #include <QResizeEvent>
 #include <QScreen>
 #include <QToolBar>
@@ -587,8 +588,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     // Once the drop is over: questions may follow, and the program that it came from waits.
     QMetaObject::invokeMethod(
         this,
-        [this, paths] {
-            if (!takeAsTarget(paths, *this, *m_collage) && m_fileCommands->maybeSave()) openEach(paths, this);
+        [this, paths, self = QPointer(this)] {
+            if (!takeAsTarget(paths, *this, *m_collage) && self && m_fileCommands->maybeSave())
+                openEach(paths, this);
         },
         Qt::QueuedConnection);
 }
