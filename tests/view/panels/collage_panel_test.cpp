@@ -102,9 +102,11 @@ class CollagePanelTest : public CanvasFixture {
         QVERIFY(m_panel->target()->traced());
     }
     template <class Widget> Widget* named(const QString& name) const {
-        for (auto* widget : m_panel->findChildren<Widget*>())
-            if (widget->accessibleName() == name || widget->property("text").toString() == name)
-                return widget;
+        const QList<Widget*> widgets = m_panel->findChildren<Widget*>();
+        for (auto* widget : widgets)
+            if (widget->accessibleName() == name) return widget;
+        for (auto* widget : widgets)
+            if (widget->property("text").toString() == name) return widget;
         return nullptr;
     }
     void push(const char* text) {

@@ -8,6 +8,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <utility>
 
 namespace view {
@@ -19,6 +20,7 @@ constexpr double markRadius = 9;   // pixels
 constexpr double markReach = 14;   // for the pointer
 constexpr int imageOpacity = 70;   // of 255
 constexpr double imageLine = 1.75; // pixels
+constexpr int maxScaled = 4096;    // device pixels
 
 QTransform transformOf(const ifs::AffineMap<2>& map) {
     return {map.linear(0, 0), map.linear(1, 0),    map.linear(0, 1),
@@ -97,6 +99,7 @@ QRectF CollageLayer::boundingRect() const {
 // On a dark picture the shape is light, and on a light one dark: both ways the attractor stays in sight.
 void CollageLayer::prepareTarget() {
     m_targetOnDark = isOnDark();
+    m_scaled = {};
     const collage::GreyPicture& picture = m_traced->picture;
     m_target = QImage(picture.width, picture.height, QImage::Format_ARGB32_Premultiplied);
     for (int y = 0; y < picture.height; ++y) {
@@ -114,8 +117,21 @@ void CollageLayer::prepareTarget() {
 void CollageLayer::paintTarget(QPainter& painter) {
     if (m_target.isNull() || m_targetOnDark != isOnDark()) prepareTarget();
     const double width = double(m_target.width()) / m_target.height();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(toPixels().mapRect(QRectF(-width / 2, -0.5, width, 1)), m_target);
+    const QRectF there = toPixels().mapRect(QRectF(-width / 2, -0.5, width, 1));
+    const bool isUpright = m_canvas->camera().yAxis == attractor::YAxis::Up;
+    const double ratio = m_canvas->devicePixelRatioF();
+    const QSize size = (there.size() * ratio).toSize();
+    if (size.isEmpty()) return;
+    if (std::max(size.width(), size.height()) > maxScaled) {
+        painter.drawImage(there, isUpright ? m_target : m_target.mirrored());
+        return;
+    }
+    // Scaled once for each zoom, so that a drag only copies it.
+    if (m_scaled.size() != size) {
+        m_scaled = m_target.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        m_scaled.setDevicePixelRatio(ratio);
+    }
+    painter.drawImage(there.topLeft(), isUpright ? m_scaled : m_scaled.mirrored());
 }
 
 void CollageLayer::paintAgreement(QPainter& painter) const {

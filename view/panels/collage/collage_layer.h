@@ -57,6 +57,7 @@ private:
     std::shared_ptr<const document::TracedPicture> m_traced;
     QPainterPath m_outline; // of the target, in the plane
     QImage m_target;        // as it is blended with the picture
+    QImage m_scaled;        // the same, in device pixels
     bool m_targetOnDark = false;
     std::optional<document::MeasuredFractal> m_measured;
     int m_opacity = 40;

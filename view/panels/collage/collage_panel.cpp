@@ -105,6 +105,7 @@ void CollagePanel::connectParts() {
     connect(m_target, &TargetBox::tracedChanged, this, [this] {
         if (m_layer) m_layer->setTarget(m_target->traced());
         m_measured.reset();
+        m_measuring.cancel(); // it is of another target
         updatePossible();
         measure();
     });

@@ -196,7 +196,7 @@ int FitBox::cageCorners() const {
 
 void FitBox::setPossible(bool possible) {
     m_isPossible = possible;
-    update();
+    enableTasks();
 }
 
 void FitBox::setLocks(const QString& names, bool areSelectedLocked, bool isAnySelected) {
@@ -211,10 +211,10 @@ void FitBox::setProgress(const std::optional<double>& share) {
     m_progress->setRange(0, share && *share < 0 ? 0 : 100); // below 0: nobody knows how long it takes
     if (share && *share >= 0) m_progress->setValue(int(100 * *share));
     m_busy->setVisible(m_isBusy);
-    update();
+    enableTasks();
 }
 
-void FitBox::update() {
+void FitBox::enableTasks() {
     for (QPushButton* task : m_tasks)
         task->setEnabled(m_isPossible && !m_isBusy);
 }

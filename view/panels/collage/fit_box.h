@@ -46,7 +46,7 @@ private:
     QWidget* makeTasks();
     QWidget* makeProgress();
     QPushButton* taskButton(const QString& text, const QString& tip, Task task);
-    void update();
+    void enableTasks();
 
     QComboBox* m_maps = nullptr;
     QDoubleSpinBox* m_seconds = nullptr;

@@ -296,7 +296,9 @@ void TargetBox::follow(const document::Change& change) {
         m_reading.cancel();
         m_states.clear();
     }
-    if (change.parts & (Change::Current | Change::File)) showState();
+    if (!(change.parts & (Change::Current | Change::File))) return;
+    m_tracing.cancel(); // it is of another entry
+    showState();
 }
 
 void TargetBox::setOptions(const std::function<void(document::TraceOptions&)>& change) {

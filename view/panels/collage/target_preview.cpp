@@ -53,9 +53,12 @@ void TargetPreview::setShape(const collage::Mask& mask, const std::optional<coll
     QColor tint = palette().color(QPalette::Highlight);
     tint.setAlpha(150);
     m_shape.fill(Qt::transparent);
-    for (int y = 0; y < mask.height; ++y)
+    const QRgb pixel = qPremultiply(tint.rgba());
+    for (int y = 0; y < mask.height; ++y) {
+        auto* line = reinterpret_cast<QRgb*>(m_shape.scanLine(y));
         for (int x = 0; x < mask.width; ++x)
-            if (mask(x, y)) m_shape.setPixelColor(x, y, tint);
+            if (mask(x, y)) line[x] = pixel;
+    }
     update();
 }
 
