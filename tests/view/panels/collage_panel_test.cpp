@@ -18,6 +18,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>

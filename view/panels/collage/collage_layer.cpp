@@ -5,6 +5,8 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/overlay_style.h"
 
+#include <QGraphicsScene>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
 

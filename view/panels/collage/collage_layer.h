@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/agreement_picture.h"
 #include "document/document.h"
+#include "document/edits/agreement_picture.h"
 #include "document/traced_picture.h"
 
 #include <QGraphicsObject>

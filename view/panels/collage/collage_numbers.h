@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/agreement_picture.h"
+#include "document/edits/agreement_picture.h"
 
 #include <QWidget>
 

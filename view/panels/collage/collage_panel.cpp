@@ -2,6 +2,7 @@
 #include "panels/collage/collage_panel.h"
 
 #include "canvas/canvas_view.h"
+#include "document/edits/cage_edits.h"
 #include "document/edits/collage_edits.h"
 #include "panels/collage/collage_layer.h"
 #include "panels/collage/collage_numbers.h"
@@ -113,7 +114,7 @@ void CollagePanel::connectParts() {
         if (m_layer) m_layer->setAgreementVisible(index < 2);
         measure();
     });
-    connect(m_layer, &CollageLayer::markClicked, this, [this] { run(Task::AddMap); });
+    connect(m_layer.data(), &CollageLayer::markClicked, this, [this] { run(Task::AddMap); });
     connect(m_fit, &FitBox::requested, this, &CollagePanel::run);
     connect(m_fit, &FitBox::lockRequested, this, &CollagePanel::lock);
     connect(m_fit, &FitBox::cancelled, this, &CollagePanel::cancel);

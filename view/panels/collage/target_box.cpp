@@ -90,9 +90,10 @@ TargetBox::TargetBox(document::Document* document, QWidget* parent)
     m_preview = new TargetPreview(this);
     layout->addWidget(m_preview);
     createShape();
-    connect(m_preview, &TargetPreview::cropChosen, this, [this](const auto& crop) {
-        setOptions([&](document::TraceOptions& options) { options.crop = crop; });
-    });
+    connect(m_preview, &TargetPreview::cropChosen, this,
+            [this](const std::optional<collage::PixelBox>& crop) {
+                setOptions([&](document::TraceOptions& options) { options.crop = crop; });
+            });
     connect(document, &document::Document::changed, this, &TargetBox::follow);
     showState();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/agreement_picture.h"
+#include "document/edits/agreement_picture.h"
 
 #include <algorithm>
 #include <array>
