@@ -156,7 +156,7 @@ void CollageLayer::paintImages(QPainter& painter) const {
         const std::size_t index = maps->index[k];
         const attractor::Rgba rgba =
             attractor::mapColour(m_document->fractal().appearance, system.maps[index].id, index);
-        QColor colour(rgba.r, rgba.g, rgba.b);
+        QColor colour(rgba.red, rgba.green, rgba.blue);
         painter.setPen(QPen(colour, imageLine));
         colour.setAlpha(imageOpacity);
         painter.setBrush(colour);
