@@ -37,6 +37,9 @@ struct CollageArguments {
     std::optional<std::string> starts;
     std::string seed = "1";
     bool similarities = false;
+    bool withoutMirrors = false;
+    std::optional<std::string> angles;
+    bool stem = false;
     std::optional<std::string> threshold;
     bool invert = false;
     std::optional<std::string> threads;
@@ -62,6 +65,19 @@ void readMaps(const std::string& text, collage::SearchOptions& options) {
                              .arg(QString::fromStdString(text))};
 }
 
+collage::Constraints constraintsOf(const CollageArguments& arguments) {
+    collage::Constraints constraints;
+    if (arguments.similarities) constraints.mapClass = collage::MapClass::Similarity;
+    if (arguments.withoutMirrors) constraints.mirrors = collage::Mirrors::Excluded;
+    if (arguments.stem) constraints.first = collage::FirstMap::Stem;
+    if (!arguments.angles) return constraints;
+    if (*arguments.angles != "60" && *arguments.angles != "90")
+        throw UsageError{tr("--angles “%1” is not valid: it must be 60 or 90 degrees.")
+                             .arg(QString::fromStdString(*arguments.angles))};
+    constraints.angleStep = std::stoi(*arguments.angles);
+    return constraints;
+}
+
 collage::SearchOptions optionsOf(const CollageArguments& arguments) {
     collage::SearchOptions options;
     readMaps(arguments.maps, options);
@@ -72,7 +88,7 @@ collage::SearchOptions optionsOf(const CollageArguments& arguments) {
     if (arguments.starts)
         options.starts = std::size_t(countArgument("--starts", *arguments.starts, 1, 1'000'000'000));
     options.seed = wholeArgument("--seed", arguments.seed);
-    if (arguments.similarities) options.mapClass = collage::MapClass::Similarity;
+    options.constraints = constraintsOf(arguments);
     options.threads = arguments.threads ? integerArgument("--threads", *arguments.threads, 1, 1024)
                                         : io::threadsOfThisMachine();
     options.maxResults = 4;
@@ -194,6 +210,12 @@ void addSearchOptions(CLI::App& command, CollageArguments& arguments) {
         "How many random starts to make instead; the same result on every run");
     add("--seed", "K", arguments.seed, "Seed of the random starts", "1");
     command.add_flag("--similarities", arguments.similarities, "Only maps that keep all angles")
+        ->group("Search");
+    command.add_flag("--no-mirrors", arguments.withoutMirrors, "No maps that mirror")->group("Search");
+    add("--angles", "60|90", arguments.angles, "Maps turn by multiples of so many degrees only", "any");
+    command
+        .add_flag("--stem", arguments.stem,
+                  "The first map flattens the shape to a line, like the stem of a fern")
         ->group("Search");
     add("-j,--threads", "N", arguments.threads, "Threads, 1 to 1024; never changes the result of --starts",
         "all cores");

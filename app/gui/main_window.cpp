@@ -10,6 +10,7 @@
 #include "desktop/settings.h"
 #include "dialogs/paste_table_dialog.h"
 #include "document/edits/entries_edits.h"
+#include "dropped_picture.h"
 #include "edit_menu.h"
 #include "file_commands.h"
 #include "file_menu.h"
@@ -22,6 +23,7 @@
 #include "panels/analysis/analysis_panel.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/cage/cage_panel.h"
+#include "panels/collage/collage_panel.h"
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "panels/history/history_panel.h"
@@ -47,6 +49,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPointer>
 #include <QResizeEvent>
 #include <QScreen>
 #include <QToolBar>
@@ -81,6 +84,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_stage(new Stage(&m_document, m_bridge, m_solid, this)),
       m_canvas(m_stage->plane()),
       m_timeline(new view::TimelinePanel(&m_document, this)),
+      m_collage(new view::CollagePanel(&m_document, m_canvas, this)),
       m_status(new StatusLine(this)),
       m_messages(new WindowMessages(this)),
       m_fileCommands(new FileCommands({this, &m_document, m_canvas, m_messages, m_stage}, &m_file)) {
@@ -180,6 +184,7 @@ void MainWindow::createPanels() {
         tabifyDockWidget(previous, next);
         previous = next;
     }
+    createCollage(previous);
     mapsDock->raise();
     QDockWidget* problemsDock =
         dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
@@ -226,6 +231,14 @@ void MainWindow::createPanels() {
             [this](const document::Fractal& fractal) { addEntry(m_document, fractal); });
 }
 
+void MainWindow::createCollage(QDockWidget* neighbour) {
+    QDockWidget* collage = dock(new view::VerticalScrollArea(m_collage), tr("Collage"),
+                                QStringLiteral("collage"), Qt::RightDockWidgetArea);
+    tabifyDockWidget(neighbour, collage);
+    collage->hide();
+    connect(m_collage, &view::CollagePanel::message, m_messages, &WindowMessages::say);
+}
+
 void MainWindow::createTimeline() {
     QDockWidget* timeline =
         dock(m_timeline, tr("Timeline"), QStringLiteral("timeline"), Qt::BottomDockWidgetArea);
@@ -259,6 +272,8 @@ void MainWindow::explainPanels() {
           {"history", tr("Every step since the file was opened. Select one to go back or forward to it.")},
           {"timeline",
            tr("The animation of this fractal: its motions, and the keys of everything that can move.")},
+          {"collage",
+           tr("A fractal for a picture: the target, how well the fractal agrees with it, and fits.")},
           {"problems",
            tr("Problems found in the file, with line and column. The text in the file is kept unchanged.")}})
         if (auto* panel = findChild<QDockWidget*>(QLatin1String(id))) {
@@ -571,8 +586,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     // Once the drop is over: questions may follow, and the program that it came from waits.
     QMetaObject::invokeMethod(
         this,
-        [this, paths] {
-            if (m_fileCommands->maybeSave()) openEach(paths, this);
+        [this, paths, self = QPointer(this)] {
+            if (!takeAsTarget(paths, *this, *m_collage) && self && m_fileCommands->maybeSave())
+                openEach(paths, this);
         },
         Qt::QueuedConnection);
 }

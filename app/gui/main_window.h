@@ -22,8 +22,9 @@ class StatusLine;
 class ViewMenu;
 class WindowMessages;
 namespace view {
+class CollagePanel;
 class TimelinePanel;
-}
+} // namespace view
 
 // A document, its canvas and its panels. Owns them all; deletes itself when closed.
 class MainWindow : public SessionWindow {
@@ -62,6 +63,7 @@ private:
     void createMenus();
     void createPanels();
     void createTimeline();
+    void createCollage(QDockWidget* neighbour);
     void explainPanels();
     void createConstructionBar();
     void createOptionsBar();
@@ -85,6 +87,7 @@ private:
     Stage* m_stage;
     view::CanvasView* m_canvas; // of the plane
     view::TimelinePanel* m_timeline;
+    view::CollagePanel* m_collage;
     StatusLine* m_status;
     WindowMessages* m_messages;
     FileCommands* m_fileCommands;

@@ -49,8 +49,8 @@ ifs::Vector<2> freePlace(const Target& target, const std::vector<ifs::Vector<2>>
 
 } // namespace
 
-std::vector<ifs::AffineMap<2>> randomStart(const Target& target, int maps, std::uint64_t seed,
-                                           std::uint64_t index) {
+std::vector<ifs::AffineMap<2>> randomStart(const Target& target, int maps, const Constraints& constraints,
+                                           std::uint64_t seed, std::uint64_t index) {
     Random random(seed, index);
     std::vector<ifs::Vector<2>> places;
     std::vector<ifs::AffineMap<2>> result;
@@ -59,11 +59,12 @@ std::vector<ifs::AffineMap<2>> randomStart(const Target& target, int maps, std::
         places.push_back(freePlace(target, places, random));
         const double scale = random.between(0.5 / root, std::min(0.75, 1.4 / root));
         const double angle = random.between(0, 2 * std::numbers::pi);
-        const double sigma = random.below(3) == 0 ? -1 : 1;
+        const bool mirrors = random.below(3) == 0 && constraints.mirrors == Mirrors::Allowed;
+        const double sigma = mirrors ? -1 : 1;
         const double a = scale * std::cos(angle), b = scale * std::sin(angle);
         ifs::AffineMap<2> map = ifs::affineMap(a, -sigma * b, b, sigma * a, 0, 0);
         map.translation = places.back() - map.linear * target.mean;
-        result.push_back(map);
+        result.push_back(constrained(constraints, std::size_t(i), map, target.mean));
     }
     return result;
 }

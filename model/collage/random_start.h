@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "collage/fit/constraints.h"
 #include "collage/target/target.h"
 
 #include <cstdint>
@@ -9,9 +10,9 @@
 namespace collage {
 
 // Similarities that map the target into itself, roughly: each takes its mean to one of its cells, far from
-// those of the others, with any angle; one in three mirrors. The same seed and index give the same maps on
-// every machine. In grid coordinates.
-std::vector<ifs::AffineMap<2>> randomStart(const Target& target, int maps, std::uint64_t seed,
-                                           std::uint64_t index);
+// those of the others, with any angle; one in three mirrors. Then they meet the constraints. The same seed
+// and index give the same maps on every machine. In grid coordinates.
+std::vector<ifs::AffineMap<2>> randomStart(const Target& target, int maps, const Constraints& constraints,
+                                           std::uint64_t seed, std::uint64_t index);
 
 } // namespace collage

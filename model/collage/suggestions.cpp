@@ -164,14 +164,14 @@ void Search::keepPromisingCounts() {
 }
 
 Candidate Search::begun(std::uint64_t start, int count, CollageFit& fit) const {
-    Maps maps = randomStart(m_coarse, count, m_options.seed, start);
-    fit.improve(maps, {m_options.mapClass, 25, 15, 0.75, 0.9});
+    Maps maps = randomStart(m_coarse, count, m_options.constraints, m_options.seed, start);
+    fit.improve(maps, {m_options.constraints, 25, 15, 0.75, 0.9});
     return {fromGrid(m_coarse.grid, maps), score(fit.error(maps), m_coarse, maps), start, {}};
 }
 
 void Search::goOn(Candidate& candidate, CollageFit& fit) const {
     Maps maps = inGrid(m_medium.grid, candidate.maps);
-    fit.improve(maps, {m_options.mapClass, 15, 0, 0.9, 0.9});
+    fit.improve(maps, {m_options.constraints, 15, 0, 0.9, 0.9});
     candidate.score = score(fit.error(maps), m_medium, maps);
     candidate.weights = ifs::shares(fit.shares(), 0.01);
     candidate.maps = fromGrid(m_medium.grid, maps);
@@ -232,7 +232,7 @@ double Search::price(const Target& target, const Maps& maps) const {
 std::vector<Candidate> Search::refined(std::vector<Candidate> candidates) {
     inParallel(candidates.size(), [&](std::size_t job, std::size_t thread) {
         Candidate& one = candidates[job];
-        one.maps = fittedAttractor(m_medium, one.maps, {m_options.mapClass, 8, largestNorm});
+        one.maps = fittedAttractor(m_medium, one.maps, {m_options.constraints, 8, largestNorm});
         one.score = price(m_medium, one.maps);
         if (thread == 0) report(searchShare + 0.2 * double(job + 1) / double(candidates.size()));
     });
@@ -240,7 +240,7 @@ std::vector<Candidate> Search::refined(std::vector<Candidate> candidates) {
     candidates.resize(std::min(candidates.size(), m_options.maxResults));
     inParallel(candidates.size(), [&](std::size_t job, std::size_t) {
         Candidate& one = candidates[job];
-        one.maps = fittedAttractor(m_fine, one.maps, {m_options.mapClass, 3, largestNorm});
+        one.maps = fittedAttractor(m_fine, one.maps, {m_options.constraints, 3, largestNorm});
         one.score = price(m_fine, one.maps);
     });
     std::ranges::sort(candidates, std::less<>());

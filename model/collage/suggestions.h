@@ -18,7 +18,7 @@ namespace collage {
 struct SearchOptions {
     int minMaps = 2;
     int maxMaps = 8;
-    MapClass mapClass = MapClass::Affine;
+    Constraints constraints;
     std::uint64_t seed = 0;
     std::size_t starts = 0; // 0: as many as fit into the time
     std::chrono::duration<double> time{2};

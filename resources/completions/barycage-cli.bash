@@ -128,7 +128,7 @@ _barycage_cli_options() {
       --palette --colour --color --gamma --brightness --background --supersample --threads --bits --dpi --simd
       --progress --quiet --help" ;;
     encode) options="--output --fps --progress --quiet --help" ;;
-    collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --threads --progress --quiet --help" ;;
+    collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --no-mirrors --angles --stem --threads --progress --quiet --help" ;;
     morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
     steal) options="--output --entry --from --from-file --order --map --tear --json --picture --picture-view --size --view --background --exact
       --points --seed --threads --simd --progress --quiet --help" ;;

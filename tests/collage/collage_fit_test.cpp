@@ -89,7 +89,7 @@ private slots:
     void similaritiesStaySimilarities() {
         const Target l = target(drawings::all(256).front().mask, 4, 0.25);
         for (std::uint64_t start = 0; start < 20; ++start) {
-            Maps maps = randomStart(l, 4, 1, start);
+            Maps maps = randomStart(l, 4, {}, 1, start);
             const Maps before = maps;
             CollageFit(l).improve(maps, {MapClass::Similarity, 20, 10, 0.75, 0.9});
             Maps plane;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -20,28 +21,58 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 constexpr std::size_t maxPoints = 5000;
 constexpr double outlier = 2; // cells; farther residuals count by their distance, not its square
 
-// The directions in which a map may change, of its numbers a b c d e f, one in each column.
-Eigen::MatrixXd directions(const ifs::AffineMap<2>& map, MapClass mapClass) {
-    if (mapClass == MapClass::Affine) return Eigen::MatrixXd::Identity(6, 6);
-    const double sigma = ifs::determinant<2>(map.linear) < 0 ? -1.0 : 1.0;
-    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(6, 4);
-    basis.col(0) << 1, 0, 0, sigma, 0, 0;
-    basis.col(1) << 0, -sigma, 1, 0, 0, 0;
-    basis(4, 2) = 1;
-    basis(5, 3) = 1;
+ifs::Matrix<2> matrix(double a, double b, double c, double d) {
+    return (ifs::Matrix<2>() << a, b, c, d).finished();
+}
+
+// The directions in which the linear part of a map may change, to first order.
+std::vector<ifs::Matrix<2>> linearDirections(const ifs::Matrix<2>& a, const Constraints& constraints,
+                                             std::size_t index) {
+    if (constraints.isStem(index)) {
+        const Eigen::JacobiSVD<ifs::Matrix<2>> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        const ifs::Matrix<2>& u = svd.matrixU();
+        const ifs::Matrix<2>& v = svd.matrixV();
+        return {u.col(0) * v.col(0).transpose(), u.col(0) * v.col(1).transpose(),
+                u.col(1) * v.col(0).transpose()};
+    }
+    const bool isTurnFixed = constraints.angleStep > 0;
+    if (constraints.mapClass == MapClass::Similarity) {
+        const double sigma = ifs::determinant<2>(a) < 0 ? -1.0 : 1.0;
+        if (isTurnFixed) return {turnOf(a)};
+        return {matrix(1, 0, 0, sigma), matrix(0, -sigma, 1, 0)};
+    }
+    if (isTurnFixed) {
+        const ifs::Matrix<2> turn = turnOf(a);
+        return {turn * matrix(1, 0, 0, 0), turn * matrix(0, 1, 1, 0), turn * matrix(0, 0, 0, 1)};
+    }
+    return {matrix(1, 0, 0, 0), matrix(0, 1, 0, 0), matrix(0, 0, 1, 0), matrix(0, 0, 0, 1)};
+}
+
+// Those of its numbers a b c d e f, one in each column.
+Eigen::MatrixXd directions(const ifs::AffineMap<2>& map, const Constraints& constraints, std::size_t index) {
+    const auto linear = linearDirections(map.linear, constraints, index);
+    const auto count = Eigen::Index(linear.size());
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(6, count + 2);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const ifs::Matrix<2>& d = linear[std::size_t(k)];
+        basis.col(k) << d(0, 0), d(0, 1), d(1, 0), d(1, 1), 0, 0;
+    }
+    basis(4, count) = 1;
+    basis(5, count + 1) = 1;
     return basis;
 }
 
 // The free parameters of all maps: columns are directions, rows the 6 N numbers.
-Eigen::MatrixXd freedom(const Maps& maps, MapClass mapClass, std::span<const std::uint8_t> locked) {
-    const Eigen::Index each = mapClass == MapClass::Affine ? 6 : 4;
-    Eigen::MatrixXd basis =
-        Eigen::MatrixXd::Zero(6 * Eigen::Index(maps.size()), each * Eigen::Index(maps.size()));
+Eigen::MatrixXd freedom(const Maps& maps, const Constraints& constraints,
+                        std::span<const std::uint8_t> locked) {
+    const Eigen::Index numbers = 6 * Eigen::Index(maps.size());
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(numbers, numbers);
     Eigen::Index column = 0;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         if (!locked.empty() && locked[i] != 0) continue;
-        basis.block(6 * Eigen::Index(i), column, 6, each) = directions(maps[i], mapClass);
-        column += each;
+        const Eigen::MatrixXd own = directions(maps[i], constraints, i);
+        basis.block(6 * Eigen::Index(i), column, 6, own.cols()) = own;
+        column += own.cols();
     }
     return basis.leftCols(column);
 }
@@ -134,14 +165,16 @@ Linearised linearised(const Target& target, const Maps& maps, const Eigen::Matri
             active.transpose() * goals};
 }
 
-Maps moved(const Maps& maps, const Eigen::VectorXd& step, double largestNorm, const ifs::Vector<2>& centre) {
+Maps moved(const Maps& maps, const Eigen::VectorXd& step, const AttractorSchedule& schedule,
+           const ifs::Vector<2>& centre) {
     Maps result = maps;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const auto d = step.segment<6>(6 * Eigen::Index(i));
         if (d.isZero(0)) continue;
         result[i].linear += (ifs::Matrix<2>() << d[0], d[1], d[2], d[3]).finished();
         result[i].translation += ifs::Vector<2>(d[4], d[5]);
-        result[i] = withNormAtMost(largestNorm, result[i], centre);
+        result[i] = withNormAtMost(schedule.largestNorm, result[i], centre);
+        result[i] = constrained(schedule.constraints, i, result[i], centre);
     }
     return result;
 }
@@ -153,21 +186,23 @@ bool areFinite(const Maps& maps) {
 // Levenberg and Marquardt: steps that do not help are shortened.
 class Descent {
 public:
-    Descent(const Target& target, Maps maps, double largestNorm)
-        : m_target(target), m_maps(std::move(maps)), m_largestNorm(largestNorm) {
+    Descent(const Target& target, Maps maps, const AttractorSchedule& schedule)
+        : m_target(target), m_maps(std::move(maps)), m_schedule(schedule) {
         m_error = errorOf(m_maps);
     }
 
-    bool step(const Eigen::MatrixXd& basis) {
+    bool step(std::span<const std::uint8_t> locked) {
         Maps inside;
         for (const auto& map : m_maps)
             inside.push_back(inGrid(m_target.grid, map));
+        const Eigen::MatrixXd basis = freedom(inside, m_schedule.constraints, locked);
+        if (basis.cols() == 0) return false;
         const Linearised at = linearised(m_target, inside, basis);
         for (int attempt = 0; attempt < 4; ++attempt, m_damping *= 4) {
             Eigen::MatrixXd normal = at.pull + m_damping * at.hold;
             normal.diagonal() *= 1 + 1e-9;
             const Eigen::VectorXd free = normal.ldlt().solve(at.right);
-            Maps trial = moved(inside, basis * free, m_largestNorm, m_target.mean);
+            Maps trial = moved(inside, basis * free, m_schedule, m_target.mean);
             if (!areFinite(trial)) continue;
             // What did not move keeps its bits.
             for (std::size_t i = 0; i < trial.size(); ++i)
@@ -192,7 +227,7 @@ private:
 
     const Target& m_target;
     Maps m_maps;
-    double m_largestNorm;
+    const AttractorSchedule& m_schedule;
     double m_error = 0;
     double m_damping = 0.03;
 };
@@ -203,10 +238,14 @@ std::vector<ifs::AffineMap<2>> fittedAttractor(const Target& target, std::vector
                                                const AttractorSchedule& schedule,
                                                std::span<const std::uint8_t> locked) {
     if (contraction(maps) >= 1) return maps;
-    const Eigen::MatrixXd basis = freedom(maps, schedule.mapClass, locked);
-    if (basis.cols() == 0) return maps;
-    Descent descent(target, std::move(maps), schedule.largestNorm);
-    for (int iteration = 0; iteration < schedule.iterations && descent.step(basis); ++iteration) {}
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        if (!locked.empty() && locked[i] != 0) continue;
+        const ifs::AffineMap<2> inside = inGrid(target.grid, maps[i]);
+        const ifs::AffineMap<2> meeting = constrained(schedule.constraints, i, inside, target.mean);
+        if (!(meeting == inside)) maps[i] = fromGrid(target.grid, meeting);
+    }
+    Descent descent(target, std::move(maps), schedule);
+    for (int iteration = 0; iteration < schedule.iterations && descent.step(locked); ++iteration) {}
     return descent.maps();
 }
 

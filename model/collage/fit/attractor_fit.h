@@ -11,14 +11,15 @@
 namespace collage {
 
 struct AttractorSchedule {
-    MapClass mapClass = MapClass::Affine;
+    Constraints constraints;
     int iterations = 12;
     double largestNorm = 0.95;
 };
 
 // Moves the maps so that their attractor, not only the collage, comes closer to the target: Gauss–Newton
 // through the dynamics, where a point x = w_i(y) of the attractor has the derivative A_i ∂y + ∂w_i(y).
-// docs/mathematics.md, "Collages". Maps of the plane, contractions all; visibleError() does not grow. Maps
+// docs/mathematics.md, "Collages". Maps of the plane, contractions all; visibleError() does not grow, except
+// that maps which break a constraint are first moved to meet it. Maps
 // with `locked` stay bit for bit; an empty span locks none.
 std::vector<ifs::AffineMap<2>> fittedAttractor(const Target& target, std::vector<ifs::AffineMap<2>> maps,
                                                const AttractorSchedule& schedule,

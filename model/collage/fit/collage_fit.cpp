@@ -100,8 +100,10 @@ void CollageFit::improve(std::vector<ifs::AffineMap<2>>& maps, const FitSchedule
         for (std::size_t i = 0; i < maps.size(); ++i) {
             if (!locked.empty() && locked[i] != 0) continue;
             pullImages(maps[i], i, sums[i]);
-            maps[i] =
-                withNormAtMost(norm, leastSquaresMap(sums[i], schedule.mapClass, maps[i]), m_target.mean);
+            const ifs::AffineMap<2> fitted =
+                leastSquaresMap(sums[i], schedule.constraints.classOf(i), maps[i]);
+            maps[i] = constrained(schedule.constraints, i, withNormAtMost(norm, fitted, m_target.mean),
+                                  m_target.mean);
         }
     }
 }

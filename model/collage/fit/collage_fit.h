@@ -12,7 +12,7 @@
 namespace collage {
 
 struct FitSchedule {
-    MapClass mapClass = MapClass::Affine;
+    Constraints constraints;
     int iterations = 40;
     int cautious = 15; // so many of them at first keep the norms at most cautiousNorm,
     double cautiousNorm = 0.75;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "collage/fit/constraints.h"
+
 #include "ifs/system/affine_map.h"
 
 namespace collage {
-
-enum class MapClass { Affine, Similarity };
 
 // Sums over pairs of a point p and where it should go, t, each with a weight: what a least-squares fit of
 // one map needs.

@@ -149,6 +149,10 @@ double visibleError(const Target& target, const Agreement& attractor) {
 }
 
 CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineMap<2>> maps) {
+    return measuredCollage(target, maps).measure;
+}
+
+MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps) {
     const auto inside = inGrid(target.grid, maps);
     Splats splats{Labels(target.mask.cells.size()), {}};
     for (const ifs::AffineMap<2>& map : inside)
@@ -169,7 +173,10 @@ CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineM
     if (result.contraction < 1)
         result.bound =
             (result.images.hausdorff + (2 + result.contraction) * std::sqrt(0.5)) / (1 - result.contraction);
-    return result;
+    MeasuredCollage measured{result, emptyMask(target.grid.width, target.grid.height)};
+    std::ranges::transform(splats.labels, measured.images.cells.begin(),
+                           [](std::int32_t label) { return std::uint8_t(label != 0); });
+    return measured;
 }
 
 Mask attractorMask(const Grid& grid, std::span<const ifs::AffineMap<2>> maps) {

@@ -29,7 +29,13 @@ struct CollageMeasure {
     std::optional<double> bound;
 };
 
+// What a collage measures, and the cells that its images meet.
+struct MeasuredCollage {
+    CollageMeasure measure;
+    Mask images; // on the grid of the target
+};
 // The maps are those of the plane; there must be one at least, and all must be finite.
+MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps);
 CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineMap<2>> maps);
 // B = the attractor of the maps, contractions all of them.
 Agreement attractorAgreement(const Target& target, std::span<const ifs::AffineMap<2>> maps);

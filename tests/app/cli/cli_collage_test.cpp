@@ -26,6 +26,7 @@ private slots:
     void opacityMakesTheShape();
     void invertTakesTheBackground();
     void similaritiesKeepAngles();
+    void constraintsReachTheMaps();
     void picturesComeThroughPipes();
     void uselessPicturesAreRefused_data();
     void uselessPicturesAreRefused();
@@ -180,6 +181,26 @@ void CliCollageTest::similaritiesKeepAngles() {
     }
 }
 
+void CliCollageTest::constraintsReachTheMaps() {
+    QCOMPARE(
+        run("collage letter.png -o found.ifs --starts 32 --maps 4 --no-mirrors --angles 90 --stem").status,
+        0);
+    const QJsonArray maps = run("info found.ifs --json").entry()[QLatin1String("maps")].toArray();
+    QCOMPARE(maps.size(), 4);
+    for (int i = 0; i < maps.size(); ++i) {
+        const QJsonObject map = maps[i].toObject();
+        const double a = map[QLatin1String("a")].toDouble(), b = map[QLatin1String("b")].toDouble(),
+                     c = map[QLatin1String("c")].toDouble(), d = map[QLatin1String("d")].toDouble();
+        if (i == 0) {
+            QVERIFY(std::abs(a * d - b * c) < 1e-9); // flat
+            continue;
+        }
+        QVERIFY(a * d - b * c > 0);
+        // A = Q S with a quarter turn Q: QᵀA is symmetric for one of four Q, so b = c or a = −d.
+        QVERIFY(std::min(std::abs(b - c), std::abs(a + d)) < 1e-6);
+    }
+}
+
 void CliCollageTest::picturesComeThroughPipes() {
     const Result result = run("collage - -o - --starts 16 --maps 2", encoded(letter(60, 60), "BMP"));
     QCOMPARE(result.status, 0);
@@ -246,6 +267,8 @@ void CliCollageTest::wrongUsageIsRefused_data() {
     row("letter.png -o x.ifs --report x.ifs", 2);
     row("letter.png -o x.ifs --report letter.png", 2);
     row("letter.png -o x.ifs --threads 0", 2);
+    row("letter.png -o x.ifs --angles 45", 2);
+    row("letter.png -o x.ifs --angles sixty", 2);
     row("letter.png -o x.ifs --threshold 0", 1); // nothing is that dark
     row("missing.png -o x.ifs", 3);
     row("letter.png -o no/folder/x.ifs --starts 4 --maps 2", 3);

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
+#include "document/fractal_geometry.h"
+#include "io/picture/png_export.h"
 #include "main_window.h"
+#include "panels/collage/collage_panel.h"
+#include "panels/collage/target_box.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
 
 #include <QAbstractScrollArea>
 #include <QApplication>
+#include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QImage>
 #include <QMimeData>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
 
@@ -18,6 +25,8 @@ private slots:
     void initTestCase();
     void aDroppedFileIsOpened_data();
     void aDroppedFileIsOpened();
+    void aDroppedPictureIsATarget();
+    void aDroppedPictureWithASystemIsOpened();
 };
 
 namespace {
@@ -67,6 +76,51 @@ void FileDropTest::aDroppedFileIsOpened() {
     QVERIFY2(!before.startsWith(QStringLiteral("shapes.ifs")), qPrintable(before));
     QTRY_VERIFY2(window->windowTitle().startsWith(QStringLiteral("shapes.ifs")),
                  qPrintable(window->windowTitle()));
+    window->close();
+}
+
+// Nothing is opened, so nothing is asked about unsaved work.
+void FileDropTest::aDroppedPictureIsATarget() {
+    const QTemporaryDir folder;
+    QImage leaf(64, 64, QImage::Format_RGB32);
+    leaf.fill(Qt::white);
+    for (int y = 16; y < 48; ++y)
+        for (int x = 20; x < 40; ++x)
+            leaf.setPixel(x, y, qRgb(0, 40, 0));
+    QVERIFY(leaf.save(folder.filePath(QStringLiteral("leaf.png"))));
+    auto* window = new MainWindow;
+    window->resize(1300, 800);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    auto* dock = window->findChild<QDockWidget*>(QStringLiteral("collage"));
+    QVERIFY(dock->isHidden());
+    const QString title = window->windowTitle();
+    auto* canvas = window->findChild<view::CanvasView*>();
+    drop(canvas->viewport(), folder.filePath(QStringLiteral("leaf.png")));
+    auto* panel = window->findChild<view::CollagePanel*>();
+    QTRY_VERIFY(panel->target()->traced());
+    QVERIFY(dock->isVisible());
+    QCOMPARE(collage::area(panel->target()->traced()->mask), std::size_t{32 * 20});
+    QCOMPARE(window->windowTitle(), title);
+    window->close(); // while it is measured
+}
+
+void FileDropTest::aDroppedPictureWithASystemIsOpened() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("maple.png"));
+    io::PngExport request;
+    request.fractal = document::sierpinskiTriangle();
+    request.fractal.name = QStringLiteral("dropped");
+    attractor::Camera camera;
+    camera.width = camera.height = 64;
+    request.request = document::renderRequest(request.fractal, camera);
+    QVERIFY(!io::exportPng(request, path).failure);
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    drop(window, path);
+    QTRY_COMPARE(window->document().fractal().name, request.fractal.name);
+    QVERIFY(window->findChild<QDockWidget*>(QStringLiteral("collage"))->isHidden());
     window->close();
 }
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "dropped_picture.h"
+
+#include "io/file/background.h"
+#include "io/file/save_file.h"
+#include "io/picture/png_system.h"
+#include "panels/collage/collage_panel.h"
+#include "panels/collage/target_box.h"
+#include "widgets/wait_for.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMainWindow>
+
+namespace {
+
+bool isPlainPicture(const QString& path, QWidget* window) {
+    static const QStringList others{QStringLiteral("jpg"), QStringLiteral("jpeg"), QStringLiteral("gif"),
+                                    QStringLiteral("bmp"), QStringLiteral("pbm"),  QStringLiteral("pgm"),
+                                    QStringLiteral("ppm")};
+    const QFileInfo file(path);
+    const QString suffix = file.suffix().toLower();
+    if (others.contains(suffix)) return true;
+    if (suffix != QLatin1String("png")) return false;
+    const QFuture<bool> reading = io::inBackground<bool>([path](QPromise<bool>& isPlain) {
+        const io::Loaded loaded = io::loadFile(path);
+        isPlain.addResult(!loaded.failure && io::readPngSystem(loaded.bytes).text.isEmpty());
+    });
+    const QString label = QCoreApplication::translate("MainWindow", "Reading “%1”…").arg(file.fileName());
+    return view::waitFor(QFuture<void>(reading), label, window) && reading.isResultReadyAt(0) &&
+           reading.resultAt(0);
+}
+
+} // namespace
+
+bool takeAsTarget(const QStringList& paths, QMainWindow& window, view::CollagePanel& panel) {
+    if (paths.size() != 1 || !isPlainPicture(paths.front(), &window)) return false;
+    auto* dock = window.findChild<QDockWidget*>(QStringLiteral("collage"));
+    dock->show();
+    dock->raise();
+    panel.target()->read(paths.front());
+    return true;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/target/target.h"
+#include "ifs/cage/generalized_coordinates.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace collage {
+
+struct CageFit {
+    std::vector<ifs::Vector<2>> vertices; // one for each corner at rest; a simple polygon
+    double error = 0;                     // mean distance between both outlines, in units of the plane
+};
+
+// Where the corners of a cage must go so that the outline of the attractor, deformed by the cage, follows the
+// outline of the target: closest points, and least squares in the corners, as each point is Σ λ_j v_j.
+// docs/mathematics.md, "Collages". `rest` is a simple polygon that holds the attractor of the maps,
+// contractions all of them. nullopt when no part of the attractor has coordinates in it.
+std::optional<CageFit> fittedCage(const Target& target, std::span<const ifs::AffineMap<2>> maps,
+                                  std::span<const ifs::Vector<2>> rest, ifs::Coordinates coordinates);
+
+// The cells of a mask from which a step leads out of the shape: to what is connected with its surroundings.
+Mask outerOutline(const Mask& mask);
+
+} // namespace collage

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/agreement_picture.h"
+
+#include <algorithm>
+#include <array>
+
+namespace document {
+
+namespace {
+
+constexpr int leastSide = 768; // of the picture, so that its hatching is fine
+constexpr int period = 9;      // of the hatching, pixels
+constexpr int stroke = 3;      // its width
+
+// What a pixel shows by what its cell belongs to: 1 the target, 2 what is compared. One for each step of the
+// hatching, all premultiplied.
+using Pattern = std::array<QRgb, period>;
+
+std::array<Pattern, 4> patterns() {
+    std::array<Pattern, 4> all{};
+    for (int step = 0; step < period; ++step) {
+        const auto k = std::size_t(step);
+        const bool isStroke = step < stroke;
+        all[1][k] = qPremultiply(isStroke ? qRgba(20, 70, 210, 235) : qRgba(60, 120, 235, 110)); // missing
+        all[2][k] = qPremultiply(isStroke ? qRgba(190, 20, 20, 235) : qRgba(225, 60, 50, 110));  // too much
+        all[3][k] = qPremultiply(qRgba(128, 128, 128, 110));
+    }
+    return all;
+}
+
+QImage pictureOf(const collage::Mask& target, const collage::Mask& compared) {
+    const int factor = std::max(1, leastSide / std::max(target.width, target.height));
+    QImage image(target.width * factor, target.height * factor, QImage::Format_ARGB32_Premultiplied);
+    const std::array<Pattern, 4> all = patterns();
+    for (int y = 0; y < image.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        const std::size_t row = target.index(0, y / factor);
+        int up = y % period, down = (image.height() - y) % period;
+        for (int x = 0; x < image.width(); ++x) {
+            const std::size_t cell = row + std::size_t(x / factor);
+            const auto of =
+                std::size_t((target.cells[cell] != 0 ? 1 : 0) + (compared.cells[cell] != 0 ? 2 : 0));
+            line[x] = all[of][std::size_t(of == 1 ? down : up)];
+            up = up + 1 == period ? 0 : up + 1;
+            down = down + 1 == period ? 0 : down + 1;
+        }
+    }
+    return image;
+}
+
+} // namespace
+
+std::optional<MeasuredFractal> measured(const Fractal& fractal, const TracedPicture& traced,
+                                        Compared compared) {
+    const auto maps = collageMaps(fractal);
+    if (!maps || maps->maps.empty()) return std::nullopt;
+    const collage::MeasuredCollage images = collage::measuredCollage(traced.target, maps->maps);
+    MeasuredFractal result{images.measure.images, images.measure.contraction, images.measure.bound, {}, {}};
+    const collage::Grid& grid = traced.target.grid;
+    if (compared == Compared::Attractor) {
+        if (result.contraction >= 1) return std::nullopt;
+        result.agreement = collage::attractorAgreement(traced.target, maps->maps);
+        result.picture = pictureOf(traced.target.mask, collage::attractorMask(grid, maps->maps));
+    } else {
+        result.picture = pictureOf(traced.target.mask, images.images);
+    }
+    result.area = {grid.left, grid.top, grid.width * grid.cell, grid.height * grid.cell};
+    return result;
+}
+
+} // namespace document

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/measure/agreement.h"
+#include "document/edits/collage_edits.h"
+
+#include <QImage>
+#include <QRectF>
+
+#include <memory>
+
+namespace document {
+
+// What is compared with the target.
+enum class Compared { Collage, Attractor };
+
+// How well a fractal agrees with a target, in numbers and as a picture over the plane.
+struct MeasuredFractal {
+    collage::Agreement agreement; // of what was asked for
+    double contraction = 0;
+    std::optional<double> bound; // always that of the collage
+    QImage picture; // both grey, too much red and hatched like /, missing blue and hatched like \.
+    QRectF area;    // of the picture, in the plane: top is its largest y, its height is positive
+};
+
+// nullopt when the maps cannot be compared. Any thread.
+std::optional<MeasuredFractal> measured(const Fractal& fractal, const TracedPicture& traced,
+                                        Compared compared);
+
+} // namespace document

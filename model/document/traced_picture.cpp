@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "document/traced_picture.h"
+
+#include <algorithm>
+#include <map>
+
+namespace document {
+
+namespace {
+
+using Shape = TraceOptions::Shape;
+
+constexpr double margin = 0.25;  // around the shape, a share of its longer side
+constexpr int opaqueLevel = 127; // up to which 255 − opacity is opaque
+
+// Cropped, and seen as the options want it.
+collage::GreyPicture prepared(const collage::GreyPicture& picture, const TraceOptions& options) {
+    collage::GreyPicture part = options.crop ? collage::cropped(picture, *options.crop) : picture;
+    if (options.shape == Shape::Dark) std::ranges::fill(part.opacity, std::uint8_t(255));
+    return part;
+}
+
+std::optional<int> levelOf(const collage::GreyPicture& part, const TraceOptions& options) {
+    if (options.threshold) return options.threshold;
+    if (collage::isShapedByOpacity(part)) return opaqueLevel;
+    return collage::otsuThreshold(part.grey);
+}
+
+// The edges between set and other pixels, with the shape on the left seen with y up; corners are (x, y) of
+// the grid of pixels, y down.
+class Outlines {
+public:
+    explicit Outlines(const collage::Mask& mask) : m_mask(mask) {
+        for (int y = 0; y < mask.height; ++y)
+            for (int x = 0; x < mask.width; ++x) {
+                if (!mask(x, y)) continue;
+                if (!isSet(x, y - 1)) add({x + 1, y}, {x, y});
+                if (!isSet(x - 1, y)) add({x, y}, {x, y + 1});
+                if (!isSet(x, y + 1)) add({x, y + 1}, {x + 1, y + 1});
+                if (!isSet(x + 1, y)) add({x + 1, y + 1}, {x + 1, y});
+            }
+    }
+
+    std::vector<std::vector<ifs::Vector<2>>> closed() {
+        std::vector<std::vector<ifs::Vector<2>>> all;
+        const double pixel = 1.0 / m_mask.height;
+        while (!m_next.empty()) {
+            std::vector<ifs::Vector<2>> outline;
+            Corner at = m_next.begin()->first;
+            Corner before{at.first * 2 - m_next.begin()->second.first,
+                          at.second * 2 - m_next.begin()->second.second};
+            for (auto edge = m_next.find(at); edge != m_next.end(); edge = m_next.find(at)) {
+                const Corner to = edge->second;
+                const bool turns = to.first - at.first != at.first - before.first ||
+                                   to.second - at.second != at.second - before.second;
+                if (turns || outline.empty())
+                    outline.emplace_back((at.first - m_mask.width / 2.0) * pixel,
+                                         (m_mask.height / 2.0 - at.second) * pixel);
+                m_next.erase(edge);
+                before = at;
+                at = to;
+            }
+            all.push_back(std::move(outline));
+        }
+        return all;
+    }
+
+private:
+    using Corner = std::pair<int, int>;
+    bool isSet(int x, int y) const {
+        return x >= 0 && y >= 0 && x < m_mask.width && y < m_mask.height && m_mask(x, y);
+    }
+    void add(const Corner& from, const Corner& to) { m_next.emplace(from, to); }
+
+    const collage::Mask& m_mask;
+    std::multimap<Corner, Corner> m_next;
+};
+
+} // namespace
+
+collage::GreyPicture reducedForTracing(const collage::GreyPicture& picture) {
+    const int longer = std::max(picture.width, picture.height);
+    const int factor = (longer + maxTracedPixels - 1) / maxTracedPixels;
+    if (factor <= 1) return picture;
+    collage::GreyPicture small{
+        std::max(1, picture.width / factor), std::max(1, picture.height / factor), {}, {}};
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            int grey = 0, opacity = 0, count = 0;
+            for (int v = y * factor; v < std::min(picture.height, (y + 1) * factor); ++v)
+                for (int u = x * factor; u < std::min(picture.width, (x + 1) * factor); ++u, ++count) {
+                    const auto k = std::size_t(v) * std::size_t(picture.width) + std::size_t(u);
+                    grey += picture.grey[k];
+                    opacity += picture.opacity[k];
+                }
+            small.grey.push_back(std::uint8_t(grey / count));
+            small.opacity.push_back(std::uint8_t(opacity / count));
+        }
+    return small;
+}
+
+std::optional<int> thresholdOf(const collage::GreyPicture& picture, const TraceOptions& options) {
+    return levelOf(prepared(picture, options), options);
+}
+
+std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, const TraceOptions& options) {
+    TracedPicture traced;
+    traced.picture = prepared(picture, options);
+    // Without transparency everything is opaque, and there is no shape.
+    if (options.shape == Shape::Opaque && !collage::isShapedByOpacity(traced.picture)) return std::nullopt;
+    traced.mask = collage::targetMask(traced.picture, levelOf(traced.picture, options), options.polarity);
+    const std::size_t area = collage::area(traced.mask);
+    if (area == 0 || area == traced.mask.cells.size()) return std::nullopt;
+    traced.target = collage::target(traced.mask, 1, margin);
+    traced.outlines = Outlines(traced.mask).closed();
+    return traced;
+}
+
+} // namespace document

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/target/target.h"
+
+#include <optional>
+#include <vector>
+
+namespace document {
+
+// Which pixels of a picture are the target of a collage.
+struct TraceOptions {
+    enum class Shape { Automatic, Dark, Opaque }; // Automatic: opaque where there is transparency
+    Shape shape = Shape::Automatic;
+    std::optional<int> threshold; // 0 to 255; nullopt: Otsu's, or 127 for opacity
+    collage::Polarity polarity = collage::Polarity::Shape;
+    std::optional<collage::PixelBox> crop; // of the picture as it is handed over
+
+    friend bool operator==(const TraceOptions&, const TraceOptions&) = default;
+};
+
+// A picture as the target of a collage. In the plane its height is 1 unit, y is up, and its middle is the
+// origin. Lengths in pixels are of `mask`.
+struct TracedPicture {
+    collage::GreyPicture picture; // cropped
+    collage::Mask mask;           // of the same size
+    collage::Target target;       // one cell for each pixel of the mask
+    // Closed outlines of the mask along the edges of pixels, in the plane: holes run the other way round.
+    std::vector<std::vector<ifs::Vector<2>>> outlines;
+};
+
+constexpr int maxTracedPixels = 512; // of the longer side
+
+// Not larger than maxTracedPixels, by the mean of blocks.
+collage::GreyPicture reducedForTracing(const collage::GreyPicture& picture);
+// The threshold in force: that of the options, else the automatic one; nullopt with one shade only.
+std::optional<int> thresholdOf(const collage::GreyPicture& picture, const TraceOptions& options);
+// nullopt when the shape is empty, or fills the picture.
+std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, const TraceOptions& options);
+
+} // namespace document

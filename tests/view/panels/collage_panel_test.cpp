@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/collage_edits.h"
+#include "document/edits/entries_edits.h"
+#include "document/edits/maps_edits.h"
+#include "panels/collage/collage_layer.h"
+#include "panels/collage/collage_panel.h"
+#include "panels/collage/suggestion_list.h"
+#include "panels/collage/target_box.h"
+#include "panels/collage/target_preview.h"
+#include "view/canvas/canvas_fixture.h"
+
+#include <QBuffer>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGuiApplication>
+#include <QImage>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+#include <algorithm>
+
+using view::CollagePanel;
+
+namespace {
+
+// A dark leaf on a light ground.
+QImage leaf(int side = 160) {
+    QImage image(side, side, QImage::Format_RGB32);
+    image.fill(qRgb(245, 245, 240));
+    QPainter painter(&image);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(30, 60, 30));
+    QPainterPath path(QPointF(0.5, 0.05) * side);
+    path.quadTo(QPointF(0.95, 0.5) * side, QPointF(0.5, 0.95) * side);
+    path.quadTo(QPointF(0.05, 0.5) * side, QPointF(0.5, 0.05) * side);
+    painter.drawPath(path);
+    return image;
+}
+
+QByteArray encoded(const QImage& image, const char* format) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, format);
+    return bytes;
+}
+
+QImage plain(int width, int height) {
+    QImage image(width, height, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    return image;
+}
+
+QByteArray withFourComponents(QByteArray jpeg) {
+    for (qsizetype i = 2; i + 9 < jpeg.size(); ++i)
+        if (jpeg.at(i) == '\xff' && jpeg.at(i + 1) == '\xc0') {
+            jpeg[i + 9] = 4;
+            break;
+        }
+    return jpeg;
+}
+
+// Two frames of 16 × 16 pixels.
+QByteArray animatedGif() {
+    const QByteArray frame = QByteArray::fromHex("21f904000a000000") +
+                             QByteArray::fromHex("2c00000000100010000002") +
+                             QByteArray::fromHex("0e848fa9cbed0fa39cb4da8bb3de05") + QByteArray(1, '\0');
+    return QByteArray("GIF89a") + QByteArray::fromHex("10001000800000000000ffffff") + frame + frame + ';';
+}
+
+} // namespace
+
+class CollagePanelTest : public CanvasFixture {
+    Q_OBJECT
+
+    std::unique_ptr<CollagePanel> m_panel;
+    QTemporaryDir m_folder;
+
+    void openPanel() {
+        open();
+        m_panel = std::make_unique<CollagePanel>(m_document.get(), m_canvas.get());
+        m_panel->resize(360, 1000);
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    }
+    QString write(const QString& name, const QByteArray& bytes) {
+        QFile file(m_folder.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) return {};
+        return file.fileName();
+    }
+    void settle() { QTRY_VERIFY_WITH_TIMEOUT(m_panel->isSettled(), 60000); }
+    void traceLeaf() {
+        m_panel->target()->read(write(QStringLiteral("leaf.png"), encoded(leaf(), "PNG")));
+        settle();
+        QVERIFY(m_panel->target()->traced());
+    }
+    template <class Widget> Widget* named(const QString& name) const {
+        const QList<Widget*> widgets = m_panel->findChildren<Widget*>();
+        for (auto* widget : widgets)
+            if (widget->accessibleName() == name) return widget;
+        for (auto* widget : widgets)
+            if (widget->property("text").toString() == name) return widget;
+        return nullptr;
+    }
+    void push(const char* text) {
+        auto* button = named<QPushButton>(QLatin1String(text));
+        QVERIFY2(button, text);
+        QVERIFY2(button->isEnabled(), text);
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    QString number(const char* name) const { return named<QLabel>(QLatin1String(name))->text(); }
+    QString sentence() const { return named<QLabel>(QStringLiteral("Target"))->text(); }
+    const view::CollageLayer* layer() const {
+        for (const QGraphicsItem* item : scene().items())
+            if (const auto* found = dynamic_cast<const view::CollageLayer*>(item)) return found;
+        return nullptr;
+    }
+    // Like the leaf, and in its place: three small copies.
+    void takeRoughMaps() {
+        document::Fractal fractal = m_document->fractal();
+        document::Shape<2> shape;
+        for (const double y : {-0.25, 0.0, 0.25})
+            ifs::append<2>(shape.system, ifs::affineMap(0.5, 0.1, -0.1, 0.5, 0.05 * y, y), 0.3);
+        fractal.shape = std::move(shape);
+        m_document->edit(QStringLiteral("Prepare"), std::move(fractal));
+        m_canvas->selectMaps({});
+        settle();
+    }
+    double meanDistance() const {
+        const auto maps = document::collageMaps(m_document->fractal());
+        return collage::collageMeasure(m_panel->target()->traced()->target, maps->maps).images.mean;
+    }
+
+private slots:
+    void init() { openPanel(); }
+    void cleanup() {
+        m_panel.reset();
+        close();
+    }
+
+    void aPictureIsTracedAndMeasured() {
+        QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        traceLeaf();
+        const collage::Mask& mask = m_panel->target()->traced()->mask;
+        QCOMPARE(mask.width, 160);
+        QVERIFY(mask(80, 80));
+        QVERIFY(!mask(5, 5));
+        QVERIFY(number("Coverage").endsWith(QStringLiteral("%")));
+        QVERIFY2(number("Guarantee").contains(QStringLiteral("s = 0.5")), qPrintable(number("Guarantee")));
+        QCOMPARE(steps(), 0); // a target is no step of the history
+        QVERIFY(layer()->mark().has_value());
+    }
+
+    void thePictureMayComeFromTheClipboardOrAnEntry() {
+        QGuiApplication::clipboard()->setImage(leaf(96));
+        QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
+        settle();
+        QVERIFY(m_panel->target()->traced());
+        QCOMPARE(m_panel->target()->traced()->mask.width, 96);
+        m_panel->target()->take(m_document->sharedFractal());
+        settle();
+        QVERIFY(m_panel->target()->traced()->mask.width > 400); // the triangle
+        QGuiApplication::clipboard()->setText(QStringLiteral("no picture"));
+        QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
+        QCOMPARE(sentence(), QStringLiteral("There is no picture on the clipboard."));
+    }
+
+    void thresholdInvertAndCropChooseTheShape() {
+        traceLeaf();
+        const std::size_t automatic = collage::area(m_panel->target()->traced()->mask);
+        QTest::mouseClick(named<QCheckBox>(QStringLiteral("Invert")), Qt::LeftButton, {}, {8, 8});
+        settle();
+        QCOMPARE(collage::area(m_panel->target()->traced()->mask), 160U * 160U - automatic);
+        QTest::mouseClick(named<QCheckBox>(QStringLiteral("Invert")), Qt::LeftButton, {}, {8, 8});
+        auto* slider = named<QSlider>(QStringLiteral("Threshold"));
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Home); // nothing is as dark as this
+        settle();
+        QVERIFY(!m_panel->target()->traced());
+        QVERIFY2(sentence().contains(QStringLiteral("empty")), qPrintable(sentence()));
+        QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        QTest::mouseClick(named<QCheckBox>(QStringLiteral("Automatic threshold")), Qt::LeftButton, {},
+                          {8, 8});
+        settle();
+        QCOMPARE(collage::area(m_panel->target()->traced()->mask), automatic);
+        auto* preview = m_panel->findChild<view::TargetPreview*>();
+        const QPoint middle = preview->rect().center();
+        QTest::mousePress(preview, Qt::LeftButton, {}, middle - QPoint(40, 40));
+        QTest::mouseMove(preview, middle);
+        QTest::mouseRelease(preview, Qt::LeftButton, {}, middle + QPoint(40, 60));
+        settle();
+        const collage::Mask& cropped = m_panel->target()->traced()->mask;
+        QVERIFY2(cropped.width > 80 && cropped.width < 105, qPrintable(QString::number(cropped.width)));
+        QTest::mouseClick(named<QToolButton>(QStringLiteral("Whole Picture")), Qt::LeftButton);
+        settle();
+        QCOMPARE(m_panel->target()->traced()->mask.width, 160);
+        QTest::mouseClick(named<QToolButton>(QStringLiteral("Crop to Shape")), Qt::LeftButton);
+        settle();
+        QVERIFY(m_panel->target()->traced()->mask.width < 90);
+        QCOMPARE(collage::area(m_panel->target()->traced()->mask), automatic);
+    }
+
+    void uselessPicturesEndInASentence_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("part");
+        const QByteArray jpeg = encoded(leaf(), "JPEG"), png = encoded(leaf(), "PNG");
+        QTest::newRow("1 × 1") << encoded(plain(1, 1), "PNG") << "8 pixels";
+        QTest::newRow("black") << encoded(plain(40, 40), "PNG") << "empty or fills";
+        QTest::newRow("long and thin") << encoded(plain(30000, 1), "PNG") << "8 pixels";
+        QTest::newRow("CMYK") << withFourComponents(jpeg) << "CMYK";
+        QTest::newRow("animated") << animatedGif() << "animated";
+        QTest::newRow("truncated") << png.left(png.size() / 2) << "incomplete";
+        QTest::newRow("no picture") << QByteArray("maple { 0 0 0 0 0 0 }") << "picture";
+        QTest::newRow("empty") << QByteArray() << "picture";
+    }
+    void uselessPicturesEndInASentence() {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, part);
+        m_panel->target()->read(write(QStringLiteral("useless"), bytes));
+        settle();
+        QVERIFY(!m_panel->target()->traced());
+        QVERIFY2(sentence().contains(part), qPrintable(sentence()));
+        QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+    }
+
+    void aMissingFileLeavesTheTarget() {
+        traceLeaf();
+        m_panel->target()->read(m_folder.filePath(QStringLiteral("none.png")));
+        settle();
+        QVERIFY2(sentence().startsWith(QStringLiteral("none.png: ")), qPrintable(sentence()));
+        QVERIFY(m_panel->target()->traced());
+    }
+
+    // The numbers follow while the button is down.
+    void numbersAreLive() {
+        traceLeaf();
+        takeRoughMaps();
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        const QString before = number("Coverage");
+        const QPointF corner = at({Kind::Vertex, 1, 0});
+        press(corner);
+        move(corner + QPointF(-12, 18));
+        QTRY_VERIFY_WITH_TIMEOUT(number("Coverage") != before, 30000);
+        key(Qt::Key_Escape);
+        release(corner);
+        settle();
+        QTRY_COMPARE_WITH_TIMEOUT(number("Coverage"), before, 30000);
+    }
+
+    void mapsCarryTheTarget() {
+        traceLeaf();
+        takeRoughMaps();
+        named<QComboBox>(QStringLiteral("Agreement"))->setCurrentIndex(2); // not shown
+        settle();
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        const QPointF there = view::pixelOf(m_canvas->camera(), {0.0, 0.24});
+        const QImage without = m_canvas->grab().toImage();
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        const QImage with = m_canvas->grab().toImage();
+        QVERIFY(with.pixel(there.toPoint()) != without.pixel(there.toPoint()));
+        key(Qt::Key_H); // nothing but the picture
+        const QImage hidden = m_canvas->grab().toImage();
+        QVERIFY(hidden.pixel(there.toPoint()) != with.pixel(there.toPoint()));
+    }
+
+    void aClickOnTheMarkAddsAMap() {
+        traceLeaf();
+        takeRoughMaps();
+        const int before = steps();
+        const double distance = meanDistance();
+        QVERIFY(layer()->mark().has_value());
+        click(*layer()->mark());
+        settle();
+        QCOMPARE(system().maps.size(), std::size_t{4});
+        QCOMPARE(steps(), before + 1);
+        QCOMPARE(undoText(), QStringLiteral("Add Map"));
+        QVERIFY(meanDistance() < distance);
+        m_document->undoStack()->undo();
+        settle();
+        QCOMPARE(system().maps.size(), std::size_t{3});
+    }
+
+    void refiningLeavesLockedMapsAlone() {
+        traceLeaf();
+        takeRoughMaps();
+        const document::System2 before = system();
+        const double distance = meanDistance();
+        m_canvas->selectMaps({before.maps[1].id});
+        QTest::mouseClick(named<QToolButton>(QStringLiteral("Lock Selected Maps")), Qt::LeftButton);
+        QVERIFY(named<QToolButton>(QStringLiteral("Locked: 2")));
+        push("Refine Maps");
+        settle();
+        QVERIFY(meanDistance() < distance);
+        QVERIFY(system().maps[1].map == before.maps[1].map);
+        QVERIFY(!(system().maps[0].map == before.maps[0].map));
+        QCOMPARE(undoText(), QStringLiteral("Refine Maps"));
+        m_document->undoStack()->undo();
+        QVERIFY(system() == before);
+        m_canvas->selectMaps({before.maps[2].id});
+        QTest::mouseClick(named<QCheckBox>(QStringLiteral("Refine selected maps only")), Qt::LeftButton, {},
+                          {8, 8});
+        push("Refine Attractor");
+        settle();
+        QVERIFY(system().maps[0].map == before.maps[0].map);
+        QVERIFY(system().maps[1].map == before.maps[1].map);
+    }
+
+    void weightsAndCageAreFitted() {
+        traceLeaf();
+        takeRoughMaps();
+        push("Fit Weights");
+        settle();
+        QCOMPARE(undoText(), QStringLiteral("Fit Weights"));
+        double sum = 0;
+        for (const auto& map : system().maps)
+            sum += map.weight.value_or(0);
+        QVERIFY(std::abs(sum - 1) < 1e-9);
+        const int before = steps();
+        push("Fit Cage");
+        settle();
+        QCOMPARE(steps(), before + 1);
+        QCOMPARE(vertices().size(), std::size_t{8});
+        QVERIFY(!document::collageObstacle(m_document->fractal()).isEmpty()); // it bends
+        m_document->undoStack()->undo();
+        QVERIFY(document::collageObstacle(m_document->fractal()).isEmpty());
+    }
+
+    void suggestionsAreUsedAsOneStep() {
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
+        named<QComboBox>(QStringLiteral("Number of maps"))->setCurrentIndex(3); // 4
+        const document::Fractal before = m_document->fractal();
+        push("Suggest");
+        settle();
+        auto* list = m_panel->findChild<view::SuggestionList*>();
+        QVERIFY(list->count() > 0);
+        QCOMPARE(steps(), 0);
+        QVERIFY(list->item(0)->text().contains(QStringLiteral("Mean distance")));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+        settle();
+        QCOMPARE(steps(), 1);
+        QCOMPARE(system().maps.size(), std::size_t{4});
+        QVERIFY(meanDistance() < 8);
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == before);
+        m_document->undoStack()->redo();
+        QCOMPARE(system().maps.size(), std::size_t{4});
+    }
+
+    void cancellingAndLeavingStopASearch() {
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(60);
+        push("Suggest");
+        QVERIFY(!m_panel->isSettled());
+        push("Cancel");
+        settle();
+        QCOMPARE(m_panel->findChild<view::SuggestionList*>()->count(), 0);
+        push("Suggest");
+        const document::EntryId first = m_document->currentId();
+        document::Entry entry;
+        entry.fractal = m_document->sharedFractal();
+        const document::Inserted added = document::inserted(m_document->file(), {entry}, first);
+        m_document->editFile(QStringLiteral("Add"), added.file, added.ids.front());
+        settle();
+        QVERIFY(!m_panel->target()->traced()); // each entry has a target of its own
+        m_document->setCurrent(first);
+        settle();
+        QVERIFY(m_panel->target()->traced());
+        push("Suggest");
+        m_panel.reset(); // the window is closed meanwhile
+        QCOMPARE(layer(), nullptr);
+    }
+
+    void theCanvasMayGoFirst() {
+        traceLeaf();
+        push("Refine Maps");
+        m_canvas->disconnect(m_panel.get());
+        m_canvas.reset();
+        m_panel.reset();
+        QVERIFY(!m_canvas);
+    }
+};
+
+QTEST_MAIN(CollagePanelTest)
+#include "collage_panel_test.moc"

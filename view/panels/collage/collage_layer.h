@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/edits/agreement_picture.h"
+#include "document/traced_picture.h"
+
+#include <QGraphicsObject>
+#include <QImage>
+#include <QPainterPath>
+
+#include <memory>
+#include <optional>
+
+namespace view {
+
+class CanvasView;
+
+// The target on the canvas, between the attractor and everything that can be held: dimmed, with what agrees
+// and what does not, with its images under the maps while the Maps tool is in use, and with a mark where the
+// agreement is worst.
+class CollageLayer : public QGraphicsObject {
+    Q_OBJECT
+
+public:
+    CollageLayer(document::Document* document, CanvasView* canvas);
+
+    void setTarget(std::shared_ptr<const document::TracedPicture> traced); // null: nothing is shown
+    void setOpacity100(int percent);                                       // of the target
+    void setMeasured(std::optional<document::MeasuredFractal> measured);
+    void setAgreementVisible(bool visible);
+    // Where the mark is, in pixels of the canvas; nullopt without one.
+    std::optional<QPointF> mark() const;
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+signals:
+    void markClicked();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void paintTarget(QPainter& painter);
+    void paintAgreement(QPainter& painter) const;
+    void paintImages(QPainter& painter) const;
+    void paintMark(QPainter& painter) const;
+    bool isShown() const;
+    bool isOnDark() const;
+    bool isOnMark(const QPointF& position) const;
+    QTransform toPixels() const; // from the plane
+    void prepareTarget();
+
+    document::Document* m_document;
+    CanvasView* m_canvas;
+    std::shared_ptr<const document::TracedPicture> m_traced;
+    QPainterPath m_outline; // of the target, in the plane
+    QImage m_target;        // as it is blended with the picture
+    QImage m_scaled;        // the same, in device pixels
+    bool m_targetOnDark = false;
+    std::optional<document::MeasuredFractal> m_measured;
+    int m_opacity = 40;
+    bool m_showsAgreement = true;
+    bool m_isPressed = false; // on the mark
+};
+
+} // namespace view

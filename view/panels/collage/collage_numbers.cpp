@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "panels/collage/collage_numbers.h"
+
+#include "widgets/number_text.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace view {
+
+namespace {
+
+QString percent(double share) {
+    return CollageNumbers::tr("%1 %").arg(roundedNumber(100 * share, 1));
+}
+
+QString pixels(double distance) {
+    return CollageNumbers::tr("%1 px", "pixels").arg(roundedNumber(distance, 2));
+}
+
+} // namespace
+
+CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_sentence = new QLabel(this);
+    m_sentence->setWordWrap(true);
+    m_sentence->setForegroundRole(QPalette::PlaceholderText);
+    layout->addWidget(m_sentence);
+    m_values = new QWidget(this);
+    auto* grid = new QGridLayout(m_values);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(16);
+    grid->setColumnStretch(1, 1);
+    const std::pair<QString, QString> rows[] = {
+        {tr("Coverage"), tr("The share of the target that is covered")},
+        {tr("Excess"), tr("How much lies outside the target, as a share of the target")},
+        {tr("Overlap (IoU)"), tr("What both have in common, as a share of what either covers")},
+        {tr("Mean distance"), tr("From each to the nearest point of the other, in pixels of the picture")},
+        {tr("95 % within"), tr("95 % of all points are at most so far from the other")},
+        {tr("Largest distance"), tr("The Hausdorff distance; the mark on the canvas shows where it is")},
+        {tr("Guarantee"), tr("No point of the target is farther from the attractor than this, nor the other "
+                             "way round")},
+    };
+    for (const auto& [name, tip] : rows) {
+        const int row = int(m_labels.size());
+        auto* label = new QLabel(name, m_values);
+        label->setToolTip(tip);
+        auto* value = new QLabel(m_values);
+        value->setAccessibleName(name);
+        value->setToolTip(tip);
+        value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        grid->addWidget(label, row, 0);
+        grid->addWidget(value, row, 1);
+        m_labels.push_back(value);
+    }
+    layout->addWidget(m_values);
+    clear({});
+}
+
+void CollageNumbers::show(const document::MeasuredFractal& measured) {
+    const collage::Agreement& a = measured.agreement;
+    const QString texts[] = {
+        percent(a.coverage),
+        percent(a.excess),
+        percent(a.iou),
+        pixels(a.mean),
+        pixels(a.p95),
+        pixels(a.hausdorff),
+        measured.bound
+            ? tr("%1 (s = %2)").arg(pixels(*measured.bound), roundedNumber(measured.contraction, 3))
+            : tr("none: a map stretches by %1").arg(roundedNumber(measured.contraction, 3))};
+    for (std::size_t row = 0; row < m_labels.size(); ++row)
+        m_labels[row]->setText(texts[row]);
+    m_sentence->hide();
+    m_values->show();
+}
+
+void CollageNumbers::clear(const QString& sentence) {
+    m_sentence->setText(sentence);
+    m_sentence->setVisible(!sentence.isEmpty());
+    m_values->hide();
+}
+
+} // namespace view

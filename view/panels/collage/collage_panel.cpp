@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+#include "panels/collage/collage_panel.h"
+
+#include "canvas/canvas_view.h"
+#include "document/edits/cage_edits.h"
+#include "document/edits/collage_edits.h"
+#include "panels/collage/collage_layer.h"
+#include "panels/collage/collage_numbers.h"
+#include "panels/collage/suggestion_list.h"
+#include "panels/collage/target_box.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStringList>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+using Task = FitBox::Task;
+
+constexpr int progressInterval = 100; // milliseconds
+
+QLabel* heading(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+    return label;
+}
+
+QString textOf(Task task) {
+    switch (task) {
+    case Task::Suggest:
+        return CollagePanel::tr("Use Suggestion");
+    case Task::RefineMaps:
+        return CollagePanel::tr("Refine Maps");
+    case Task::RefineAttractor:
+        return CollagePanel::tr("Refine Attractor");
+    case Task::FitWeights:
+        return CollagePanel::tr("Fit Weights");
+    case Task::FitCage:
+        return CollagePanel::tr("Fit Cage");
+    case Task::AddMap:
+        break;
+    }
+    return CollagePanel::tr("Add Map");
+}
+
+} // namespace
+
+CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_canvas(canvas),
+      m_layer(new CollageLayer(document, canvas)),
+      m_target(new TargetBox(document, this)),
+      m_compared(new QComboBox(this)),
+      m_numbers(new CollageNumbers(this)),
+      m_fit(new FitBox(this)),
+      m_suggestions(new SuggestionList(this)),
+      m_progressTimer(new QTimer(this)),
+      m_measuring(
+          [this](std::optional<document::MeasuredFractal> measured) { showMeasured(std::move(measured)); }),
+      m_fitting([this](std::optional<Result> result) { finish(std::move(result)); }) {
+    setAccessibleName(tr("Collage"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 12, 12, 12);
+    layout->setSpacing(10);
+    layout->addWidget(heading(tr("Target"), this));
+    layout->addWidget(m_target);
+    auto* row = new QHBoxLayout;
+    row->addWidget(heading(tr("Agreement"), this));
+    m_compared->addItems({tr("of the collage"), tr("of the attractor"), tr("not shown")});
+    m_compared->setAccessibleName(tr("Agreement"));
+    m_compared->setToolTip(
+        tr("What is compared with the target: the images of the target under the maps, or the "
+           "attractor. Both grey, too much red, missing blue"));
+    row->addWidget(m_compared, 1);
+    layout->addLayout(row);
+    layout->addWidget(m_numbers);
+    layout->addWidget(heading(tr("Fit"), this));
+    layout->addWidget(m_fit);
+    layout->addWidget(m_suggestions);
+    layout->addStretch();
+    m_progressTimer->setInterval(progressInterval);
+    connectParts();
+    updatePossible();
+    showLocks();
+}
+
+CollagePanel::~CollagePanel() {
+    delete m_layer;
+}
+
+void CollagePanel::connectParts() {
+    connect(m_document, &document::Document::changed, this, &CollagePanel::follow);
+    connect(m_target, &TargetBox::opacityChanged, this, [this](int percent) {
+        if (m_layer) m_layer->setOpacity100(percent);
+    });
+    connect(m_target, &TargetBox::tracedChanged, this, [this] {
+        if (m_layer) m_layer->setTarget(m_target->traced());
+        m_measured.reset();
+        m_measuring.cancel(); // it is of another target
+        updatePossible();
+        measure();
+    });
+    connect(m_compared, &QComboBox::currentIndexChanged, this, [this](int index) {
+        if (m_layer) m_layer->setAgreementVisible(index < 2);
+        measure();
+    });
+    connect(m_layer.data(), &CollageLayer::markClicked, this, [this] { run(Task::AddMap); });
+    connect(m_fit, &FitBox::requested, this, &CollagePanel::run);
+    connect(m_fit, &FitBox::lockRequested, this, &CollagePanel::lock);
+    connect(m_fit, &FitBox::cancelled, this, &CollagePanel::cancel);
+    connect(m_canvas, &CanvasView::selectedMapsChanged, this, &CollagePanel::showLocks);
+    connect(m_suggestions, &SuggestionList::chosen, this, &CollagePanel::use);
+    connect(m_progressTimer, &QTimer::timeout, this, [this] { m_fit->setProgress(m_progress->load()); });
+}
+
+bool CollagePanel::isSettled() const {
+    return !m_target->isBusy() && !m_measuring.isBusy() && !m_running;
+}
+
+void CollagePanel::follow(const document::Change& change) {
+    using document::Change;
+    if (change.parts & (Change::Current | Change::File)) {
+        cancel();
+        m_suggestions->forget();
+        m_locked.clear();
+    }
+    if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
+        updatePossible();
+        showLocks();
+        measure();
+    }
+}
+
+void CollagePanel::measure() {
+    const auto& traced = m_target->traced();
+    const QString obstacle = traced ? document::collageObstacle(m_document->fractal()) : QString();
+    if (!traced || !obstacle.isEmpty()) {
+        m_measuring.cancel();
+        m_measured.reset();
+        m_numbers->clear(obstacle);
+        if (m_layer) m_layer->setMeasured(std::nullopt);
+        return;
+    }
+    const document::Compared compared =
+        m_compared->currentIndex() == 1 ? document::Compared::Attractor : document::Compared::Collage;
+    m_measuring.submit([traced, compared, fractal = m_document->sharedFractal()](const std::stop_token&) {
+        return document::measured(*fractal, *traced, compared);
+    });
+}
+
+void CollagePanel::showMeasured(std::optional<document::MeasuredFractal> measured) {
+    m_measured = std::move(measured);
+    if (m_measured)
+        m_numbers->show(*m_measured);
+    else
+        m_numbers->clear(tr("The maps do not contract, so there is no attractor to compare."));
+    if (m_layer) m_layer->setMeasured(m_measured);
+}
+
+std::vector<ifs::MapId> CollagePanel::fixedMaps() const {
+    std::vector<ifs::MapId> fixed(m_locked.begin(), m_locked.end());
+    const std::vector<ifs::MapId>& selected = m_canvas->selectedMaps();
+    const document::System2* system = document::system2(m_document->fractal());
+    if (m_fit->refinesSelectedOnly() && system)
+        for (const auto& map : system->maps)
+            if (std::ranges::count(selected, map.id) == 0) fixed.push_back(map.id);
+    return fixed;
+}
+
+CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const document::Fractal>& fractal) {
+    const auto traced = m_target->traced();
+    const document::CollageFitOptions options{m_fit->constraints(), fixedMaps()};
+    switch (task) {
+    case Task::Suggest:
+        return [traced, search = m_fit->searchOptions(), progress = m_progress](const std::stop_token& stop) {
+            const auto report = [progress](double share) { *progress = share; };
+            return Result{collage::suggestions(traced->mask, search, report, stop).list, std::nullopt};
+        };
+    case Task::RefineMaps:
+        return [=](const std::stop_token& stop) {
+            return Result{{}, document::withMapsRefined(*fractal, *traced, options, stop)};
+        };
+    case Task::RefineAttractor:
+        return [=](const std::stop_token& stop) {
+            return Result{{}, document::withAttractorRefined(*fractal, *traced, options, stop)};
+        };
+    case Task::FitWeights:
+        return [=](const std::stop_token&) {
+            return Result{{}, document::withWeightsFitted(*fractal, *traced)};
+        };
+    case Task::FitCage:
+        return [=, corners = m_fit->cageCorners()](const std::stop_token&) {
+            return Result{{}, document::withCageFittedTo(*fractal, *traced, corners)};
+        };
+    case Task::AddMap:
+        break;
+    }
+    return
+        [=, worst = m_measured ? m_measured->agreement.worst : ifs::Vector<2>(0, 0)](const std::stop_token&) {
+            return Result{{}, document::withMapAdded(*fractal, *traced, worst, options.constraints)};
+        };
+}
+
+void CollagePanel::run(Task task) {
+    if (m_running || !m_target->traced()) return;
+    m_progress = std::make_shared<std::atomic<double>>(task == Task::Suggest ? 0 : -1);
+    m_running = Running{task, textOf(task), m_document->sharedFractal()};
+    m_fit->setProgress(m_progress->load());
+    m_progressTimer->start();
+    m_fitting.submit([work = workFor(task, m_running->before)](const std::stop_token& stop) {
+        return std::optional(work(stop));
+    });
+}
+
+void CollagePanel::finish(std::optional<Result> result) {
+    if (!m_running) return;
+    const Running done = *std::move(m_running);
+    m_running.reset();
+    m_progressTimer->stop();
+    m_fit->setProgress(std::nullopt);
+    if (!result) return emit message(tr("There is not enough memory for this."));
+    if (done.task == Task::Suggest) {
+        std::vector<std::shared_ptr<const document::Fractal>> fractals;
+        for (const collage::Suggestion& one : result->suggestions)
+            fractals.push_back(
+                std::make_shared<const document::Fractal>(document::withSuggestion(*done.before, one)));
+        m_suggestions->show(result->suggestions, std::move(fractals));
+        return emit message(
+            tr("%n suggestions. Click one to use it.", nullptr, int(result->suggestions.size())));
+    }
+    if (!document::isSameSystem(*done.before, m_document->fractal()) ||
+        !document::isCageAlike(*done.before, m_document->fractal()))
+        return emit message(tr("The fractal has changed meanwhile, so the result was not used."));
+    if (!result->fractal) return emit message(tr("Nothing was found that agrees better."));
+    document::Fractal after = m_document->fractal();
+    after.shape = result->fractal->shape;
+    m_document->edit(done.text, std::move(after));
+}
+
+void CollagePanel::cancel() {
+    if (!m_running) return;
+    m_fitting.cancel();
+    m_running.reset();
+    m_progressTimer->stop();
+    m_fit->setProgress(std::nullopt);
+}
+
+void CollagePanel::use(int suggestion) {
+    document::Fractal after = m_document->fractal();
+    after.shape = m_suggestions->fractal(suggestion)->shape;
+    m_document->edit(textOf(Task::Suggest), std::move(after));
+}
+
+void CollagePanel::lock(bool lock) {
+    for (const ifs::MapId map : m_canvas->selectedMaps())
+        lock ? void(m_locked.insert(map)) : void(m_locked.erase(map));
+    showLocks();
+}
+
+void CollagePanel::showLocks() {
+    QStringList names;
+    const document::System2* system = document::system2(m_document->fractal());
+    for (std::size_t i = 0; system && i < system->maps.size(); ++i)
+        if (m_locked.contains(system->maps[i].id)) names << QString::number(i + 1);
+    const std::vector<ifs::MapId>& selected = m_canvas->selectedMaps();
+    const bool areLocked = !selected.empty() && std::ranges::all_of(selected, [this](ifs::MapId map) {
+        return m_locked.contains(map);
+    });
+    m_fit->setLocks(names.join(QStringLiteral(", ")), areLocked, !selected.empty());
+}
+
+void CollagePanel::updatePossible() {
+    m_fit->setPossible(m_target->traced() && document::dimension(m_document->fractal()) == 2);
+}
+
+} // namespace view

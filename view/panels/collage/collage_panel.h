@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/edits/agreement_picture.h"
+#include "panels/collage/fit_box.h"
+#include "widgets/newest_work.h"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <atomic>
+#include <memory>
+#include <set>
+
+class QComboBox;
+class QTimer;
+
+namespace view {
+
+class CanvasView;
+class CollageLayer;
+class CollageNumbers;
+class SuggestionList;
+class TargetBox;
+
+// A fractal for a picture: chooses the target, measures the fractal against it, and fits the fractal to it.
+// Everything that takes long runs in the background, and each result is one step of the history.
+class CollagePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    CollagePanel(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
+    ~CollagePanel() override;
+
+    TargetBox* target() { return m_target; }
+    // Nothing runs in the background, and what is shown is of the fractal as it is.
+    bool isSettled() const;
+
+signals:
+    void message(const QString& sentence); // for the status bar
+
+private:
+    struct Result {
+        std::vector<collage::Suggestion> suggestions;
+        std::optional<document::Fractal> fractal;
+    };
+    struct Running {
+        FitBox::Task task;
+        QString text; // of the step
+        std::shared_ptr<const document::Fractal> before;
+    };
+    using Work = std::function<Result(const std::stop_token&)>;
+
+    void connectParts();
+    void follow(const document::Change& change);
+    void measure();
+    void showMeasured(std::optional<document::MeasuredFractal> measured);
+    void run(FitBox::Task task);
+    Work workFor(FitBox::Task task, const std::shared_ptr<const document::Fractal>& fractal);
+    void finish(std::optional<Result> result);
+    void cancel();
+    void use(int suggestion);
+    void lock(bool lock);
+    void showLocks();
+    std::vector<ifs::MapId> fixedMaps() const; // that a fit leaves alone
+    void updatePossible();
+
+    document::Document* m_document;
+    CanvasView* m_canvas;
+    QPointer<CollageLayer> m_layer; // the canvas has it, and may go first
+    TargetBox* m_target;
+    QComboBox* m_compared;
+    CollageNumbers* m_numbers;
+    FitBox* m_fit;
+    SuggestionList* m_suggestions;
+    std::optional<document::MeasuredFractal> m_measured;
+    std::set<ifs::MapId> m_locked;
+    std::optional<Running> m_running;
+    std::shared_ptr<std::atomic<double>> m_progress; // of what runs
+    QTimer* m_progressTimer;
+    NewestWork<document::MeasuredFractal> m_measuring;
+    NewestWork<Result> m_fitting; // last: it stops before the rest goes
+};
+
+} // namespace view

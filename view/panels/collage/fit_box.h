@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collage/suggestions.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QToolButton;
+
+namespace view {
+
+// What the machine can do about a target, and with which constraints.
+class FitBox : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Task { Suggest, RefineMaps, RefineAttractor, FitWeights, FitCage, AddMap };
+
+    explicit FitBox(QWidget* parent);
+
+    collage::SearchOptions searchOptions() const;
+    collage::Constraints constraints() const;
+    bool refinesSelectedOnly() const;
+    int cageCorners() const;
+
+    void setPossible(bool possible); // whether there is something to fit
+    void setLocks(const QString& names, bool areSelectedLocked, bool isAnySelected);
+    void setProgress(const std::optional<double>& share); // nullopt: nothing is under way
+
+signals:
+    void requested(view::FitBox::Task task);
+    void lockRequested(bool lock); // the selected maps
+    void cancelled();
+
+private:
+    QWidget* makeSearch();
+    QWidget* makeConstraints();
+    QWidget* makeTasks();
+    QWidget* makeProgress();
+    QPushButton* taskButton(const QString& text, const QString& tip, Task task);
+    void enableTasks();
+
+    QComboBox* m_maps = nullptr;
+    QDoubleSpinBox* m_seconds = nullptr;
+    QSpinBox* m_seed = nullptr;
+    QCheckBox* m_similarities = nullptr;
+    QCheckBox* m_noMirrors = nullptr;
+    QCheckBox* m_stem = nullptr;
+    QComboBox* m_angles = nullptr;
+    QCheckBox* m_selectedOnly = nullptr;
+    QToolButton* m_lock = nullptr;
+    QSpinBox* m_corners = nullptr;
+    QWidget* m_busy = nullptr;
+    QProgressBar* m_progress = nullptr;
+    std::vector<QPushButton*> m_tasks;
+    bool m_isPossible = false;
+    bool m_isBusy = false;
+};
+
+} // namespace view

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/traced_picture.h"
+#include "widgets/newest_work.h"
+
+#include <QHash>
+#include <QWidget>
+
+#include <memory>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QMenu;
+class QSlider;
+class QToolButton;
+
+namespace view {
+
+class TargetPreview;
+
+// Chooses the target of each entry and which part of it counts. The targets last as long as the window:
+// docs/decisions, "Targets of collages".
+class TargetBox : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TargetBox(document::Document* document, QWidget* parent);
+    ~TargetBox() override;
+
+    // In the background; a sentence says why a picture cannot be used.
+    void read(const QString& path);
+    void read(const QByteArray& bytes, const QString& name);
+    void take(const std::shared_ptr<const document::Fractal>& entry); // its attractor
+
+    const std::shared_ptr<const document::TracedPicture>& traced() const { return m_traced; } // null: none
+    bool isBusy() const { return m_reading.isBusy() || m_tracing.isBusy(); }
+
+signals:
+    void tracedChanged();
+    void opacityChanged(int percent);
+
+private:
+    using PicturePointer = std::shared_ptr<const collage::GreyPicture>;
+    using TracedPointer = std::shared_ptr<const document::TracedPicture>;
+    struct State {
+        PicturePointer picture;
+        QString name;
+        QString sentence; // why there is no picture
+        document::TraceOptions options;
+    };
+    struct Read {
+        document::EntryId entry = document::EntryId::None;
+        State state;
+    };
+
+    void createSources();
+    void createShape();
+    void fillEntries(QMenu* menu);
+    void choose();
+    void paste();
+    void remove();
+    void submit(const std::function<State()>& reading, const QString& name);
+    void finishReading(std::optional<Read> read);
+    void follow(const document::Change& change);
+    void setOptions(const std::function<void(document::TraceOptions&)>& change);
+    void showState();
+    void trace();
+    void show(TracedPointer traced);
+    State& state() { return m_states[m_document->currentId()]; }
+
+    document::Document* m_document;
+    QHash<document::EntryId, State> m_states;
+    TracedPointer m_traced;
+    QToolButton* m_remove = nullptr;
+    QLabel* m_name = nullptr;
+    TargetPreview* m_preview = nullptr;
+    QWidget* m_controls = nullptr; // of a picture
+    QComboBox* m_shape = nullptr;
+    QCheckBox* m_inverted = nullptr;
+    QCheckBox* m_automatic = nullptr;
+    QSlider* m_threshold = nullptr;
+    QToolButton* m_whole = nullptr;
+    QToolButton* m_toShape = nullptr;
+    QSlider* m_opacity = nullptr;
+    NewestWork<Read> m_reading;
+    NewestWork<TracedPointer> m_tracing;
+};
+
+} // namespace view
