@@ -135,10 +135,18 @@ bool is16Bit(const RenderArguments& arguments) {
     return arguments.bits && choiceArgument("--bits", *arguments.bits, {"8", "16", "32"}) == "16";
 }
 
-std::optional<int> qualityOf(const RenderArguments& arguments) {
-    if (!arguments.quality) return std::nullopt;
+std::optional<int> qualityArgument(const std::optional<std::string>& quality,
+                                   std::optional<io::PictureFile> file) {
+    if (!quality) return std::nullopt;
     constexpr int most = 100;
-    return integerArgument("--quality", *arguments.quality, 1, most);
+    const bool hasQuality = file == io::PictureFile::Jpeg || file == io::PictureFile::WebP;
+    const int number = integerArgument("--quality", *quality, 1, most);
+    refuseIf(!hasQuality, "--quality", tr("it applies only to .jpg and .webp."));
+    return number;
+}
+
+std::optional<int> qualityOf(const RenderArguments& arguments) {
+    return qualityArgument(arguments.quality, pictureFileOf(arguments));
 }
 
 std::optional<double> dotsPerInch(const RenderArguments& arguments) {
@@ -188,9 +196,7 @@ void refuseExplanations(const RenderArguments& arguments, const QString& reason)
 void checkPixels(const RenderArguments& arguments) {
     using enum io::PictureFormat::Depth;
     const io::PictureFile file = pictureFileOf(arguments);
-    const bool hasQuality = file == io::PictureFile::Jpeg || file == io::PictureFile::WebP;
     qualityOf(arguments);
-    refuseIf(arguments.quality && !hasQuality, "--quality", tr("it applies only to .jpg and .webp."));
     const std::string bits =
         arguments.bits ? choiceArgument("--bits", *arguments.bits, {"8", "16", "32"}) : "";
     if (!io::takes(file, Bits8))
