@@ -105,6 +105,7 @@ io::SvgFormat shapesOf(const RenderArguments& arguments) {
     format.seed = wholeArgument("--seed", arguments.seed);
     if (arguments.points)
         format.points = countArgument("--points", *arguments.points, 1, io::SvgFormat::maxPoints);
+    format.overlay = overlayOf(arguments);
     return format;
 }
 
@@ -186,12 +187,6 @@ io::PictureOverlay overlayOf(const RenderArguments& arguments) {
 
 namespace {
 
-// What explains the picture is drawn over pixels.
-void refuseExplanations(const RenderArguments& arguments, const QString& reason) {
-    refuseIf(arguments.overlay.has_value(), "--overlay", reason);
-    refuseIf(arguments.legend, "--legend", reason);
-}
-
 // What each kind of file holds.
 void checkPixels(const RenderArguments& arguments) {
     using enum io::PictureFormat::Depth;
@@ -222,7 +217,7 @@ void refuseUnsupported(const RenderArguments& arguments, Format format) {
         refuseIf(arguments.supersample.has_value(), "--supersample", reason);
         refuseIf(arguments.bits.has_value(), "--bits", reason);
         refuseIf(arguments.quality.has_value(), "--quality", reason);
-        refuseExplanations(arguments, tr("it applies only to pictures made of pixels."));
+        refuseIf(arguments.legend, "--legend", tr("it applies only to pictures made of pixels."));
         refuseIf(arguments.dpi.has_value(), "--dpi", tr("vector graphics have no resolution."));
     } else {
         checkPixels(arguments);
@@ -271,8 +266,11 @@ Format checked(RenderArguments& arguments) {
              arguments.bits ? "--bits 16" : ".exr", tr("a strip of steps has 8 bits per channel."));
     dotsPerInch(arguments);
     overlayOf(arguments);
-    if (format == Format::Sum)
-        refuseExplanations(arguments, tr("a .sum file holds only the numbers of points."));
+    if (format == Format::Sum) {
+        const QString reason = tr("a .sum file holds only the numbers of points.");
+        refuseIf(arguments.overlay.has_value(), "--overlay", reason);
+        refuseIf(arguments.legend, "--legend", reason);
+    }
     refuseIf(arguments.legend && isStrip(arguments), "--legend", tr("the steps stand side by side."));
     if (algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic && !arguments.iterations)
         throw UsageError{tr("--algorithm deterministic needs --iterations.")};
