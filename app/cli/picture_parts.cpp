@@ -176,17 +176,17 @@ struct MergeArguments {
 
 ExitStatus merge(const MergeArguments& arguments) {
     const QString output = fileNameOf(arguments.output);
-    const std::optional<io::PictureFile> file = io::pictureFileOf(QFileInfo(output).suffix());
-    if (!file && !isSumFile(output))
+    const std::optional<io::PictureFile> kind = io::pictureFileOf(QFileInfo(output).suffix());
+    if (!kind && !isSumFile(output))
         throw UsageError{tr("The parts can be merged to a .png, .jpg, .webp, .tiff, .exr or .sum file, and "
                             "“%1” is none of them.")
                              .arg(output)};
-    const std::optional<int> quality = qualityArgument(arguments.quality, file);
+    const std::optional<int> quality = qualityArgument(arguments.quality, kind);
     QStringList files;
     for (const std::string& file : arguments.files)
         files << fileNameOf(file);
     const io::PictureSums sums = readSums(files, threadsOf(arguments.threads));
-    return write(sums, {output, file, quality}, arguments.verbosity, Interrupt());
+    return write(sums, {output, kind, quality}, arguments.verbosity, Interrupt());
 }
 
 } // namespace
