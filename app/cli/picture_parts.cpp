@@ -12,6 +12,7 @@
 #include "usage_error.h"
 
 #include "io/file/standard_output.h"
+#include "io/picture/picture_writers.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -104,15 +105,34 @@ void refuseWhatIsDecided(const RenderArguments& arguments) {
     refuseIf(arguments.yDown, "--y-down", reason);
 }
 
+// Where the sums or the picture go.
+struct Target {
+    QString output;
+    std::optional<io::PictureFile> file; // none: sums
+    std::optional<int> quality;
+};
+
+// The picture as this kind of file, with the bits that it takes.
+void become(io::PngExport& picture, const Target& target) {
+    using enum io::PictureFormat::Depth;
+    picture.file = *target.file;
+    picture.quality = target.quality;
+    if (!io::takes(picture.file, picture.depth)) picture.depth = picture.depth == Bits8 ? Bits16 : Bits8;
+    if (const io::Failure reason = io::whyImpossible(picture)) throw UsageError{*reason};
+}
+
 // Writes the sums or the picture, as the name of the output asks for.
-ExitStatus write(const io::PictureSums& sums, const QString& output, bool isSum, const Verbosity& verbosity,
+ExitStatus write(io::PictureSums sums, const Target& target, const Verbosity& verbosity,
                  const Interrupt& interrupt) {
-    if (!isSum)
+    const bool isSum = !target.file;
+    if (!isSum) {
+        become(sums.picture, target);
         if (const io::Failure missing = io::incompleteness(sums))
             throw InputError{QStringLiteral("barycage-cli"), *missing};
+    }
     ProgressBar bar(applied(verbosity));
     const auto progress = [&](double fraction) { bar.show(fraction); };
-    const QString path = isStandardOutput(output) ? io::standardOutputPath() : output;
+    const QString path = isStandardOutput(target.output) ? io::standardOutputPath() : target.output;
     const io::ExportOutcome outcome = isSum ? io::exportSums(sums, path, progress, interrupt.token())
                                             : io::exportPicture(sums, path, progress, interrupt.token());
     bar.clear();
@@ -123,7 +143,7 @@ ExitStatus write(const io::PictureSums& sums, const QString& output, bool isSum,
         return interrupt.status();
     }
     if (!outcome.failure) return ExitStatus::Done;
-    reportError(output, *outcome.failure);
+    reportError(target.output, *outcome.failure);
     return ExitStatus::CannotReadOrWrite;
 }
 
@@ -150,21 +170,23 @@ io::PictureSums readSums(const QStringList& paths, int threads) {
 struct MergeArguments {
     std::vector<std::string> files;
     std::string output;
-    std::optional<std::string> threads;
+    std::optional<std::string> threads, quality;
     Verbosity verbosity;
 };
 
 ExitStatus merge(const MergeArguments& arguments) {
     const QString output = fileNameOf(arguments.output);
-    const bool isSum = isSumFile(output);
-    if (!isSum && QFileInfo(output).suffix().compare(u"png", Qt::CaseInsensitive) != 0)
-        throw UsageError{
-            tr("The parts can be merged to a .png or a .sum file, and “%1” is neither.").arg(output)};
+    const std::optional<io::PictureFile> kind = io::pictureFileOf(QFileInfo(output).suffix());
+    if (!kind && !isSumFile(output))
+        throw UsageError{tr("The parts can be merged to a .png, .jpg, .webp, .tiff, .exr or .sum file, and "
+                            "“%1” is none of them.")
+                             .arg(output)};
+    const std::optional<int> quality = qualityArgument(arguments.quality, kind);
     QStringList files;
     for (const std::string& file : arguments.files)
         files << fileNameOf(file);
     const io::PictureSums sums = readSums(files, threadsOf(arguments.threads));
-    return write(sums, output, isSum, arguments.verbosity, Interrupt());
+    return write(sums, {output, kind, quality}, arguments.verbosity, Interrupt());
 }
 
 } // namespace
@@ -176,8 +198,8 @@ void checkParts(const RenderArguments& arguments, Format format) {
         refuseWhatIsDecided(arguments);
         if (!arguments.points)
             throw UsageError{tr("--resume needs --points, the number of points of the whole picture.")};
-        const bool isPng = format == Format::Pixels && pictureFileOf(arguments) == io::PictureFile::Png;
-        refuseIf(!isPng && format != Format::Sum, "--resume", tr("it writes .png or .sum files."));
+        refuseIf(format != Format::Pixels && format != Format::Sum, "--resume",
+                 tr("it writes pictures made of pixels, or .sum files."));
     } else if (arguments.files.empty()) {
         throw UsageError{tr("FILE is missing. Usage: barycage-cli %1")
                              .arg(QStringLiteral("render FILE... -o OUT [OPTION]..."))};
@@ -211,7 +233,9 @@ ExitStatus resumePicture(const RenderArguments& arguments) {
         sums.drawn = {{rows.first, rows.end, sums.passes.size() - 1, partArgument(arguments)}};
         sums.files.reset();
     }
-    return write(sums, output, isSumFile(output), arguments.verbosity, interrupt);
+    Target target{output, {}, qualityOf(arguments)};
+    if (!isSumFile(output)) target.file = pictureFileOf(arguments);
+    return write(sums, target, arguments.verbosity, interrupt);
 }
 
 Command mergeCommand(CLI::App& program) {
@@ -224,10 +248,14 @@ Command mergeCommand(CLI::App& program) {
         ->required();
     command
         ->add_option("-o,--output", arguments->output,
-                     "Picture to write (.png) once all parts are there, or their sum (.sum)")
+                     "Picture to write once all parts are there, as render does, or their sum (.sum)")
         ->type_name("OUT")
         ->group("Files")
         ->required();
+    command->add_option("--quality", arguments->quality, "Quality of .jpg and .webp, 1 to 100")
+        ->type_name("Q")
+        ->default_str("92; WebP without loss")
+        ->group("Files");
     command->add_option("-j,--threads", arguments->threads, "Threads, 1 to 1024; never changes the picture")
         ->type_name("N")
         ->default_str("all cores")

@@ -105,6 +105,7 @@ io::SvgFormat shapesOf(const RenderArguments& arguments) {
     format.seed = wholeArgument("--seed", arguments.seed);
     if (arguments.points)
         format.points = countArgument("--points", *arguments.points, 1, io::SvgFormat::maxPoints);
+    format.overlay = overlayOf(arguments);
     return format;
 }
 
@@ -135,10 +136,18 @@ bool is16Bit(const RenderArguments& arguments) {
     return arguments.bits && choiceArgument("--bits", *arguments.bits, {"8", "16", "32"}) == "16";
 }
 
-std::optional<int> qualityOf(const RenderArguments& arguments) {
-    if (!arguments.quality) return std::nullopt;
+std::optional<int> qualityArgument(const std::optional<std::string>& quality,
+                                   std::optional<io::PictureFile> file) {
+    if (!quality) return std::nullopt;
     constexpr int most = 100;
-    return integerArgument("--quality", *arguments.quality, 1, most);
+    const bool hasQuality = file == io::PictureFile::Jpeg || file == io::PictureFile::WebP;
+    const int number = integerArgument("--quality", *quality, 1, most);
+    refuseIf(!hasQuality, "--quality", tr("it applies only to .jpg and .webp."));
+    return number;
+}
+
+std::optional<int> qualityOf(const RenderArguments& arguments) {
+    return qualityArgument(arguments.quality, pictureFileOf(arguments));
 }
 
 std::optional<double> dotsPerInch(const RenderArguments& arguments) {
@@ -178,19 +187,11 @@ io::PictureOverlay overlayOf(const RenderArguments& arguments) {
 
 namespace {
 
-// What explains the picture is drawn over pixels.
-void refuseExplanations(const RenderArguments& arguments, const QString& reason) {
-    refuseIf(arguments.overlay.has_value(), "--overlay", reason);
-    refuseIf(arguments.legend, "--legend", reason);
-}
-
 // What each kind of file holds.
 void checkPixels(const RenderArguments& arguments) {
     using enum io::PictureFormat::Depth;
     const io::PictureFile file = pictureFileOf(arguments);
-    const bool hasQuality = file == io::PictureFile::Jpeg || file == io::PictureFile::WebP;
     qualityOf(arguments);
-    refuseIf(arguments.quality && !hasQuality, "--quality", tr("it applies only to .jpg and .webp."));
     const std::string bits =
         arguments.bits ? choiceArgument("--bits", *arguments.bits, {"8", "16", "32"}) : "";
     if (!io::takes(file, Bits8))
@@ -216,7 +217,7 @@ void refuseUnsupported(const RenderArguments& arguments, Format format) {
         refuseIf(arguments.supersample.has_value(), "--supersample", reason);
         refuseIf(arguments.bits.has_value(), "--bits", reason);
         refuseIf(arguments.quality.has_value(), "--quality", reason);
-        refuseExplanations(arguments, tr("it applies only to pictures made of pixels."));
+        refuseIf(arguments.legend, "--legend", tr("it applies only to pictures made of pixels."));
         refuseIf(arguments.dpi.has_value(), "--dpi", tr("vector graphics have no resolution."));
     } else {
         checkPixels(arguments);
@@ -265,8 +266,11 @@ Format checked(RenderArguments& arguments) {
              arguments.bits ? "--bits 16" : ".exr", tr("a strip of steps has 8 bits per channel."));
     dotsPerInch(arguments);
     overlayOf(arguments);
-    if (format == Format::Sum)
-        refuseExplanations(arguments, tr("a .sum file holds only the numbers of points."));
+    if (format == Format::Sum) {
+        const QString reason = tr("a .sum file holds only the numbers of points.");
+        refuseIf(arguments.overlay.has_value(), "--overlay", reason);
+        refuseIf(arguments.legend, "--legend", reason);
+    }
     refuseIf(arguments.legend && isStrip(arguments), "--legend", tr("the steps stand side by side."));
     if (algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic && !arguments.iterations)
         throw UsageError{tr("--algorithm deterministic needs --iterations.")};

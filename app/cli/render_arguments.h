@@ -94,6 +94,9 @@ io::PictureFile pictureFileOf(const RenderArguments& arguments);
 io::PictureFormat::Depth depthOf(const RenderArguments& arguments); // of the rows that its writer takes
 bool is16Bit(const RenderArguments& arguments);
 std::optional<int> qualityOf(const RenderArguments& arguments);
+// --quality of a picture of this kind; none: no picture.
+std::optional<int> qualityArgument(const std::optional<std::string>& quality,
+                                   std::optional<io::PictureFile> file);
 io::PictureOverlay overlayOf(const RenderArguments& arguments);
 std::optional<double> dotsPerInch(const RenderArguments& arguments);
 std::optional<std::chrono::duration<double>> timeLimitOf(const RenderArguments& arguments);

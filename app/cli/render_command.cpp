@@ -50,6 +50,8 @@ void checkDepth(const document::Fractal& fractal, const attractor::Camera& camer
 
 io::Export exportOf(const Shown& shown, const attractor::Camera& camera, Format format,
                     const RenderArguments& arguments, const Steps& steps) {
+    if (overlayOf(arguments).hull && !document::supportFunction(shown.fractal))
+        throw UsageError{tr("--overlay hull cannot be used here: the system has no certified attractor.")};
     if (format == Format::Svg || format == Format::Pdf) {
         checkDepth(shown.fractal, camera, arguments);
         const auto file = format == Format::Pdf ? io::ShapeFile::Pdf : io::ShapeFile::Svg;
@@ -57,8 +59,6 @@ io::Export exportOf(const Shown& shown, const attractor::Camera& camera, Format 
     }
     io::PngExport picture = pngOf(shown, camera, arguments, steps.first);
     if (const io::Failure reason = io::whyImpossible(picture)) throw UsageError{*reason};
-    if (picture.overlay.hull && !document::supportFunction(shown.fractal))
-        throw UsageError{tr("--overlay hull cannot be used here: the system has no certified attractor.")};
     if (steps.first == steps.last) return picture;
     if (camera.width > maxSide / (steps.last - steps.first + 1))
         throw UsageError{

@@ -132,7 +132,7 @@ _barycage_cli_options() {
     morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
     steal) options="--output --entry --from --from-file --order --map --tear --json --picture --picture-view --size --view --background --exact
       --points --seed --threads --simd --progress --quiet --help" ;;
-    merge) options="--output --threads --progress --quiet --help" ;;
+    merge) options="--output --quality --threads --progress --quiet --help" ;;
     gallery) options="--output --entry --palette --colour --color --columns --tile --paper --page --title --progress --quiet --help" ;;
   esac
   local IFS=$' \n'

@@ -156,6 +156,7 @@ complete -c barycage-cli -n $render -l time-limit -x -d "Stop after so many seco
 complete -c barycage-cli -n $render -l memory-limit -x -d "Stop rather than take more megabytes"
 set -l merge "__fish_seen_subcommand_from merge"
 complete -c barycage-cli -n $merge -s o -l output -r -d "Picture or sum to write"
+complete -c barycage-cli -n $merge -l quality -x -d "Quality of JPEG and WebP"
 complete -c barycage-cli -n $merge -s j -l threads -x -d "Threads"
 complete -c barycage-cli -n $merge -l progress -x -a "always never auto" -d "Progress bar"
 set -l gallery "__fish_seen_subcommand_from gallery"

@@ -5983,18 +5983,6 @@
         <translation> Der Käfig biegt das Bild, was Kopien nicht können: Geschrieben wird die affine Anpassung des Käfigs. Ein PNG zeigt die Biegung.</translation>
     </message>
     <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>PDF-Dokumente (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Scalable pictures (*.svg)</source>
-        <translation>Skalierbare Bilder (*.svg)</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
         <source>Export Picture</source>
         <translation>Bild exportieren</translation>
     </message>
@@ -6013,10 +6001,6 @@
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Schließen</translation>
-    </message>
-    <message>
-        <source>PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size.</source>
-        <translation>PNG ist ein Bild aus Pixeln; SVG und PDF bestehen aus Formen, die in jeder Größe scharf bleiben.</translation>
     </message>
     <message>
         <source>The picture has no background and can be placed over another.</source>
@@ -6093,6 +6077,30 @@
     <message>
         <source>S&amp;ection:</source>
         <translation>Au&amp;sschnitt:</translation>
+    </message>
+    <message>
+        <source>JPEG: pixels, a small file</source>
+        <translation>JPEG: Pixel, eine kleine Datei</translation>
+    </message>
+    <message>
+        <source>WebP: pixels, for web pages</source>
+        <translation>WebP: Pixel, für Webseiten</translation>
+    </message>
+    <message>
+        <source>TIFF: pixels, for print</source>
+        <translation>TIFF: Pixel, für den Druck</translation>
+    </message>
+    <message>
+        <source>OpenEXR: linear light, for compositing</source>
+        <translation>OpenEXR: lineares Licht, fürs Compositing</translation>
+    </message>
+    <message>
+        <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
+        <translation>SVG und PDF bestehen aus Formen, die in jeder Größe scharf bleiben, die anderen aus Pixeln. Hat der Dateiname die Endung eines anderen Formats, wird dieses geschrieben.</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
+        <translation>Der Name „%1“ nennt kein Format: Er muss auf .png, .jpg, .webp, .tiff, .exr, .svg oder .pdf enden.</translation>
     </message>
 </context>
 <context>

@@ -5983,18 +5983,6 @@
         <translation> La jaula curva la imagen, y las copias no pueden seguirla: se escribe el ajuste afín de la jaula. Un PNG sí muestra la curvatura.</translation>
     </message>
     <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documentos PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Scalable pictures (*.svg)</source>
-        <translation>Imágenes vectoriales (*.svg)</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Imágenes (*.png)</translation>
-    </message>
-    <message>
         <source>Export Picture</source>
         <translation>Exportar imagen</translation>
     </message>
@@ -6013,10 +6001,6 @@
     <message>
         <source>&amp;Close</source>
         <translation>Cerr&amp;ar</translation>
-    </message>
-    <message>
-        <source>PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size.</source>
-        <translation>PNG es una imagen de píxeles; SVG y PDF están hechos de formas, que se ven nítidas a cualquier tamaño.</translation>
     </message>
     <message>
         <source>The picture has no background and can be placed over another.</source>
@@ -6093,6 +6077,30 @@
     <message>
         <source>S&amp;ection:</source>
         <translation>&amp;Encuadre:</translation>
+    </message>
+    <message>
+        <source>JPEG: pixels, a small file</source>
+        <translation>JPEG: píxeles, un archivo pequeño</translation>
+    </message>
+    <message>
+        <source>WebP: pixels, for web pages</source>
+        <translation>WebP: píxeles, para páginas web</translation>
+    </message>
+    <message>
+        <source>TIFF: pixels, for print</source>
+        <translation>TIFF: píxeles, para imprimir</translation>
+    </message>
+    <message>
+        <source>OpenEXR: linear light, for compositing</source>
+        <translation>OpenEXR: luz lineal, para composición</translation>
+    </message>
+    <message>
+        <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
+        <translation>SVG y PDF están hechos de formas, que se ven nítidas a cualquier tamaño; los demás, de píxeles. Si el nombre del archivo tiene la terminación de otro formato, se escribe ese formato.</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
+        <translation>El nombre «%1» no indica el formato: debe terminar en .png, .jpg, .webp, .tiff, .exr, .svg o .pdf.</translation>
     </message>
 </context>
 <context>

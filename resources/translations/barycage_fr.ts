@@ -5983,18 +5983,6 @@
         <translation> La cage courbe l’image, ce que des copies ne peuvent pas suivre&#x202f;: c’est l’ajustement affine de la cage qui est écrit. Un PNG montre l’image courbée.</translation>
     </message>
     <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documents PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Scalable pictures (*.svg)</source>
-        <translation>Images vectorielles (*.svg)</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Images (*.png)</translation>
-    </message>
-    <message>
         <source>Export Picture</source>
         <translation>Exporter l’image</translation>
     </message>
@@ -6013,10 +6001,6 @@
     <message>
         <source>&amp;Close</source>
         <translation>Fer&amp;mer</translation>
-    </message>
-    <message>
-        <source>PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size.</source>
-        <translation>Une image PNG est faite de pixels&#x202f;; SVG et PDF sont faits de formes, qui restent nettes à toutes les tailles.</translation>
     </message>
     <message>
         <source>The picture has no background and can be placed over another.</source>
@@ -6093,6 +6077,30 @@
     <message>
         <source>S&amp;ection:</source>
         <translation>&amp;Cadrage :</translation>
+    </message>
+    <message>
+        <source>JPEG: pixels, a small file</source>
+        <translation>JPEG&#x202f;: pixels, un petit fichier</translation>
+    </message>
+    <message>
+        <source>WebP: pixels, for web pages</source>
+        <translation>WebP&#x202f;: pixels, pour les pages web</translation>
+    </message>
+    <message>
+        <source>TIFF: pixels, for print</source>
+        <translation>TIFF&#x202f;: pixels, pour l’impression</translation>
+    </message>
+    <message>
+        <source>OpenEXR: linear light, for compositing</source>
+        <translation>OpenEXR&#x202f;: lumière linéaire, pour le compositing</translation>
+    </message>
+    <message>
+        <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
+        <translation>SVG et PDF sont faits de formes, qui restent nettes à toutes les tailles&#x202f;; les autres sont faits de pixels. Si le nom du fichier a l’extension d’un autre format, c’est ce format qui est écrit.</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
+        <translation>Le nom «&#x202f;%1&#x202f;» n’indique pas le format&#x202f;: il doit se terminer par .png, .jpg, .webp, .tiff, .exr, .svg ou .pdf.</translation>
     </message>
 </context>
 <context>

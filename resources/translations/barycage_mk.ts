@@ -5996,18 +5996,6 @@
         <translation> Кафезот ја свиткува сликата, а копиите не можат да го следат тоа: се запишува афиното приближување на кафезот. PNG го покажува свиткувањето.</translation>
     </message>
     <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>PDF-документи (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Scalable pictures (*.svg)</source>
-        <translation>Векторски слики (*.svg)</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Слики (*.png)</translation>
-    </message>
-    <message>
         <source>Export Picture</source>
         <translation>Извоз на слика</translation>
     </message>
@@ -6026,10 +6014,6 @@
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Затвори</translation>
-    </message>
-    <message>
-        <source>PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size.</source>
-        <translation>PNG е слика од пиксели; SVG и PDF се составени од облици, кои остануваат остри во секоја големина.</translation>
     </message>
     <message>
         <source>The picture has no background and can be placed over another.</source>
@@ -6106,6 +6090,30 @@
     <message>
         <source>S&amp;ection:</source>
         <translation>&amp;Исечок:</translation>
+    </message>
+    <message>
+        <source>JPEG: pixels, a small file</source>
+        <translation>JPEG: пиксели, мала датотека</translation>
+    </message>
+    <message>
+        <source>WebP: pixels, for web pages</source>
+        <translation>WebP: пиксели, за веб-страници</translation>
+    </message>
+    <message>
+        <source>TIFF: pixels, for print</source>
+        <translation>TIFF: пиксели, за печатење</translation>
+    </message>
+    <message>
+        <source>OpenEXR: linear light, for compositing</source>
+        <translation>OpenEXR: линеарна светлина, за композитинг</translation>
+    </message>
+    <message>
+        <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
+        <translation>SVG и PDF се составени од облици, кои остануваат остри во секоја големина; другите се составени од пиксели. Ако името на датотеката ја има наставката на друг формат, се запишува тој формат.</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
+        <translation>Името „%1“ не го кажува форматот: мора да завршува на .png, .jpg, .webp, .tiff, .exr, .svg или .pdf.</translation>
     </message>
 </context>
 <context>

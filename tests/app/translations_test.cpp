@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLibraryInfo>
 #include <QMap>
 #include <QProcess>
 #include <QRegularExpression>
@@ -124,7 +125,8 @@ private slots:
     void nothingIsMissing();
     void everyTextOfTheProgramIsInTheCatalogues();
     void namesOfDataAreInTheCatalogues();
-    void qtSpeaksMacedonian();
+    void qtSpeaksTheOtherLanguages_data();
+    void qtSpeaksTheOtherLanguages();
     void oneIsSingular();
 
 private:
@@ -256,9 +258,18 @@ void TranslationsTest::namesOfDataAreInTheCatalogues() {
     QVERIFY2(names.isEmpty(), qPrintable(QStringList(names.values()).join(u'\n')));
 }
 
-void TranslationsTest::qtSpeaksMacedonian() {
+void TranslationsTest::qtSpeaksTheOtherLanguages_data() {
+    QTest::addColumn<QString>("catalogue");
+    const QString installed = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
+    for (const char* language : {"de", "es", "fr"})
+        QTest::newRow(language) << installed + QStringLiteral("/qtbase_%1.qm").arg(QLatin1String(language));
+    QTest::newRow("mk") << QStringLiteral(":/translations/qtbase_mk.qm");
+}
+
+void TranslationsTest::qtSpeaksTheOtherLanguages() {
+    QFETCH(const QString, catalogue);
     QTranslator toolkit;
-    QVERIFY(toolkit.load(QStringLiteral(":/translations/qtbase_mk.qm")));
+    QVERIFY2(toolkit.load(catalogue), qPrintable(catalogue));
     for (const char* button : {"Cancel", "Close", "Discard", "Save", "Restore Defaults"})
         QVERIFY2(!toolkit.translate("QPlatformTheme", button).isEmpty(), button);
 }

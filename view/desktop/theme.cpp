@@ -7,6 +7,9 @@
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleOptionButton>
+#include <QStyleOptionTab>
+#include <QStyleOptionToolButton>
+#include <QTabBar>
 
 #include <algorithm>
 #include <utility>
@@ -122,6 +125,49 @@ public:
         QProxyStyle::drawPrimitive(element, &clear, painter, widget);
     }
 
+    // The tab that is chosen has a shade of its own, which is not seen in dark themes: a bar marks its edge.
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        QProxyStyle::drawControl(element, option, painter, widget);
+        const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+        if (element == CE_TabBarTabShape && tab && tab->state & State_Selected) paintEdge(*tab, *painter);
+    }
+
+    // Fusion puts the arrow of a menu into the corner, below the text beside it.
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override {
+        const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+        const bool isBeside = button && !button->text.isEmpty() &&
+                              (button->toolButtonStyle == Qt::ToolButtonTextBesideIcon ||
+                               button->toolButtonStyle == Qt::ToolButtonTextOnly);
+        if (control != CC_ToolButton || !isBeside ||
+            !button->features.testFlag(QStyleOptionToolButton::HasMenu) ||
+            button->features.testFlag(QStyleOptionToolButton::MenuButtonPopup)) {
+            QProxyStyle::drawComplexControl(control, option, painter, widget);
+            return;
+        }
+        QStyleOptionToolButton plain = *button;
+        plain.features.setFlag(QStyleOptionToolButton::HasMenu, false);
+        QProxyStyle::drawComplexControl(control, &plain, painter, widget);
+        constexpr int side = 8, margin = 3;
+        QStyleOption arrow = *button;
+        arrow.rect = visualRect(
+            button->direction, button->rect,
+            {button->rect.right() - side - margin + 1, button->rect.center().y() - side / 2 + 1, side, side});
+        proxy()->drawPrimitive(PE_IndicatorArrowDown, &arrow, painter, widget);
+    }
+
+    // Its arrow of a menu touches the text of the button.
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override {
+        constexpr int gap = 6;
+        const QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+        const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+        const bool hasMenu =
+            type == CT_PushButton && button && button->features.testFlag(QStyleOptionButton::HasMenu);
+        return hasMenu ? size + QSize(gap, 0) : size;
+    }
+
     // Fusion has them in dark grey on any background.
     QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
                        const QWidget* widget) const override {
@@ -151,6 +197,30 @@ private:
         painter.setBrush(mixed(button, highlight, pointedAt ? 0.45 : 0.35));
         painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
         painter.restore();
+    }
+
+    // Away from what the tab shows.
+    static void paintEdge(const QStyleOptionTab& tab, QPainter& painter) {
+        constexpr int width = 3;
+        QRect edge = tab.rect.adjusted(1, 1, -1, -1);
+        switch (tab.shape) {
+        case QTabBar::RoundedEast:
+        case QTabBar::TriangularEast:
+            edge.setLeft(edge.right() - width + 1);
+            break;
+        case QTabBar::RoundedWest:
+        case QTabBar::TriangularWest:
+            edge.setRight(edge.left() + width - 1);
+            break;
+        case QTabBar::RoundedSouth:
+        case QTabBar::TriangularSouth:
+            edge.setTop(edge.bottom() - width + 1);
+            break;
+        default:
+            edge.setBottom(edge.top() + width - 1);
+        }
+        painter.fillRect(edge, mixed(tab.palette.color(QPalette::Highlight),
+                                     tab.palette.color(QPalette::WindowText), 0.3F));
     }
 
     static constexpr int fusionDarkens = 127; // percent: from the window to the frame

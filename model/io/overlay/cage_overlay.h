@@ -4,14 +4,11 @@
 #include "attractor/request/camera.h"
 #include "document/fractal.h"
 
-#include <QColor>
 #include <QImage>
 
 namespace io {
 
 enum class CageVisibility { Hidden, Shown };
-
-QColor cageColour();
 
 // Draws the control polygon over a picture of the fractal, the rest polygon dashed where it differs. `rows`
 // holds the rows of the picture from `firstRow` on.

@@ -3,15 +3,14 @@
 
 #include "document/map_handles.h"
 #include "ifs/extent/convex_hull.h"
-#include "io/overlay/cage_overlay.h"
 
-#include <QFont>
 #include <QPainter>
-#include <QPen>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace io {
 
@@ -25,13 +24,6 @@ bool isDark(const attractor::Rgba& background) {
     return background.alpha == 255 && qGray(background.red, background.green, background.blue) < 128;
 }
 
-QPen joined(const QColor& colour, double width) {
-    QPen pen(colour, width);
-    pen.setJoinStyle(Qt::RoundJoin);
-    pen.setCapStyle(Qt::RoundCap);
-    return pen;
-}
-
 QPointF middleOf(const QPolygonF& polygon) {
     QPointF sum;
     for (const QPointF& point : polygon)
@@ -39,27 +31,57 @@ QPointF middleOf(const QPolygonF& polygon) {
     return sum / double(std::max<qsizetype>(1, polygon.size()));
 }
 
-} // namespace
+// In the order in which they lie on each other.
+class Shapes {
+public:
+    Shapes(const document::Fractal& fractal, const attractor::Camera& camera, const PictureOverlay& overlay)
+        : m_camera(camera), m_width(std::max(1.5, std::min(camera.width, camera.height) / 500.0)) {
+        const bool onDark = isDark(fractal.appearance.background);
+        m_ink = onDark ? QColor(214, 224, 240) : QColor(28, 36, 50);
+        m_halo = onDark ? QColor(0, 0, 0) : QColor(255, 255, 255);
+        if (overlay.maps || overlay.fixedPoints || overlay.numbers) findMaps(fractal);
+        if (overlay.maps) std::ranges::for_each(m_maps, [this](const Map& map) { addMap(map); });
+        if (overlay.hull) addHull(fractal);
+        if (overlay.cage) std::ranges::move(cageMarks(fractal, camera), std::back_inserter(m_marks));
+        for (const Map& map : m_maps)
+            if (overlay.fixedPoints && map.hasFixedPoint) addFixedPoint(map);
+        if (overlay.numbers) std::ranges::for_each(m_maps, [this](const Map& map) { addNumber(map); });
+    }
 
-OverlayShapes::OverlayShapes(const document::Fractal& fractal, const attractor::Camera& camera,
-                             const PictureOverlay& overlay)
-    : m_camera(camera),
-      m_overlay(overlay),
-      m_fractal(fractal),
-      m_width(std::max(1.5, std::min(camera.width, camera.height) / 500.0)) {
-    const bool onDark = isDark(fractal.appearance.background);
-    m_ink = onDark ? QColor(214, 224, 240) : QColor(28, 36, 50);
-    m_halo = onDark ? QColor(0, 0, 0) : QColor(255, 255, 255);
-    if (overlay.maps || overlay.fixedPoints || overlay.numbers) addMaps(fractal);
-    if (overlay.hull) addHull(fractal);
-}
+    OverlayMarks taken() { return std::move(m_marks); }
 
-QPointF OverlayShapes::onScreen(const ifs::Vector<2>& displayed) const {
+private:
+    struct Map {
+        std::size_t number = 0; // from 1
+        QPolygonF image;        // of the cage
+        QColor colour;
+        bool takesPart = true;
+        bool hasFixedPoint = false;
+        QPointF fixedPoint;
+    };
+    void findMaps(const document::Fractal& fractal);
+    void addMap(const Map& map);
+    void addHull(const document::Fractal& fractal);
+    void addFixedPoint(const Map& map);
+    void addNumber(const Map& map);
+    void addPolygon(const QPolygonF& polygon, const QColor& stroke, double width);
+    void addDisc(const QPointF& centre, double radius, const QColor& fill, const QColor& stroke,
+                 double width);
+    QPointF onScreen(const ifs::Vector<2>& displayed) const;
+
+    attractor::Camera m_camera;
+    std::vector<Map> m_maps;
+    QColor m_ink, m_halo; // on this background
+    double m_width = 1;   // of a line, in pixels
+    OverlayMarks m_marks;
+};
+
+QPointF Shapes::onScreen(const ifs::Vector<2>& displayed) const {
     const ifs::Vector<2> pixel = toPixel(m_camera, displayed);
     return {pixel.x(), pixel.y()};
 }
 
-void OverlayShapes::addMaps(const document::Fractal& fractal) {
+void Shapes::findMaps(const document::Fractal& fractal) {
     const document::MapHandles handles(std::make_shared<document::Fractal>(fractal),
                                        document::effectiveCage(fractal));
     const ifs::Placement placement = document::placement(fractal);
@@ -78,8 +100,27 @@ void OverlayShapes::addMaps(const document::Fractal& fractal) {
     }
 }
 
+void Shapes::addPolygon(const QPolygonF& polygon, const QColor& stroke, double width) {
+    OverlayMark mark;
+    mark.polygon = polygon;
+    mark.stroke = stroke;
+    mark.width = width;
+    m_marks.push_back(std::move(mark));
+}
+
+void Shapes::addDisc(const QPointF& centre, double radius, const QColor& fill, const QColor& stroke,
+                     double width) {
+    OverlayMark mark;
+    mark.centre = centre;
+    mark.radius = radius;
+    mark.fill = fill;
+    mark.stroke = stroke;
+    mark.width = width;
+    m_marks.push_back(std::move(mark));
+}
+
 // Within a tenth of a pixel, and bent with the cage.
-void OverlayShapes::addHull(const document::Fractal& fractal) {
+void Shapes::addHull(const document::Fractal& fractal) {
     constexpr int parts = 16; // of an edge that bends
     const auto support = document::supportFunction(fractal);
     if (!support) return;
@@ -87,80 +128,56 @@ void OverlayShapes::addHull(const document::Fractal& fractal) {
     const double size = std::max(1e-300, ifs::spectralNorm(placement.affine().linear));
     const auto hull = ifs::convexHull(*support, 0.1 / (size * m_camera.pixelsPerUnit));
     const int steps = placement.bend() ? parts : 1;
+    QPolygonF polygon;
     for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
         const ifs::Vector<2>& from = hull.vertices[i];
         const ifs::Vector<2> edge = hull.vertices[(i + 1) % hull.vertices.size()] - from;
         for (int k = 0; k < steps; ++k)
-            m_hull << onScreen(placement(from + edge * (double(k) / steps)));
+            polygon << onScreen(placement(from + edge * (double(k) / steps)));
     }
+    addPolygon(polygon, m_halo, 2 * m_width);
+    addPolygon(polygon, m_ink, m_width);
 }
 
-void OverlayShapes::paintMap(QPainter& painter, const Map& map) const {
+void Shapes::addMap(const Map& map) {
     QColor tint = map.colour;
     tint.setAlphaF(0.08F);
-    painter.setBrush(tint);
-    painter.setPen(joined(m_halo, 2 * m_width));
-    painter.drawPolygon(map.image);
-    painter.setBrush(Qt::NoBrush);
-    QPen pen = joined(map.colour, m_width);
-    if (!map.takesPart) pen.setDashPattern({4, 3});
-    painter.setPen(pen);
-    painter.drawPolygon(map.image);
+    addPolygon(map.image, m_halo, 2 * m_width);
+    m_marks.back().fill = tint;
+    addPolygon(map.image, map.colour, m_width);
+    if (!map.takesPart) m_marks.back().dashes = {4, 3};
 }
 
-void OverlayShapes::paintFixedPoint(QPainter& painter, const Map& map) const {
+void Shapes::addFixedPoint(const Map& map) {
     const double radius = 3 * m_width;
-    painter.setPen(QPen(m_halo, m_width));
-    painter.setBrush(map.colour);
-    painter.drawEllipse(map.fixedPoint, radius, radius);
-    painter.setPen(QPen(m_ink, m_width / 2));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(map.fixedPoint, radius + m_width / 2, radius + m_width / 2);
+    addDisc(map.fixedPoint, radius, map.colour, m_halo, m_width);
+    addDisc(map.fixedPoint, radius + m_width / 2, {}, m_ink, m_width / 2);
 }
 
-void OverlayShapes::paintNumber(QPainter& painter, const Map& map) const {
+void Shapes::addNumber(const Map& map) {
     const double radius = 7.5 * m_width;
     const QPointF middle = middleOf(map.image);
-    painter.setPen(QPen(m_halo, m_width));
-    painter.setBrush(map.colour);
-    painter.drawEllipse(middle, radius, radius);
-    QFont font;
-    const QString text = QString::number(map.number);
-    font.setPixelSize(std::max(6, int(std::lround(radius * (text.size() < 3 ? 1.1 : 0.8)))));
-    font.setBold(true);
-    painter.setFont(font);
-    painter.setPen(qGray(map.colour.rgb()) > 130 ? QColor(14, 18, 26) : QColor(250, 252, 255));
-    painter.drawText(QRectF(middle.x() - 2 * radius, middle.y() - radius, 4 * radius, 2 * radius),
-                     int(Qt::AlignCenter) | Qt::TextDontClip, text);
+    addDisc(middle, radius, map.colour, m_halo, m_width);
+    OverlayMark digits;
+    digits.centre = middle;
+    digits.word = QString::number(map.number);
+    digits.letterSize = radius * (digits.word.size() < 3 ? 1.1 : 0.8);
+    digits.fill = qGray(map.colour.rgb()) > 130 ? QColor(14, 18, 26) : QColor(250, 252, 255);
+    m_marks.push_back(std::move(digits));
 }
 
-void OverlayShapes::paint(QImage& rows, int firstRow) const {
+} // namespace
+
+OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Camera& camera,
+                          const PictureOverlay& overlay) {
+    return Shapes(fractal, camera, overlay).taken();
+}
+
+void paintOverlay(QImage& rows, const OverlayMarks& marks, int firstRow) {
     QPainter painter(&rows);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
     painter.translate(0, -firstRow);
-    if (m_overlay.maps)
-        for (const Map& map : m_maps)
-            paintMap(painter, map);
-    if (!m_hull.isEmpty()) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(joined(m_halo, 2 * m_width));
-        painter.drawPolygon(m_hull);
-        painter.setPen(joined(m_ink, m_width));
-        painter.drawPolygon(m_hull);
-    }
-    if (m_overlay.cage) {
-        painter.end();
-        paintCage(rows, m_fractal, m_camera, firstRow);
-        painter.begin(&rows);
-        painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-        painter.translate(0, -firstRow);
-    }
-    if (m_overlay.fixedPoints)
-        for (const Map& map : m_maps)
-            if (map.hasFixedPoint) paintFixedPoint(painter, map);
-    if (m_overlay.numbers)
-        for (const Map& map : m_maps)
-            paintNumber(painter, map);
+    paint(painter, marks);
 }
 
 } // namespace io

@@ -3,12 +3,9 @@
 
 #include "attractor/request/camera.h"
 #include "document/fractal.h"
+#include "io/overlay/overlay_marks.h"
 
-#include <QColor>
 #include <QImage>
-#include <QPolygonF>
-
-#include <vector>
 
 namespace io {
 
@@ -23,40 +20,11 @@ struct PictureOverlay {
     friend bool operator==(const PictureOverlay&, const PictureOverlay&) = default;
 };
 
-// The shapes of an overlay, worked out once for all rows of a picture. Needs a QGuiApplication for the
-// letters.
-class OverlayShapes {
-public:
-    // The fractal is a system of the plane.
-    OverlayShapes(const document::Fractal& fractal, const attractor::Camera& camera,
-                  const PictureOverlay& overlay);
+// The shapes of an overlay, worked out once for all rows of a picture. The fractal is a system of the plane.
+OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Camera& camera,
+                          const PictureOverlay& overlay);
 
-    // Over the rows of the picture from `firstRow` on.
-    void paint(QImage& rows, int firstRow) const;
-
-private:
-    struct Map {
-        std::size_t number = 0; // from 1
-        QPolygonF image;        // of the cage
-        QColor colour;
-        bool takesPart = true;
-        bool hasFixedPoint = false;
-        QPointF fixedPoint;
-    };
-    void addMaps(const document::Fractal& fractal);
-    void addHull(const document::Fractal& fractal);
-    void paintMap(QPainter& painter, const Map& map) const;
-    void paintFixedPoint(QPainter& painter, const Map& map) const;
-    void paintNumber(QPainter& painter, const Map& map) const;
-    QPointF onScreen(const ifs::Vector<2>& displayed) const;
-
-    attractor::Camera m_camera;
-    PictureOverlay m_overlay;
-    document::Fractal m_fractal; // for its cage
-    std::vector<Map> m_maps;
-    QPolygonF m_hull;
-    QColor m_ink, m_halo; // on this background
-    double m_width = 1;   // of a line, in pixels
-};
+// Over the rows of the picture from `firstRow` on. Needs a QGuiApplication for the letters.
+void paintOverlay(QImage& rows, const OverlayMarks& marks, int firstRow);
 
 } // namespace io

@@ -2,6 +2,7 @@
 #include "io/picture/pdf_writer.h"
 
 #include "document/fractal_geometry.h"
+#include "io/overlay/pdf_overlay.h"
 #include "io/picture/svg_shapes.h"
 
 #include <algorithm>
@@ -124,11 +125,11 @@ public:
             content += ringPath(mapped(copy.map, bar)) + "f\n";
         return content;
     }
-    QByteArray resources() const {
+    QByteArray resources() const { // without the brackets of their dictionary
         QByteArray list;
         for (const auto& [level, form] : m_forms)
             list += "/L" + QByteArray::number(level) + ' ' + reference(form.object);
-        return "<</XObject<<" + list + ">>>>";
+        return "/XObject<<" + list + ">>";
     }
 
 private:
@@ -212,7 +213,7 @@ public:
     // The page object, whose parent is `pages`.
     int write(const ifs::CopyHierarchy& levels, int depth, int pages, const std::stop_token& stop) {
         const auto& [fractal, camera, format] = m_page;
-        QByteArray resources = "<<>>";
+        QByteArray resources;
         m_content = text(pointsPerPixel) + " 0 0 " + text(-pointsPerPixel) + " 0 " +
                     text(pointsPerPixel * camera.height) + " cm\n";
         if (format.style != ShapeStyle::Outline) addBackground();
@@ -223,10 +224,15 @@ public:
         else
             addPoints(shapePoints(fractal, camera, format.points, format.seed));
         if (format.cage == CageVisibility::Shown) addCage();
+        if (format.overlay != PictureOverlay()) {
+            const OverlayMarks marks = overlayMarks(fractal, camera, format.overlay);
+            m_content += pdfMarks(marks);
+            resources += pdfMarkResources(marks);
+        }
         const int content = m_file.addStream({}, m_content);
         return m_file.add("<</Type/Page/Parent " + reference(pages) + "/MediaBox[0 0 " +
                           text(pointsPerPixel * camera.width) + ' ' + text(pointsPerPixel * camera.height) +
-                          "]/Resources " + resources + "/Contents " + reference(content) + ">>");
+                          "]/Resources<<" + resources + ">>/Contents " + reference(content) + ">>");
     }
 
 private:

@@ -45,8 +45,9 @@ Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& 
     if (!picture.moments.empty()) rendering.openShutter(picture.moments);
     if (picture.exposure) rendering.useExposure(*picture.exposure);
     note = rendering.note();
-    std::optional<OverlayShapes> overlay;
-    if (picture.overlay != PictureOverlay()) overlay.emplace(explained(picture), camera, picture.overlay);
+    const OverlayMarks overlay = picture.overlay == PictureOverlay()
+                                     ? OverlayMarks()
+                                     : overlayMarks(explained(picture), camera, picture.overlay);
     const int most = attractor::BandedRendering::rowsWithin(picture.request, picture.bandBytes);
     for (int first = 0; first < camera.height; first += most) {
         const int rows = std::min(most, camera.height - first);
@@ -60,9 +61,9 @@ Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& 
             QImage image = imageOver(pixels, camera.width);
             paintCage(image, picture.fractal, camera, first);
         }
-        if (overlay) {
+        if (!overlay.empty()) {
             QImage image = imageOver(pixels, camera.width);
-            overlay->paint(image, first);
+            paintOverlay(image, overlay, first);
         }
         const auto writing = [&](double fraction) { told(shareOfDrawing + (1 - shareOfDrawing) * fraction); };
         const Drawn taken = take(pixels, writing);

@@ -4,6 +4,7 @@
 #include "document/fractal_geometry.h"
 #include "ifs/copies/copy_merging.h"
 #include "io/fractint/entry_writer.h"
+#include "io/overlay/svg_overlay.h"
 #include "io/picture/svg_shapes.h"
 #include "io/picture/svg_system.h"
 #include "io/text/number.h"
@@ -84,11 +85,11 @@ SvgPlan planOf(const document::Fractal& fractal, const ifs::CopyHierarchy& level
 
 class Writer {
 public:
-    Writer(const document::Fractal& fractal, const attractor::Camera& camera)
-        : m_fractal(fractal), m_camera(camera), m_xml(&m_bytes) {}
+    Writer(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format)
+        : m_fractal(fractal), m_camera(camera), m_format(format), m_xml(&m_bytes) {}
 
-    QByteArray structured(const ifs::CopyHierarchy& levels, int depth, CageVisibility cage) {
-        return picture(cage, [&] {
+    QByteArray structured(const ifs::CopyHierarchy& levels, int depth) {
+        return picture([&] {
             const ifs::MergedCopies merged(levels, depth);
             writeDefinitions(levels, merged, depth);
             writeBackground();
@@ -97,8 +98,8 @@ public:
     }
 
     // Nothing to fill and no background: what the knife or the pen follows, and nothing else.
-    QByteArray outline(const std::vector<Ring>& rings, CageVisibility cage) {
-        return picture(cage, [&] {
+    QByteArray outline(const std::vector<Ring>& rings) {
+        return picture([&] {
             QString path;
             for (const Ring& ring : rings) {
                 QStringList corners;
@@ -111,8 +112,8 @@ public:
         });
     }
 
-    QByteArray points(const std::vector<ColouredPoints>& groups, CageVisibility cage) {
-        return picture(cage, [&] {
+    QByteArray points(const std::vector<ColouredPoints>& groups) {
+        return picture([&] {
             writeBackground();
             startElement("g");
             attribute("id", QStringLiteral("points"));
@@ -128,14 +129,15 @@ public:
     }
 
 private:
-    template <typename Content> QByteArray picture(CageVisibility cage, const Content& content) {
+    template <typename Content> QByteArray picture(const Content& content) {
         m_xml.setAutoFormatting(true);
         m_xml.setAutoFormattingIndent(1);
         m_xml.writeStartDocument();
         startRoot();
         writeMetadata();
         content();
-        if (cage == CageVisibility::Shown) writeCage();
+        if (m_format.cage == CageVisibility::Shown) writeCage();
+        if (m_format.overlay != PictureOverlay()) writeOverlay();
         m_xml.writeEndElement();
         m_xml.writeEndDocument();
         return m_bytes;
@@ -305,6 +307,13 @@ private:
         m_xml.writeEndElement();
     }
 
+    void writeOverlay() {
+        startElement("g");
+        attribute("id", QStringLiteral("overlay"));
+        writeSvgMarks(m_xml, overlayMarks(m_fractal, m_camera, m_format.overlay));
+        m_xml.writeEndElement();
+    }
+
     void writePolygon(const char* id, std::vector<ifs::Vector<2>> vertices, const QString& dashes) {
         for (auto& vertex : vertices)
             vertex = toPixel(m_camera, vertex);
@@ -316,6 +325,7 @@ private:
 
     const document::Fractal& m_fractal;
     const attractor::Camera& m_camera;
+    const SvgFormat& m_format;
     QByteArray m_bytes;
     QXmlStreamWriter m_xml;
 };
@@ -328,7 +338,7 @@ SvgPicture outlinePicture(const document::Fractal& fractal, const attractor::Cam
     for (;;) {
         SvgPicture picture{{}, planOf(fractal, levels, format)};
         const int depth = picture.plan.depth;
-        picture.bytes = Writer(fractal, camera).outline(leafUnion(levels, depth, stop), format.cage);
+        picture.bytes = Writer(fractal, camera, format).outline(leafUnion(levels, depth, stop));
         if (picture.bytes.size() <= maxPath || stop.stop_requested()) return picture;
         if (!mayBeShallower || depth == 0) {
             picture.bytes.clear();
@@ -360,15 +370,15 @@ SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera&
     }
     picture.plan = planOf(fractal, *levels.levels, format);
     const int depth = picture.plan.depth;
-    Writer writer(fractal, camera);
+    Writer writer(fractal, camera, format);
     switch (format.style) {
     case ShapeStyle::Structured:
-        picture.bytes = writer.structured(*levels.levels, depth, format.cage);
+        picture.bytes = writer.structured(*levels.levels, depth);
         break;
     case ShapeStyle::Outline:
         return outlinePicture(fractal, camera, *levels.levels, format, stop);
     case ShapeStyle::Points:
-        picture.bytes = writer.points(shapePoints(fractal, camera, format.points, format.seed), format.cage);
+        picture.bytes = writer.points(shapePoints(fractal, camera, format.points, format.seed));
         break;
     }
     return picture;

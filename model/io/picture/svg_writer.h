@@ -5,6 +5,7 @@
 #include "document/fractal.h"
 #include "io/file/save_file.h"
 #include "io/overlay/cage_overlay.h"
+#include "io/overlay/picture_overlay.h"
 
 #include <QByteArray>
 
@@ -26,6 +27,7 @@ struct SvgFormat {
     ShapeStyle style = ShapeStyle::Structured;
     std::uint64_t points = 20'000; // at most maxPoints
     std::uint64_t seed = 1;
+    PictureOverlay overlay{}; // over all of it
 };
 
 // What a picture of shapes would be: for the dialog, before anything is written.

@@ -10,10 +10,13 @@ class CliPartsTest : public CommandLineTest {
 
 private slots:
     void partsMergeToTheSameBytes();
+    void partsMergeToEveryKindOfFile_data();
+    void partsMergeToEveryKindOfFile();
     void bandsMergeToTheSameBytes();
     void aPartIsTheSameForAnyThreadsAndInstructions();
     void aPictureIsResumed();
     void aPartIsNotMergedTwice();
+    void aTransparentPictureIsNotMergedToJpeg();
     void whatMakesNoSenseIsRefused_data();
     void whatMakesNoSenseIsRefused();
 };
@@ -31,6 +34,31 @@ void CliPartsTest::partsMergeToTheSameBytes() {
     QCOMPARE(merged.status, 0);
     QVERIFY(!read("whole.png").isEmpty());
     QVERIFY(read("merged.png") == read("whole.png"));
+}
+
+void CliPartsTest::partsMergeToEveryKindOfFile_data() {
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("options");
+    for (const char* suffix : {"png", "webp", "tiff", "tif", "exr", "JPG"})
+        QTest::newRow(suffix) << "." + QByteArray(suffix) << QByteArray();
+    QTest::newRow("jpeg of a quality") << QByteArray(".jpeg") << QByteArray(" --quality 40");
+}
+
+void CliPartsTest::partsMergeToEveryKindOfFile() {
+    QFETCH(const QByteArray, name);
+    QFETCH(const QByteArray, options);
+    const QByteArray small = "systems.ifs --entry maple --size 60x45 --points 20M ";
+    QCOMPARE(run("render " + small + "-o whole" + name + options).status, 0);
+    for (const char* part : {"0", "1"})
+        QCOMPARE(run("render " + small + "--part " + part + "/2 -o p" + part + ".sum").status, 0);
+    const Result merged = run("merge p0.sum p1.sum -o merged" + name + options);
+    QCOMPARE(merged.err, QByteArray());
+    QCOMPARE(merged.status, 0);
+    QVERIFY(!read("whole" + name).isEmpty());
+    QVERIFY(read("merged" + name) == read("whole" + name));
+    QCOMPARE(run("merge p0.sum p1.sum -o all.sum").status, 0);
+    QCOMPARE(run("render --resume all.sum --points 21M -o more" + name + options).status, 0);
+    QVERIFY(!read("more" + name).isEmpty());
 }
 
 void CliPartsTest::bandsMergeToTheSameBytes() {
@@ -79,6 +107,14 @@ void CliPartsTest::aPartIsNotMergedTwice() {
     QVERIFY(!QFile::exists(path("x.png")));
 }
 
+void CliPartsTest::aTransparentPictureIsNotMergedToJpeg() {
+    QCOMPARE(run("render " + maple + "--background transparent -o all.sum").status, 0);
+    const Result merged = run("merge all.sum -o x.jpg");
+    QCOMPARE(merged.status, 2);
+    QVERIFY(merged.err.contains("transparent"));
+    QVERIFY(!QFile::exists(path("x.jpg")));
+}
+
 void CliPartsTest::whatMakesNoSenseIsRefused_data() {
     QTest::addColumn<QByteArray>("arguments");
     QTest::addColumn<QByteArray>("sentence");
@@ -94,7 +130,10 @@ void CliPartsTest::whatMakesNoSenseIsRefused_data() {
     row("no points", "render --resume all.sum -o x.png", "--points");
     row("two sources", "render systems.ifs --resume all.sum --points 1e9 -o x.png", "--resume");
     row("another size", "render --resume all.sum --size 10x10 --points 1e9 -o x.png", "--size");
-    row("merged to shapes", "merge a.sum -o x.svg", ".png or a .sum");
+    row("merged to shapes", "merge a.sum -o x.svg", ".exr or .sum");
+    row("resumed to shapes", "render --resume a.sum --points 1e9 -o x.svg", "made of pixels");
+    row("quality of sums", "merge a.sum -o x.sum --quality 50", "only to .jpg and .webp");
+    row("quality of a PNG", "merge a.sum -o x.png --quality 50", "only to .jpg and .webp");
 }
 
 void CliPartsTest::whatMakesNoSenseIsRefused() {

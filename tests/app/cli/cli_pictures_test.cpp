@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QProcess>
 #include <QTest>
+#include <QXmlStreamReader>
 #include <QtEndian>
 
 // The kinds of files that barycage-cli render and gallery write, and what explains a picture.
@@ -20,6 +21,8 @@ private slots:
     void systemsInSpaceTakeTheSameFormats();
     void overlaysAreDrawn_data();
     void overlaysAreDrawn();
+    void overlaysAreShapes();
+    void overlaysAreOnPages();
     void theViewHoldsTheCage();
     void theLegendStandsBesideThePicture();
     void sheetsAreWrittenInEveryFormat();
@@ -82,8 +85,10 @@ void CliPicturesTest::whatAFormatCannotHoldIsRefused_data() {
     row("-o x.png --quality 50", "--quality cannot be used here: it applies only to .jpg and .webp.");
     row("-o x.jpg --quality 0", "--quality");
     row("-o x.exr --algorithm deterministic --iterations 0-2", "a strip of steps has 8 bits per channel.");
-    row("-o x.svg --overlay maps",
-        "--overlay cannot be used here: it applies only to pictures made of pixels.");
+    row("-o x.svg --legend", "--legend cannot be used here: it applies only to pictures made of pixels.");
+    row("-o x.sum --overlay maps", "--overlay cannot be used here: a .sum file holds only");
+    row("-o x.svg --overlay maps,cag", "--overlay “cag” is not valid");
+    row("-o x.pdf --entry broken --overlay hull", "--overlay hull cannot be used here");
     row("-o x.sum --legend", "--legend cannot be used here: a .sum file holds only the numbers of points.");
     row("-o x.png --overlay maps,cag", "--overlay “cag” is not valid");
     row("-o x.png --entry broken --overlay hull", "--overlay hull cannot be used here");
@@ -164,6 +169,52 @@ void CliPicturesTest::overlaysAreDrawn() {
              qPrintable(QString::number(changed)));
     QVERIFY2(coloured > 10, qPrintable(QString::number(coloured)));
     QCOMPARE(picture("--bits 16 --overlay " + parts).size(), plain.size());
+}
+
+// In an SVG picture they are elements of a group of their own, above all others.
+void CliPicturesTest::overlaysAreShapes() {
+    const Result result = run("render systems.ifs --entry maple --size 300x240 --background white "
+                              "--overlay maps,hull,cage,fixed-points,numbers -o over.svg");
+    QCOMPARE(result.err, QByteArray());
+    QCOMPARE(result.status, 0);
+    QXmlStreamReader xml(read("over.svg"));
+    const auto isOverlay = [&xml] {
+        return xml.isStartElement() &&
+               xml.attributes().value(QLatin1String("id")) == QLatin1String("overlay");
+    };
+    while (!xml.atEnd() && !isOverlay())
+        xml.readNext();
+    QStringList names, words;
+    while (xml.readNextStartElement()) {
+        names << xml.name().toString();
+        if (xml.name() == QLatin1String("polygon"))
+            QVERIFY(xml.attributes().value(QLatin1String("points")).count(u',') >= 3);
+        const QString text = xml.readElementText();
+        if (!text.isEmpty()) words << text;
+    }
+    constexpr int maps = 4;
+    QCOMPARE(names.count(QStringLiteral("polygon")), 2 * maps + 2 + 1);
+    QCOMPARE(names.count(QStringLiteral("circle")), 2 * maps + maps);
+    QCOMPARE(words, QStringList({QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3"),
+                                 QStringLiteral("4")}));
+    xml.readNextStartElement();
+    QVERIFY(!xml.isStartElement());
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+}
+
+void CliPicturesTest::overlaysAreOnPages() {
+    const auto page = [this](const QByteArray& options) {
+        const Result result =
+            run("render systems.ifs --entry maple --size 300x240 --view 0,2,12 -o over.pdf " + options);
+        return result.status == 0 && result.err.isEmpty() ? read("over.pdf") : QByteArray();
+    };
+    const QByteArray plain = page({}), cage = page("--overlay cage"), maps = page("--overlay maps");
+    const QByteArray numbers = page("--overlay numbers --svg outline");
+    QVERIFY(plain.startsWith("%PDF") && cage.startsWith("%PDF"));
+    QVERIFY(plain != cage);
+    QVERIFY(!cage.contains("/ExtGState") && !cage.contains("/Font"));
+    QVERIFY(maps.contains("/ExtGState<</A20<</ca 0.080>>>>")); // an opacity of 8 %
+    QVERIFY(numbers.contains("/BaseFont/Helvetica-Bold") && !numbers.contains("/ExtGState"));
 }
 
 // The canonical simplex of the maple is larger than the maple.

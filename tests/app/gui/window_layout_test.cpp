@@ -3,9 +3,11 @@
 #include "bars/tool_options_bar.h"
 #include "canvas/canvas_view.h"
 #include "ifs/cage/hull_cage.h"
+#include "io/collection_reader.h"
 #include "panels/cage/cage_panel.h"
 #include "session_fixture.h"
 #include "support/forget_settings.h"
+#include "support/paths.h"
 #include "widgets/number_field.h"
 
 #include <QAbstractButton>
@@ -13,6 +15,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFile>
 #include <QMenuBar>
 #include <QSettings>
 #include <QStatusBar>
@@ -41,6 +44,8 @@ private slots:
     void aBarThatGoesLeavesTheFocusToTheCanvas();
     void thePictureStaysWhateverTheTool();
     void aCageOfManyCornersIsScrolled();
+    void aSolidFitsASmallWindow_data();
+    void aSolidFitsASmallWindow();
 };
 
 void WindowLayoutTest::aNarrowWindowIsHalfPicture_data() {
@@ -300,6 +305,34 @@ void WindowLayoutTest::thePictureStaysWhateverTheTool() {
         QTRY_VERIFY(windows().isEmpty());
     }
     QSettings().clear();
+}
+
+void WindowLayoutTest::aSolidFitsASmallWindow_data() {
+    QTest::addColumn<bool>("isShown");
+    QTest::newRow("opened at the start") << false;
+    QTest::newRow("opened later") << true;
+}
+
+// The panels give way, not the screen.
+void WindowLayoutTest::aSolidFitsASmallWindow() {
+    QFETCH(bool, isShown);
+    QSettings().clear();
+    constexpr int height = 570; // on a screen of 600
+    MainWindow window;
+    window.setAttribute(Qt::WA_DeleteOnClose, false);
+    window.resize(970, height);
+    if (isShown) window.show();
+    QFile plants(support::sourcePath(QStringLiteral("ifs_library/space_plants.ifs")));
+    QVERIFY(plants.open(QIODevice::ReadOnly));
+    window.document().setFile(io::readCollection(plants.readAll()).file);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QCOMPARE(document::dimension(window.document().fractal()), 3);
+    for (const char* name : {"cage", "appearance", "analysis", "history", "maps"}) {
+        window.findChild<QDockWidget*>(QLatin1String(name))->raise();
+        QTest::qWait(50);
+        QCOMPARE(window.height(), height);
+    }
 }
 
 void WindowLayoutTest::aCageOfManyCornersIsScrolled() {

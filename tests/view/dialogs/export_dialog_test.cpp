@@ -41,6 +41,9 @@ class ExportDialogTest : public QObject {
 private slots:
     void writesPng();
     void framesTheAttractor();
+    void theEndingOfTheNameDecides_data();
+    void theEndingOfTheNameDecides();
+    void aNameWithoutAFormatIsRefused();
     void writesSvg();
     void saysWhatTheSvgWillBe();
     void saysWhenAPixelNeedsMore();
@@ -64,6 +67,11 @@ private:
         for (auto* child : parent.findChildren<Widget*>())
             if (child->accessibleName() == QLatin1String(name)) return child;
         return nullptr;
+    }
+    static void chooseFormat(QWidget& dialog, const char* name) {
+        auto* format = named<QComboBox>(dialog, "Format");
+        format->setCurrentIndex(format->findText(QLatin1String(name), Qt::MatchStartsWith));
+        QVERIFY(format->currentIndex() >= 0);
     }
     QTemporaryDir m_folder;
 };
@@ -106,15 +114,61 @@ void ExportDialogTest::framesTheAttractor() {
     QVERIFY((seen.center() - picture.rect().center()).manhattanLength() <= 4);
     auto* result = named<QLabel>(dialog, "Result");
     QVERIFY(result->isVisible());
-    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    chooseFormat(dialog, "SVG");
     QVERIFY(!result->isVisible());
+}
+
+void ExportDialogTest::theEndingOfTheNameDecides_data() {
+    QTest::addColumn<QByteArray>("begins");
+    QTest::newRow("png") << QByteArray("\x89PNG");
+    QTest::newRow("JPG") << QByteArray("\xff\xd8\xff");
+    QTest::newRow("jpeg") << QByteArray("\xff\xd8\xff");
+    QTest::newRow("webp") << QByteArray("RIFF");
+    QTest::newRow("tif") << QByteArray("II");
+    QTest::newRow("tiff") << QByteArray("II");
+    QTest::newRow("exr") << QByteArray("\x76\x2f\x31\x01");
+    QTest::newRow("svg") << QByteArray("<?xml");
+    QTest::newRow("pdf") << QByteArray("%PDF");
+}
+
+// Whatever the list says, and whatever was chosen for another format.
+void ExportDialogTest::theEndingOfTheNameDecides() {
+    QFETCH(const QByteArray, begins);
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+        if (box->text().contains(QStringLiteral("background"))) box->setChecked(true);
+    named<QComboBox>(dialog, "Colour depth")->setCurrentIndex(1);
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    const QString path =
+        m_folder.filePath(QStringLiteral("by name.") + QLatin1String(QTest::currentDataTag()));
+    dialog.exportTo(path);
+    QVERIFY(exported.wait(20'000));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().startsWith(begins));
+    keep(dialog.grab().toImage(), (QByteArray("export-") + QTest::currentDataTag() + ".png").constData());
+}
+
+void ExportDialogTest::aNameWithoutAFormatIsRefused() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    for (const QString& name : {QStringLiteral("fern.gif"), QStringLiteral("fern v1.2")}) {
+        dialog.exportTo(m_folder.filePath(name));
+        QVERIFY(named<QLabel>(dialog, "Result")->text().contains(name));
+        QVERIFY(!exported.wait(100));
+        QVERIFY(!QFile::exists(m_folder.filePath(name)));
+    }
 }
 
 void ExportDialogTest::writesSvg() {
     document::Document document;
     ExportDialog dialog(&document, camera());
     dialog.show();
-    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    chooseFormat(dialog, "SVG");
     QSignalSpy exported(&dialog, &ExportDialog::exported);
     const QString path = m_folder.filePath(QStringLiteral("a.svg"));
     dialog.exportTo(path);
@@ -128,7 +182,7 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     document::Document document;
     ExportDialog dialog(&document, camera());
     dialog.show();
-    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    chooseFormat(dialog, "SVG");
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     QTRY_VERIFY(plan->text().contains(QStringLiteral("References")));
     const QString automatic = plan->text();
@@ -150,7 +204,7 @@ void ExportDialogTest::saysWhenAPixelNeedsMore() {
     view.height = 800;
     ExportDialog dialog(&document, fitted(view, {-6, -5}, {6, 6}));
     dialog.show();
-    named<QComboBox>(dialog, "Format")->setCurrentIndex(1);
+    chooseFormat(dialog, "SVG");
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     const QString remark = QStringLiteral("More levels would be more accurate");
     QTRY_VERIFY(plan->text().contains(remark));

@@ -12,16 +12,19 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>
+#include <QMenu>
 #include <QProxyStyle>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStyle>
+#include <QTabBar>
 #include <QTest>
 #include <QToolButton>
 
 #include <array>
+#include <cmath>
 
 using view::Preferences;
 using view::PreferencesDialog;
@@ -41,6 +44,8 @@ private slots:
     void themesAreWornAndTakenOff();
     void whatIsNotCheckedIsSeen();
     void aButtonThatIsOnIsSeen();
+    void theTabThatIsChosenIsSeen();
+    void theArrowOfAMenuIsBesideItsText();
 
 private:
     static QComboBox* box(const PreferencesDialog& dialog, const QString& name) {
@@ -196,6 +201,66 @@ void PreferencesDialogTest::aButtonThatIsOnIsSeen() {
             QVERIFY2(best >= 3, qPrintable(which));
             QVERIFY2(support::contrast(on.pixel(20, 12), text) >= 4.5, qPrintable(which));
         }
+    }
+}
+
+// A bar on the edge of its tab stands out from the window by 3 to 1, and the other tab has none.
+void PreferencesDialogTest::theTabThatIsChosenIsSeen() {
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light})
+        for (const auto shape : {QTabBar::RoundedNorth, QTabBar::RoundedEast}) {
+            view::applyTheme(theme);
+            QTabBar tabs;
+            tabs.setShape(shape);
+            tabs.addTab(QStringLiteral("one"));
+            tabs.addTab(QStringLiteral("two"));
+            tabs.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&tabs));
+            const QImage seen = tabs.grab().toImage();
+            const QRgb around = tabs.palette().color(QPalette::Window).rgb();
+            const auto barOf = [&](int tab) {
+                const QRect area = tabs.tabRect(tab);
+                double best = 0;
+                for (int depth = 1; depth < 5; ++depth) {
+                    const QPoint at = shape == QTabBar::RoundedEast
+                                          ? QPoint(area.right() - depth, area.center().y())
+                                          : QPoint(area.center().x(), area.top() + depth);
+                    const QColor here = seen.pixelColor(at); // coloured, not grey
+                    if (here.saturation() > 60) best = std::max(best, support::contrast(here.rgb(), around));
+                }
+                return best;
+            };
+            QVERIFY2(barOf(0) >= 3, qPrintable(QString::number(barOf(0))));
+            QCOMPARE(barOf(1), 0.0);
+        }
+}
+
+// Level with it, not in the corner below.
+void PreferencesDialogTest::theArrowOfAMenuIsBesideItsText() {
+    view::applyTheme(Preferences::Theme::Light);
+    for (const auto direction : {Qt::LeftToRight, Qt::RightToLeft}) {
+        QWidget window;
+        window.resize(120, 60);
+        QMenu menu;
+        QToolButton with(&window), without(&window);
+        for (QToolButton* button : {&with, &without}) {
+            button->setLayoutDirection(direction);
+            button->setText(QStringLiteral("Fit"));
+            button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+            button->setFixedSize(80, 30);
+            button->setFocusPolicy(Qt::NoFocus);
+        }
+        with.setMenu(&menu);
+        with.setPopupMode(QToolButton::InstantPopup);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const QImage arrow = with.grab().toImage(), plain = without.grab().toImage();
+        QRect seen;
+        for (int y = 0; y < plain.height(); ++y)
+            for (int x = 0; x < plain.width(); ++x)
+                if (arrow.pixel(x, y) != plain.pixel(x, y)) seen |= QRect(x, y, 1, 1);
+        QVERIFY(!seen.isEmpty() && seen.width() < 20);
+        QVERIFY2(std::abs(seen.center().y() - 15) <= 2, qPrintable(QString::number(seen.center().y())));
+        QVERIFY(direction == Qt::LeftToRight ? seen.left() > 50 : seen.right() < 30);
     }
 }
 

@@ -153,6 +153,30 @@ private slots:
         QTRY_COMPARE(name->y(), value->y());
     }
 
+    // A remark in brackets is as long as a sentence, and does not push its value below the name.
+    void aRemarkIsBrokenIntoLines() {
+        document::Document document;
+        document.setFile(document::fileOf(fractalOf({{0.5, -0.3, 0.3, 0.5, 0, 0, 1},
+                                                     {0.5, 0.3, -0.3, 0.5, 1, 0, 1},
+                                                     {0.6, 0, 0, 0.6, 0.4, 0.5, 1}})));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.resize(40 * panel.fontMetrics().averageCharWidth() + 60, 900);
+        panel.show();
+        const QString fact = QStringLiteral("Similarity dimension");
+        QTRY_VERIFY(valueOf(panel.facts(), fact).contains(u'('));
+        QLabel* value = nullptr;
+        QLabel* name = nullptr;
+        for (auto* label : panel.findChildren<QLabel*>()) {
+            if (label->accessibleName() == fact) value = label;
+            if (label->text() == fact) name = label;
+        }
+        QVERIFY(name && value);
+        QVERIFY2(!value->text().contains(QChar::Nbsp), qPrintable(value->text()));
+        QTRY_COMPARE(name->y(), value->y());
+        QVERIFY(name->geometry().right() < value->x());
+    }
+
     // A number without its last digits is another number.
     void noDigitIsOutOfSight_data() {
         QTest::addColumn<int>("points");

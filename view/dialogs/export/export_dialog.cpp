@@ -6,6 +6,7 @@
 #include "document/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
+#include "io/picture/picture_writers.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/number_text.h"
 #include "widgets/tooltip_text.h"
@@ -25,12 +26,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace view {
 
 namespace {
 
-enum Format { Png, Svg, Pdf };
+// In the order of the list.
+struct Kind {
+    const char* suffix; // the usual one
+    const char* filter;
+    std::variant<io::PictureFile, io::ShapeFile> file;
+    const char* name;
+};
+constexpr Kind kinds[] = {
+    {"png", "*.png", io::PictureFile::Png, QT_TRANSLATE_NOOP("view::ExportDialog", "PNG: pixels")},
+    {"jpg", "*.jpg *.jpeg", io::PictureFile::Jpeg,
+     QT_TRANSLATE_NOOP("view::ExportDialog", "JPEG: pixels, a small file")},
+    {"webp", "*.webp", io::PictureFile::WebP,
+     QT_TRANSLATE_NOOP("view::ExportDialog", "WebP: pixels, for web pages")},
+    {"tiff", "*.tif *.tiff", io::PictureFile::Tiff,
+     QT_TRANSLATE_NOOP("view::ExportDialog", "TIFF: pixels, for print")},
+    {"exr", "*.exr", io::PictureFile::ExrHalf,
+     QT_TRANSLATE_NOOP("view::ExportDialog", "OpenEXR: linear light, for compositing")},
+    {"svg", "*.svg", io::ShapeFile::Svg,
+     QT_TRANSLATE_NOOP("view::ExportDialog", "SVG: shapes for drawing programs")},
+    {"pdf", "*.pdf", io::ShapeFile::Pdf, QT_TRANSLATE_NOOP("view::ExportDialog", "PDF: shapes for print")},
+};
+
+// Its place in the list.
+std::optional<int> kindOf(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix.isEmpty()) return std::nullopt;
+    for (std::size_t i = 0; i < std::size(kinds); ++i)
+        if (QString::fromLatin1(kinds[i].filter).split(u' ').contains(QStringLiteral("*.") + suffix))
+            return int(i);
+    return std::nullopt;
+}
 
 // The same view in another size: what was on the screen stays in the picture.
 attractor::Camera resized(attractor::Camera camera, const QSize& size) {
@@ -78,11 +110,12 @@ ExportDialog::~ExportDialog() = default;
 
 void ExportDialog::createFormat() {
     m_format = new QComboBox(m_options);
-    m_format->addItems(
-        {tr("PNG: pixels"), tr("SVG: shapes for drawing programs"), tr("PDF: shapes for print")});
+    for (const Kind& kind : kinds)
+        m_format->addItem(tr(kind.name));
     m_format->setAccessibleName(tr("Format"));
     m_format->setWhatsThis(
-        tr("PNG is a picture of pixels; SVG and PDF are made of shapes, which stay sharp at every size."));
+        tr("SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. "
+           "If the file name has the ending of another format, that format is written."));
     const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
@@ -206,8 +239,26 @@ void ExportDialog::connectOptions() {
     connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
 }
 
+std::optional<io::PictureFile> ExportDialog::pixels() const {
+    const auto* file = std::get_if<io::PictureFile>(&kinds[m_format->currentIndex()].file);
+    return file ? std::optional(*file) : std::nullopt;
+}
+
 bool ExportDialog::isSvg() const {
-    return m_format->currentIndex() != Png;
+    return !pixels();
+}
+
+bool ExportDialog::isTransparent() const {
+    return m_transparent->isChecked() && pixels() != io::PictureFile::Jpeg;
+}
+
+// What was chosen, where the format takes it.
+io::PngFormat::Depth ExportDialog::depthOfColour() const {
+    using enum io::PngFormat::Depth;
+    const auto chosen = m_depthOfColour->currentData().value<io::PngFormat::Depth>();
+    const io::PictureFile file = pixels().value_or(io::PictureFile::Png);
+    if (io::takes(file, chosen)) return chosen;
+    return chosen == Bits8 ? Bits16 : Bits8;
 }
 
 io::ShapeStyle ExportDialog::style() const {
@@ -216,7 +267,7 @@ io::ShapeStyle ExportDialog::style() const {
 
 document::Fractal ExportDialog::fractalToExport() const {
     document::Fractal fractal = m_fractal;
-    fractal.appearance.background.alpha = m_transparent->isChecked() ? 0 : 255;
+    fractal.appearance.background.alpha = isTransparent() ? 0 : 255;
     if (!isSvg()) fractal.appearance.supersample = m_supersample->value();
     return fractal;
 }
@@ -232,15 +283,12 @@ io::Export ExportDialog::exportOf(const attractor::Camera& camera) const {
     const auto cage = m_triangle->isChecked() ? io::CageVisibility::Shown : io::CageVisibility::Hidden;
     if (isSvg()) {
         const auto depth = m_autoDepth->isChecked() ? std::nullopt : std::optional(m_depth->value());
-        const auto file = m_format->currentIndex() == Pdf ? io::ShapeFile::Pdf : io::ShapeFile::Svg;
+        const auto file = std::get<io::ShapeFile>(kinds[m_format->currentIndex()].file);
         const io::SvgFormat format{depth, cage, style(), std::uint64_t(m_points->value())};
         return io::SvgExport{fractalToExport(), camera, format, file};
     }
-    io::PngExport picture{fractalToExport(),
-                          {},
-                          m_size->dotsPerInch(),
-                          cage,
-                          m_depthOfColour->currentData().value<io::PngFormat::Depth>()};
+    io::PngExport picture{fractalToExport(), {}, m_size->dotsPerInch(), cage, depthOfColour()};
+    picture.file = *pixels();
     picture.request = document::renderRequest(picture.fractal, camera);
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples =
@@ -261,12 +309,16 @@ void ExportDialog::update() {
     for (QWidget* field :
          std::initializer_list<QWidget*>{m_quality, m_supersample, m_depthOfColour, m_memory})
         m_form->setRowVisible(field, !isSvg());
+    const auto takes = [this](io::PngFormat::Depth depth) { return pixels() && io::takes(*pixels(), depth); };
+    m_form->setRowVisible(m_depthOfColour, // where there is a choice
+                          takes(io::PngFormat::Depth::Bits8) && takes(io::PngFormat::Depth::Bits16));
     for (QWidget* field : std::initializer_list<QWidget*>{m_style, m_plan})
         m_form->setRowVisible(field, isSvg());
     m_form->setRowVisible(m_points, isSvg() && points);
     for (QWidget* field : std::initializer_list<QWidget*>{m_depth, m_autoDepth})
         m_form->setRowVisible(field, isSvg() && !points);
-    m_transparent->setEnabled(!isSvg() || style() != io::ShapeStyle::Outline);
+    m_transparent->setEnabled(isSvg() ? style() != io::ShapeStyle::Outline
+                                      : pixels() != io::PictureFile::Jpeg);
     if (isSvg()) {
         m_planTimer.start();
         return;
@@ -341,13 +393,9 @@ void ExportDialog::setFolder(const QString& folder) {
 }
 
 void ExportDialog::chooseFile() {
-    const bool isPdf = m_format->currentIndex() == Pdf;
-    const QString suffix = isPdf     ? QStringLiteral("pdf")
-                           : isSvg() ? QStringLiteral("svg")
-                                     : QStringLiteral("png");
-    const QString filter = isPdf     ? tr("PDF documents (*.pdf)")
-                           : isSvg() ? tr("Scalable pictures (*.svg)")
-                                     : tr("Pictures (*.png)");
+    const Kind& kind = kinds[m_format->currentIndex()];
+    const QString suffix = QString::fromLatin1(kind.suffix);
+    const QString filter = QStringLiteral("%1 (%2)").arg(suffix.toUpper(), QLatin1String(kind.filter));
     const QString name = document::uniqueName({}, m_fractal.name) + u'.' + suffix;
     const QString path =
         chooseFileToSave(this, tr("Export Picture"),
@@ -358,6 +406,15 @@ void ExportDialog::chooseFile() {
 }
 
 void ExportDialog::exportTo(const QString& path) {
+    const std::optional<int> kind = kindOf(path);
+    if (!kind) {
+        m_message->setText(tr("The name “%1” does not say the format: it must end with .png, .jpg, .webp, "
+                              ".tiff, .exr, .svg or .pdf.")
+                               .arg(QFileInfo(path).fileName()));
+        m_message->show();
+        return;
+    }
+    m_format->setCurrentIndex(*kind);
     setBusy(true);
     m_job = startExport(
         exportOf(camera()), path, this,

@@ -28,8 +28,8 @@ namespace view {
 
 class ExportSizeEditor;
 
-// Exports what the camera shows as PNG or SVG. The work goes on in a thread of the model; the dialog stays
-// responsive, and closing it stops the export.
+// Exports what the camera shows, as pixels or as shapes. The work goes on in a thread of the model; the
+// dialog stays responsive, and closing it stops the export.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -40,7 +40,8 @@ public:
     enum class Section { View, Attractor };
     void setSection(Section section);      // what the picture shows; the view at first
     void setFolder(const QString& folder); // to suggest; without one, that of the last export
-    void exportTo(const QString& path);    // what the Export button does once a file is chosen
+    // What the Export button does once a file is chosen. The ending of its name decides the format.
+    void exportTo(const QString& path);
 
 signals:
     void exported(const QString& path);
@@ -56,7 +57,10 @@ private:
     QWidget* createProgress();
     void connectOptions();
 
-    bool isSvg() const; // or PDF: shapes
+    std::optional<io::PictureFile> pixels() const; // the chosen format, if it is made of them
+    bool isSvg() const;                            // or PDF: shapes
+    bool isTransparent() const;
+    io::PngFormat::Depth depthOfColour() const;
     io::ShapeStyle style() const;
     document::Fractal fractalToExport() const;
     attractor::Camera camera() const;

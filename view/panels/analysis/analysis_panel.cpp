@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QTextLayout>
 #include <QToolButton>
@@ -44,13 +45,15 @@ QIcon swatch(const QColor& colour, const QColor& backdrop) {
     return pixmap;
 }
 
-// No line ends inside the brackets of a pair.
+// No line ends inside the brackets of a pair of numbers; those of a remark are as long as a sentence.
 QString unbroken(QString text) {
-    int depth = 0;
-    for (QChar& c : text) {
-        if (c == u'(' || c == u'[') ++depth;
-        if (c == u')' || c == u']') --depth;
-        if (c == u' ' && depth > 0) c = QChar::Nbsp;
+    static const QRegularExpression brackets(QStringLiteral("[(\\[][^()\\[\\]]*[)\\]]"));
+    static const QRegularExpression word(QStringLiteral("\\p{L}{2}"));
+    for (auto each = brackets.globalMatch(text); each.hasNext();) {
+        const QRegularExpressionMatch match = each.next();
+        if (match.captured().contains(word)) continue;
+        for (qsizetype i = match.capturedStart(); i < match.capturedEnd(); ++i)
+            if (text[i] == u' ') text[i] = QChar::Nbsp;
     }
     return text;
 }

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "document/fractal.h"
+
+#include <QColor>
+#include <QPolygonF>
+#include <QString>
+
+#include <vector>
+
+class QPainter;
+
+// The shapes that are drawn over a picture, whatever kind of file it is written to. Lengths are pixels, y is
+// down.
+namespace io {
+
+// A polygon, a disc or a word, in this order of preference: what is empty is not drawn.
+struct OverlayMark {
+    QPolygonF polygon;
+    QPointF centre; // of the disc and of the word
+    double radius = 0;
+    QString word; // bold
+    double letterSize = 0;
+    QColor fill;   // not valid: none; of the word, its colour
+    QColor stroke; // not valid: none
+    double width = 0;
+    QList<qreal> dashes{}; // in widths of the line
+    Qt::PenCapStyle cap = Qt::RoundCap;
+};
+using OverlayMarks = std::vector<OverlayMark>;
+
+void paint(QPainter& painter, const OverlayMarks& marks);
+
+QColor cageColour();
+// The control polygon, the rest polygon dashed where it differs.
+OverlayMarks cageMarks(const document::Fractal& fractal, const attractor::Camera& camera);
+
+} // namespace io

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/overlay/overlay_marks.h"
+
+class QXmlStreamWriter;
+
+namespace io {
+
+// One element for each mark, into the element that is open.
+void writeSvgMarks(QXmlStreamWriter& xml, const OverlayMarks& marks);
+
+} // namespace io
