@@ -53,11 +53,10 @@ bool DeferredTheft::keep(const KeyTops& tops, const CoupledSystem& system, const
                     m_probabilities == system.probabilities;
     if (m_hasKeptKeys) return true;
     m_keys.resize(count);
-    const bool isDrawn =
-        inBands(m_workers, request.camera.height, stop, [&](int first, int rows) {
-            return tops.drawKeys(
-                first, std::span(m_keys).subspan(width * std::size_t(first), width * std::size_t(rows)), stop);
-        });
+    const bool isDrawn = inBands(m_workers, request.camera.height, stop, [&](int first, int rows) {
+        return tops.drawKeys(
+            first, std::span(m_keys).subspan(width * std::size_t(first), width * std::size_t(rows)), stop);
+    });
     if (!isDrawn) m_keys.clear();
     m_camera = request.camera;
     m_points = request.points;

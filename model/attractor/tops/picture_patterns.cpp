@@ -75,10 +75,14 @@ Colour sunset(double x, double y) {
 
 Colour colourOf(Pattern pattern, double x, double y) {
     switch (pattern) {
-    case Pattern::Grid: return grid(x, y);
-    case Pattern::Wheel: return wheel(x, y);
-    case Pattern::Rings: return rings(x, y);
-    case Pattern::Sunset: break;
+    case Pattern::Grid:
+        return grid(x, y);
+    case Pattern::Wheel:
+        return wheel(x, y);
+    case Pattern::Rings:
+        return rings(x, y);
+    case Pattern::Sunset:
+        break;
     }
     return sunset(x, y);
 }

@@ -29,7 +29,8 @@ struct KeptTheft {
     TheftMode mode = TheftMode::StealColours;
     attractor::Pattern pattern = attractor::Pattern::Wheel;
     QString picture; // its path from the folder of the file, with slashes; empty: the pattern
-    // What the picture shows of the plane of G, for StealColours; nullopt: as it would be rendered. y upwards.
+    // What the picture shows of the plane of G, for StealColours; nullopt: as it would be rendered. y
+    // upwards.
     std::optional<attractor::View> view;
 
     friend bool operator==(const KeptTheft&, const KeptTheft&) = default;

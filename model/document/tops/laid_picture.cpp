@@ -12,7 +12,7 @@ namespace document {
 
 namespace {
 
-constexpr int reducedSide = 48;    // pixels of what Reduce leaves, at most
+constexpr int reducedSide = 48; // pixels of what Reduce leaves, at most
 constexpr int posterisedSide = 768;
 constexpr int shades = 4; // of each channel, that Posterise leaves
 constexpr std::uint64_t pointsThere = 3'000'000;
@@ -108,8 +108,8 @@ std::optional<LaidPicture> laid(const CoupledEntries& entries,
     if (mode != TheftMode::StealColours)
         return LaidPicture{shown, cover(boxOf(entries.to), shown->width(), shown->height())};
     const attractor::View seen = view.value_or(pictureView(entries.to, shown->width(), shown->height()));
-    return LaidPicture{
-        shown, attractor::worldToPixel(attractor::cameraOf(seen, {shown->width(), shown->height()}))};
+    return LaidPicture{shown,
+                       attractor::worldToPixel(attractor::cameraOf(seen, {shown->width(), shown->height()}))};
 }
 
 } // namespace document

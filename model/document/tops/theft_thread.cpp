@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t fewest = 500'000, most = 10'000'000; // points while a hand moves
 constexpr std::uint64_t atRest[] = {16'000'000, 80'000'000};
-constexpr double fluid = 14;      // milliseconds for both pictures while a hand moves
+constexpr double fluid = 14;          // milliseconds for both pictures while a hand moves
 constexpr double pictureBehind = 0.3; // opacity of what is not on G
 constexpr auto rest = std::chrono::milliseconds(60);
 
@@ -42,11 +42,9 @@ bool isShown(const TheftJob::Side& side) {
 
 struct TheftThread::State {
     State(int threads, std::function<void()> callback)
-        : ready(std::move(callback)),
-          onFrom(threads),
-          onTo(threads),
-          there(threads),
-          thread([this] { serve(); }) {}
+        : ready(std::move(callback)), onFrom(threads), onTo(threads), there(threads), thread([this] {
+              serve();
+          }) {}
     ~State() { mailbox.close(); }
 
     void serve();

@@ -35,8 +35,8 @@ struct StolenFrames {
 };
 
 // A worker thread around DeferredTheft: the newest job wins, an older one is abandoned within milliseconds.
-// While jobs come from a hand that moves, each has as many points as keep it fluid; at rest there are more and
-// more. While only G or the picture moves, the keys of F stay.
+// While jobs come from a hand that moves, each has as many points as keep it fluid; at rest there are more
+// and more. While only G or the picture moves, the keys of F stay.
 class TheftThread {
 public:
     // `ready` is called on the worker thread, never again before newest() has been called since.
