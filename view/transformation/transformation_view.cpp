@@ -41,9 +41,15 @@ constexpr double resolution = 1.0 / 256;        // of F's size, at which continu
 constexpr std::size_t measuredPairs = 1U << 17; // of pieces, at most
 constexpr int exportedSide = 2400;              // pixels
 
+// Other files are the window's business.
 QString pictureOf(const QMimeData& data) {
+    static const QStringList endings{QStringLiteral("png"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
+                                     QStringLiteral("gif"), QStringLiteral("bmp"), QStringLiteral("pbm"),
+                                     QStringLiteral("pgm"), QStringLiteral("ppm"), QStringLiteral("pnm")};
     const QList<QUrl> urls = data.urls();
-    return urls.size() == 1 && urls.first().isLocalFile() ? urls.first().toLocalFile() : QString();
+    const QString path =
+        urls.size() == 1 && urls.first().isLocalFile() ? urls.first().toLocalFile() : QString();
+    return endings.contains(QFileInfo(path).suffix().toLower()) ? path : QString();
 }
 
 } // namespace
