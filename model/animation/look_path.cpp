@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "animation/look_path.h"
 
+#include "attractor/arithmetic/arithmetic.h"
 #include "attractor/colour/oklab.h"
 #include "attractor/colour/srgb_transfer.h"
 
