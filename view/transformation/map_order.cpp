@@ -41,6 +41,8 @@ MapOrder::MapOrder(QWidget* parent) : QWidget(parent), m_list(new QListWidget(th
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_up = flatButton(QString(), QStringLiteral("↑"), tr("Move the map towards the top"), this);
     m_down = flatButton(QString(), QStringLiteral("↓"), tr("Move the map towards the bottom"), this);
+    for (QToolButton* button : {m_up, m_down})
+        button->setAccessibleName(button->toolTip());
     auto* title = new QLabel(tr("On top"), this);
     title->setBuddy(m_list);
     auto* buttons = new QHBoxLayout;

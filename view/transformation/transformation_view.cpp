@@ -77,6 +77,7 @@ TransformationView::TransformationView(document::Document* document, RenderBridg
 
 TransformationView::~TransformationView() {
     m_theft.reset(); // while there are bridges to it
+    delete m_bar;
     delete m_partnerCanvas;
     delete m_partnerRender;
 }
@@ -134,6 +135,7 @@ void TransformationView::create() {
     });
     connect(&m_rest, &QTimer::timeout, this, &TransformationView::measure);
     connect(&m_measuring, &QFutureWatcherBase::finished, this, [this] {
+        if (m_measuring.future().resultCount() == 0) return; // memory was short
         const Continuity found = m_measuring.result();
         m_bar->showContinuity(found.tear ? sentenceOf(*found.tear, found.homeomorphism) : QString());
     });
