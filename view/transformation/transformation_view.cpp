@@ -127,10 +127,12 @@ void TransformationView::create() {
     connect(m_source, &PictureSource::ready, this, [this](const PictureSource::Picture& picture) {
         m_pictureFailure.clear();
         m_theft->setPicture(picture);
+        keepPicture();
         showProblem();
     });
     connect(m_source, &PictureSource::failed, this, [this](const QString& sentence) {
         m_pictureFailure = sentence;
+        keepPicture(); // so that it can be found
         showProblem();
     });
     connect(&m_rest, &QTimer::timeout, this, &TransformationView::measure);
@@ -164,21 +166,21 @@ void TransformationView::connectBar() {
         const qsizetype index = document::indexOf(m_document->file(), id);
         if (index < 0) return;
         KeptTheft theft = m_kept;
-        theft.partner = m_document->file().entries[index].fractal->name;
-        theft.view.reset();
-        keep(tr("Choose Partner"), theft);
+        const document::Fractal& partner = *m_document->file().entries[index].fractal;
+        theft.partner = partner.name;
+        keep(tr("Choose Partner"), placed(theft, partner));
     });
     connect(m_bar, &TransformationBar::modeChosen, this, [this](document::TheftMode mode) {
         KeptTheft theft = m_kept;
         theft.mode = mode;
-        keep(tr("Choose Mode"), theft);
+        keep(tr("Choose Mode"), placed(theft, m_partner->document().fractal()));
     });
     connect(m_bar, &TransformationBar::patternChosen, this, [this](attractor::Pattern pattern) {
         KeptTheft theft = m_kept;
         theft.pattern = pattern;
         theft.picture.clear();
-        theft.view.reset();
-        keep(tr("Choose Picture"), theft);
+        m_wanted.clear();
+        keep(tr("Choose Picture"), placed(theft, m_partner->document().fractal()));
     });
     connect(m_order, &MapOrder::ordered, this, [this](const std::vector<std::size_t>& order) {
         KeptTheft theft = m_kept;
@@ -203,9 +205,17 @@ void TransformationView::refresh() {
     EntryId partner =
         kept ? document::entryNamed(file, kept->partner) : document::likelyPartner(file, current);
     if (partner == current) partner = EntryId::None;
-    m_kept = kept.value_or(KeptTheft());
-    if (const qsizetype index = document::indexOf(file, partner); index >= 0)
-        m_kept.partner = file.entries[index].fractal->name;
+    const KeptTheft before = std::exchange(m_kept, kept.value_or(KeptTheft()));
+    if (const qsizetype index = document::indexOf(file, partner); index >= 0) {
+        const document::Fractal& fractal = *file.entries[index].fractal;
+        m_kept.partner = fractal.name;
+        // What nobody has chosen yet stays where it is, too.
+        if (!kept && before.view && m_guessedFor == current && before.partner == fractal.name)
+            m_kept.view = before.view;
+        else if (!kept)
+            m_kept = placed(m_kept, fractal);
+    }
+    m_guessedFor = kept ? EntryId::None : current;
     m_partner->setPartner(partner);
     m_partnerCanvas->setEnabled(partner != EntryId::None);
     m_theft->setTheft(m_kept);
@@ -273,14 +283,31 @@ void TransformationView::start(document::TheftFamily family) {
     m_document->editFile(tr("Add Family"), std::move(started.file), started.from);
 }
 
+// Where the picture lies on the partner as it is now, so that the partner can be dragged over it.
+KeptTheft TransformationView::placed(KeptTheft theft, const document::Fractal& partner) const {
+    theft.view.reset();
+    if (theft.mode != document::TheftMode::StealColours) return theft;
+    const auto& picture = m_theft->picture();
+    const bool isFile = picture && !theft.picture.isEmpty(); // patterns are square
+    theft.view =
+        document::pictureView(partner, isFile ? picture->width() : 1, isFile ? picture->height() : 1);
+    return theft;
+}
+
 void TransformationView::usePicture(const QString& path) {
     if (!m_isShown || path.isEmpty()) return;
+    m_wanted = path;
+    m_source->read(path); // it is kept once its size is known
+}
+
+void TransformationView::keepPicture() {
+    if (m_wanted.isEmpty()) return;
+    const QString path = std::exchange(m_wanted, QString());
     KeptTheft theft = m_kept;
     theft.picture = folder().isEmpty() ? path : QDir(folder()).relativeFilePath(path);
-    theft.view.reset();
     if (theft.mode == document::TheftMode::DeformationGrid) theft.mode = document::TheftMode::StealColours;
+    if (m_pictureFailure.isEmpty()) theft = placed(theft, m_partner->document().fractal());
     keep(tr("Choose Picture"), theft);
-    if (!m_pictureFailure.isEmpty()) m_source->read(path); // it may be there again
 }
 
 void TransformationView::choosePicture() {

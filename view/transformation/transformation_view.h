@@ -66,7 +66,9 @@ private:
     void measure();
     void keep(const QString& text, const document::KeptTheft& theft);
     void start(document::TheftFamily family);
+    document::KeptTheft placed(document::KeptTheft theft, const document::Fractal& partner) const;
     void choosePicture();
+    void keepPicture();
     void chooseExport();
     bool isOverPartner(const QPoint& position) const;
     QString folder() const; // of the file; empty while it has none
@@ -87,7 +89,9 @@ private:
     MapOrder* m_order = nullptr;
     TransformationBar* m_bar = nullptr;
 
-    document::KeptTheft m_kept; // of the entry, or what would be likely
+    document::KeptTheft m_kept;                               // of the entry, or what would be likely
+    document::EntryId m_guessedFor = document::EntryId::None; // the entry, where nothing is kept
+    QString m_wanted;                                         // a picture that is to be kept once it is read
     QString m_pictureFailure;
     QTimer m_rest; // runs until the continuity is measured
     QFutureWatcher<Continuity> m_measuring;
