@@ -40,7 +40,7 @@ public:
     const TransformationBar* bar() const { return m_bar; }
     const TheftBridge* theft() const { return m_theft.get(); }
 
-    void usePicture(const QString& path);            // a step of the history
+    void usePicture(const QString& path);            // once it is read, a step of the history
     io::Failure exportTo(const QString& path) const; // the stolen picture, as PNG
 
 signals:
