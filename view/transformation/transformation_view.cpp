@@ -4,7 +4,6 @@
 #include "canvas/canvas_view.h"
 #include "document/tops/divided_words.h"
 #include "document/tops/laid_picture.h"
-#include "ifs/tops/tear.h"
 #include "io/file/background.h"
 #include "transformation/family_sliders.h"
 #include "transformation/map_order.h"

@@ -3,6 +3,8 @@
 
 #include "bridges/theft_bridge.h"
 #include "document/tops/partner_document.h"
+#include "ifs/tops/tear.h"
+#include "io/file/save_file.h"
 #include "transformation/transformation_bar.h"
 
 #include <QFutureWatcher>
