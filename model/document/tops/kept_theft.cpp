@@ -13,7 +13,7 @@ namespace document {
 namespace {
 
 const QString prefix = QStringLiteral("barycage: partner");
-constexpr qsizetype maxValue = 48; // letters of a path on one line, so that it stays under 70
+constexpr qsizetype maxValue = 36; // letters of a path on one line, so that it stays under 70
 constexpr std::size_t maxOrder = 4096;
 constexpr qsizetype maxPath = 8192;
 
@@ -74,7 +74,7 @@ QStringList linesOf(const KeptTheft& theft) {
     QStringList numbers;
     for (std::size_t k = 0; k < theft.order.size(); ++k) {
         numbers << QString::number(theft.order[k] + 1);
-        if (numbers.size() == 10 || k + 1 == theft.order.size())
+        if (numbers.size() == 8 || k + 1 == theft.order.size())
             lines << line("-order", std::exchange(numbers, {}).join(u' '));
     }
     const auto name = attractor::nameOf(theft.pattern);
