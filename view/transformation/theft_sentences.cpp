@@ -40,16 +40,12 @@ QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, c
         .arg(flaw.toCount);
 }
 
-QString sentenceOf(const ifs::Tear& tear, ifs::Homeomorphism homeomorphism) {
+QString sentenceOf(const ifs::Tear& tear) {
     if (!tear.place) return Text::tr("Continuous: the pieces do not touch");
     const ifs::Vector<2> place = (tear.place->front() + tear.place->back()) / 2;
-    const QString number = QString::number(tear.size, 'g', 2);
     const QString text = tear.isCutShort ? Text::tr("Continuous to %1 or better, worst at (%2, %3)")
                                          : Text::tr("Continuous to %1, worst at (%2, %3)");
-    const QString sentence = text.arg(number, shortNumber(place.x()), shortNumber(place.y()));
-    if (homeomorphism == ifs::Homeomorphism::Proved) return Text::tr("%1; a homeomorphism").arg(sentence);
-    if (homeomorphism == ifs::Homeomorphism::Refuted) return Text::tr("%1; no homeomorphism").arg(sentence);
-    return sentence;
+    return text.arg(QString::number(tear.size, 'g', 2), shortNumber(place.x()), shortNumber(place.y()));
 }
 
 } // namespace view

@@ -10,6 +10,6 @@ namespace view {
 
 // What the user reads of a fractal transformation: why there is none, and how continuous it is.
 QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, const QString& to);
-QString sentenceOf(const ifs::Tear& tear, ifs::Homeomorphism homeomorphism);
+QString sentenceOf(const ifs::Tear& tear);
 
 } // namespace view

@@ -138,7 +138,7 @@ void TransformationView::create() {
     connect(&m_measuring, &QFutureWatcherBase::finished, this, [this] {
         if (m_measuring.future().resultCount() == 0) return; // memory was short
         const Continuity found = m_measuring.result();
-        m_bar->showContinuity(found.tear ? sentenceOf(*found.tear, found.homeomorphism) : QString());
+        m_bar->showContinuity(found.tear ? sentenceOf(*found.tear) : QString());
     });
 }
 
@@ -267,7 +267,6 @@ void TransformationView::measure() {
             const ifs::SupportFunction<2>& f = coupling.entries->fromAttractor;
             const ifs::SupportFunction<2>& g = coupling.entries->toAttractor;
             found.tear = ifs::tear(f, g, std::max(2 * f.radius() * resolution, 1e-300), measuredPairs);
-            found.homeomorphism = ifs::homeomorphism(f, g);
         }
         promise.addResult(found);
     }));

@@ -56,7 +56,6 @@ protected:
 private:
     struct Continuity {
         std::optional<ifs::Tear> tear;
-        ifs::Homeomorphism homeomorphism = ifs::Homeomorphism::Unknown;
     };
 
     void create();

@@ -17,6 +17,11 @@ PartnerDocument::PartnerDocument(Document* host) : m_host(host) {
     connect(m_document.undoStack(), &QUndoStack::indexChanged, this, &PartnerDocument::give);
 }
 
+// The host may be gone, and the history ends by one more change.
+PartnerDocument::~PartnerDocument() {
+    m_document.undoStack()->disconnect(this);
+}
+
 void PartnerDocument::setPartner(EntryId id) {
     if (indexOf(m_host->file(), id) < 0) id = EntryId::None;
     if (std::exchange(m_id, id) == id) return;

@@ -15,6 +15,7 @@ class PartnerDocument : public QObject {
 
 public:
     explicit PartnerDocument(Document* host);
+    ~PartnerDocument() override;
 
     Document& document() { return m_document; }
     const Document& document() const { return m_document; }
