@@ -18,7 +18,7 @@ Fractal withWordsDivided(const Fractal& fractal, std::size_t count) {
     Shape<2>* shape = plane(divided);
     if (shape == nullptr) return divided;
     const ifs::ActiveMaps<2> first = ifs::activeMaps(shape->system);
-    if (first.maps.size() < 2) return divided;
+    if (first.maps.size() < 2 || first.maps.size() >= count) return divided;
     struct Word {
         ifs::AffineMap<2> map;
         double probability;
