@@ -278,7 +278,7 @@ attractor::TheftRequest requestOf(const attractor::MipPicture& picture,
     const RenderArguments& shown = arguments.shown;
     attractor::TheftRequest request;
     request.camera = cameraOf(Shown{entries.from, entries.from}, shown, fileName);
-    request.pictureCamera = cameraOfPicture(picture, entries, arguments);
+    request.toPicture = attractor::worldToPixel(cameraOfPicture(picture, entries, arguments));
     request.isExact = arguments.isExact;
     const auto pixels = std::uint64_t(request.camera.width) * std::uint64_t(request.camera.height);
     request.points = shown.points

@@ -5,8 +5,9 @@ Stage::Stage(document::Document* document, view::RenderBridge* render, view::Sol
              QWidget* parent)
     : QStackedWidget(parent),
       m_plane(new view::CanvasView(document, render, this)),
+      m_transformation(new view::TransformationView(document, render, m_plane, this)),
       m_space(new view::SpaceView(document, solid, this)) {
-    addWidget(m_plane);
+    addWidget(m_transformation);
     addWidget(m_space);
     connect(document, &document::Document::changed, this, [this, document](const document::Change& change) {
         using document::Change;
@@ -18,10 +19,10 @@ Stage::Stage(document::Document* document, view::RenderBridge* render, view::Sol
 }
 
 void Stage::follow(const document::Document& document) {
-    QWidget* wanted = m_plane;
+    QWidget* wanted = m_transformation;
     if (document::space(document.fractal())) wanted = m_space;
     if (wanted == currentWidget()) return;
-    const bool hadFocus = currentWidget()->hasFocus();
+    const bool hadFocus = (showsSpace() ? static_cast<QWidget*>(m_space) : m_plane)->hasFocus();
     setCurrentWidget(wanted);
     setFocusProxy(wanted);
     if (hadFocus) wanted->setFocus();

@@ -3,6 +3,7 @@
 
 #include "canvas/canvas_view.h"
 #include "space/space_view.h"
+#include "transformation/transformation_view.h"
 
 #include <QStackedWidget>
 
@@ -16,6 +17,7 @@ public:
 
     view::CanvasView* plane() { return m_plane; }
     view::SpaceView* space() { return m_space; }
+    view::TransformationView* transformation() { return m_transformation; } // around the canvas
     bool showsSpace() const { return currentWidget() == m_space; }
 
     // Of the one that is shown:
@@ -33,5 +35,6 @@ private:
     void follow(const document::Document& document);
 
     view::CanvasView* m_plane;
+    view::TransformationView* m_transformation;
     view::SpaceView* m_space;
 };

@@ -19,6 +19,7 @@ ViewMenu::ViewMenu(const MenuContext& context, const std::function<void(bool)>& 
     addSeparator();
     addOverlays();
     addSnapping();
+    addTransformation();
     addSeparator();
     m_panels = addMenu(tr("&Panels"));
     addScreens(present);
@@ -111,6 +112,16 @@ void ViewMenu::addSnapping() {
                         [canvas = context().canvas, target = target](bool on) {
                             canvas->options().setSnapping(canvas->options().snapping().setFlag(target, on));
                         });
+}
+
+void ViewMenu::addTransformation() {
+    view::TransformationView* transformation = context().stage->transformation();
+    QAction* shown =
+        addToggle({nullptr, tr("Fractal &Transformation"), QKeySequence(tr("Ctrl+Shift+T")),
+                   tr("Show another entry beside this one, and paint this one with a picture on it")},
+                  [transformation](bool on) { transformation->setTransformationShown(on); });
+    disableWhen(shown, &document::planeObstacle);
+    connect(transformation, &view::TransformationView::message, context().messages, &WindowMessages::say);
 }
 
 void ViewMenu::addScreens(const std::function<void(bool)>& present) {

@@ -19,6 +19,7 @@ private:
     void addCamera();
     void addOverlays();
     void addSnapping();
+    void addTransformation();
     void addScreens(const std::function<void(bool)>& present);
 
     QMenu* m_panels = nullptr;

@@ -2,6 +2,7 @@
 #include "animation/look_path.h"
 
 #include "attractor/arithmetic/arithmetic.h"
+#include "attractor/colour/oklab.h"
 #include "attractor/colour/srgb_transfer.h"
 
 #include <algorithm>
@@ -12,37 +13,8 @@ namespace animation {
 
 namespace {
 
-using attractor::LinearColour, attractor::Palette, attractor::Rgba;
-
-// Björn Ottosson, A perceptual color space for image processing (2020).
-struct Oklab {
-    double lightness, a, b, alpha;
-};
-
-double cubeRoot(double x) {
-    return x > 0 ? attractor::power(x, 1.0 / 3) : 0;
-}
-
-Oklab oklab(const LinearColour& c) {
-    const double l = cubeRoot(0.4122214708 * c.red + 0.5363325363 * c.green + 0.0514459929 * c.blue);
-    const double m = cubeRoot(0.2119034982 * c.red + 0.6806995451 * c.green + 0.1073969566 * c.blue);
-    const double s = cubeRoot(0.0883024619 * c.red + 0.2817188376 * c.green + 0.6299787005 * c.blue);
-    return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
-            1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
-            0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s, c.alpha};
-}
-
-Rgba colourOf(const Oklab& lab) {
-    const auto cube = [](double x) { return x * x * x; };
-    const double l = cube(lab.lightness + 0.3963377774 * lab.a + 0.2158037573 * lab.b);
-    const double m = cube(lab.lightness - 0.1055613458 * lab.a - 0.0638541728 * lab.b);
-    const double s = cube(lab.lightness - 0.0894841775 * lab.a - 1.2914855480 * lab.b);
-    const auto channel = [](double light) { return attractor::encoded(std::clamp(light, 0.0, 1.0)); };
-    return {channel(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
-            channel(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
-            channel(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s),
-            std::uint8_t(std::clamp(lab.alpha * 255 + 0.5, 0.0, 255.0))};
-}
+using attractor::colourOf, attractor::oklab;
+using attractor::LinearColour, attractor::Oklab, attractor::Palette, attractor::Rgba;
 
 Rgba mixed(const LinearColour& from, const LinearColour& to, double share) {
     const Oklab a = oklab(from), b = oklab(to);

@@ -1827,6 +1827,18 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Dieses System hat mehr als %L1 Abbildungen, zu viele für einen Körper im Fenster. „barycage-cli convert --lift“ nimmt sie an.</translation>
     </message>
+    <message>
+        <source>Fractal &amp;Transformation</source>
+        <translation>Fraktale &amp;Transformation</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Show another entry beside this one, and paint this one with a picture on it</source>
+        <translation>Einen anderen Eintrag daneben zeigen und diesen mit einem Bild darauf färben</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1943,21 +1955,6 @@
     <message>
         <source>Cyanotype</source>
         <translation>Cyanotypie</translation>
-    </message>
-</context>
-<context>
-    <name>PictureReader</name>
-    <message>
-        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
-        <translation>„%1“ ist kein Bild, das gelesen werden kann; PNG und JPEG können es immer.</translation>
-    </message>
-    <message>
-        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
-        <translation>„%1“ hat %2 × %3 Pixel, und die Grenze liegt bei 64 Millionen; verkleinern Sie das Bild zuerst.</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged: %2.</source>
-        <translation>„%1“ ist beschädigt: %2.</translation>
     </message>
 </context>
 <context>
@@ -3371,6 +3368,50 @@
     <message>
         <source>The picture is too long and thin to be traced.</source>
         <translation>Das Bild ist zu lang und schmal, um nachgezeichnet zu werden.</translation>
+    </message>
+    <message>
+        <source>There is no fractal transformation between these entries.</source>
+        <translation>Zwischen diesen Einträgen gibt es keine fraktale Transformation.</translation>
+    </message>
+    <message>
+        <source>Exporting the picture…</source>
+        <translation>Bild wird exportiert …</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system of the plane.</source>
+        <translation>„%1“ ist kein System der Ebene.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.</source>
+        <translation>Der Käfig von „%1“ ist flach oder verbiegt das Bild. Schreiben Sie ihn zuerst in den Code, oder setzen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>“%1” has no active map, so there is nothing to draw.</source>
+        <translation>„%1“ hat keine aktive Abbildung, also gibt es nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>“%1” has no attractor that could be proved, so its points have no addresses.</source>
+        <translation>„%1“ hat keinen nachweisbaren Attraktor, also haben seine Punkte keine Adressen.</translation>
+    </message>
+    <message>
+        <source>The stored order does not list every active map of “%1” once.</source>
+        <translation>Die gespeicherte Reihenfolge nennt nicht jede aktive Abbildung von „%1“ genau einmal.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 active maps and “%3” has %4. They need equally many.</source>
+        <translation>„%1“ hat %2 aktive Abbildungen, „%3“ hat %4. Beide brauchen gleich viele.</translation>
+    </message>
+    <message>
+        <source>Continuous: the pieces do not touch</source>
+        <translation>Stetig: Die Teile berühren sich nicht</translation>
+    </message>
+    <message>
+        <source>Continuous to %1 or better, worst at (%2, %3)</source>
+        <translation>Stetig bis auf %1 oder besser, am schlechtesten bei (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Continuous to %1, worst at (%2, %3)</source>
+        <translation>Stetig bis auf %1, am schlechtesten bei (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -6179,6 +6220,17 @@
     </message>
 </context>
 <context>
+    <name>view::FamilySliders</name>
+    <message>
+        <source>Parameter %1 of the family</source>
+        <translation>Parameter %1 der Familie</translation>
+    </message>
+    <message>
+        <source>Change Family</source>
+        <translation>Familie ändern</translation>
+    </message>
+</context>
+<context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
@@ -6244,10 +6296,6 @@
         <translation>Laden…</translation>
     </message>
     <message>
-        <source>Load a palette from a .gpl, .ugr or .map file</source>
-        <translation>Eine Palette aus einer .gpl-, .ugr- oder .map-Datei laden</translation>
-    </message>
-    <message>
         <source>Save As…</source>
         <translation>Speichern unter…</translation>
     </message>
@@ -6288,10 +6336,6 @@
         <translation>Palette laden</translation>
     </message>
     <message>
-        <source>Palettes (*.gpl *.ugr *.gradient *.map);;All files (*)</source>
-        <translation>Paletten (*.gpl *.ugr *.gradient *.map);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>%1, line %2: %3</source>
         <translation>%1, Zeile %2: %3</translation>
     </message>
@@ -6322,6 +6366,18 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>„%1“ wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Load a palette from a .gpl, .ugr or .map file, or take it from a picture</source>
+        <translation>Palette aus einer .gpl-, .ugr- oder .map-Datei laden oder aus einem Bild nehmen</translation>
+    </message>
+    <message>
+        <source>Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
+        <translation>Paletten und Bilder (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Take the palette from a picture</source>
+        <translation>Palette aus einem Bild nehmen</translation>
     </message>
 </context>
 <context>
@@ -6416,6 +6472,44 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Azimuth %1°, elevation %2°</source>
         <translation>Azimut %1°, Höhe %2°</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinePicture</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Drag a line to take only the colours along it; click to take all</source>
+        <translation>Ziehen Sie eine Linie, um nur die Farben auf ihr zu nehmen; klicken Sie, um alle zu nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>view::MapOrder</name>
+    <message>
+        <source>Order of the maps</source>
+        <translation>Reihenfolge der Abbildungen</translation>
+    </message>
+    <message>
+        <source>Where pieces overlap, the map that is higher in this list is on top; drag a map to move it</source>
+        <translation>Wo sich Teile überlappen, liegt die Abbildung oben, die in dieser Liste höher steht; ziehen Sie eine Abbildung, um sie zu verschieben</translation>
+    </message>
+    <message>
+        <source>Move the map towards the top</source>
+        <translation>Die Abbildung nach oben verschieben</translation>
+    </message>
+    <message>
+        <source>Move the map towards the bottom</source>
+        <translation>Die Abbildung nach unten verschieben</translation>
+    </message>
+    <message>
+        <source>On top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
     </message>
 </context>
 <context>
@@ -7214,6 +7308,29 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>&amp;Use This Order</source>
         <translation>Diese &amp;Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>view::PicturePaletteDialog</name>
+    <message>
+        <source>Palette from Picture</source>
+        <translation>Palette aus Bild</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>How many colours the palette has</source>
+        <translation>Wie viele Farben die Palette hat</translation>
+    </message>
+    <message>
+        <source>Drag a line to take only the colours along it.</source>
+        <translation>Ziehen Sie eine Linie, um nur die Farben auf ihr zu nehmen.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Farben:</translation>
     </message>
 </context>
 <context>
@@ -8740,6 +8857,188 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>the centre of the picture’s box</source>
         <translation>die Mitte des Rechtecks um das Bild</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransformationBar</name>
+    <message>
+        <source>Partner</source>
+        <translation>Partner</translation>
+    </message>
+    <message>
+        <source>The entry on which the picture lies</source>
+        <translation>Der Eintrag, auf dem das Bild liegt</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>What the fractal transformation does with the picture</source>
+        <translation>Was die fraktale Transformation mit dem Bild macht</translation>
+    </message>
+    <message>
+        <source>Fractal transformation</source>
+        <translation>Fraktale Transformation</translation>
+    </message>
+    <message>
+        <source>Steal Colours</source>
+        <translation>Farben stehlen</translation>
+    </message>
+    <message>
+        <source>Transform a Picture</source>
+        <translation>Bild transformieren</translation>
+    </message>
+    <message>
+        <source>Deformation Grid</source>
+        <translation>Verformungsgitter</translation>
+    </message>
+    <message>
+        <source>Filter: Reduce</source>
+        <translation>Filter: Verkleinern</translation>
+    </message>
+    <message>
+        <source>Filter: Posterise</source>
+        <translation>Filter: Posterisieren</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Save the stolen picture as PNG</source>
+        <translation>Das gestohlene Bild als PNG speichern</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The picture on the partner; you can also drop one there</source>
+        <translation>Das Bild auf dem Partner; Sie können auch eines dort ablegen</translation>
+    </message>
+    <message>
+        <source>Choose Picture…</source>
+        <translation>Bild wählen …</translation>
+    </message>
+    <message>
+        <source>Colour Wheel</source>
+        <translation>Farbkreis</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>Starters</source>
+        <translation>Anfänge</translation>
+    </message>
+    <message>
+        <source>Add two entries with the same addresses, whose parameters you can slide</source>
+        <translation>Zwei Einträge mit denselben Adressen hinzufügen, deren Parameter sich schieben lassen</translation>
+    </message>
+    <message>
+        <source>Triangle Family</source>
+        <translation>Dreiecksfamilie</translation>
+    </message>
+    <message>
+        <source>Square Family</source>
+        <translation>Quadratfamilie</translation>
+    </message>
+    <message>
+        <source>%1 →</source>
+        <translation>%1 →</translation>
+    </message>
+    <message>
+        <source>The picture on the partner: %1</source>
+        <translation>Das Bild auf dem Partner: %1</translation>
+    </message>
+    <message>
+        <source>Find Picture…</source>
+        <translation>Bild suchen …</translation>
+    </message>
+    <message>
+        <source>Divide Words</source>
+        <translation>Wörter teilen</translation>
+    </message>
+    <message>
+        <source>Choose the picture where it is now</source>
+        <translation>Das Bild dort wählen, wo es jetzt ist</translation>
+    </message>
+    <message>
+        <source>Divide maps of both entries into words until they have equally many</source>
+        <translation>Abbildungen beider Einträge in Wörter teilen, bis es gleich viele sind</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransformationView</name>
+    <message>
+        <source>Canvas of the partner</source>
+        <translation>Leinwand des Partners</translation>
+    </message>
+    <message>
+        <source>Choose Partner</source>
+        <translation>Partner wählen</translation>
+    </message>
+    <message>
+        <source>Choose Mode</source>
+        <translation>Modus wählen</translation>
+    </message>
+    <message>
+        <source>Choose Picture</source>
+        <translation>Bild wählen</translation>
+    </message>
+    <message>
+        <source>Reorder Tops</source>
+        <translation>Reihenfolge ändern</translation>
+    </message>
+    <message>
+        <source>Divide Words</source>
+        <translation>Wörter teilen</translation>
+    </message>
+    <message>
+        <source>There is no other entry of the plane in this file. Add one, or choose a starter.</source>
+        <translation>In dieser Datei gibt es keinen anderen Eintrag der Ebene. Fügen Sie einen hinzu, oder wählen Sie einen Anfang.</translation>
+    </message>
+    <message>
+        <source>The partner “%1” is not in this file. Choose another one.</source>
+        <translation>Der Partner „%1“ ist nicht in dieser Datei. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add Family</source>
+        <translation>Familie hinzufügen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>There is no stolen picture yet.</source>
+        <translation>Es gibt noch kein gestohlenes Bild.</translation>
+    </message>
+    <message>
+        <source>Export Stolen Picture</source>
+        <translation>Gestohlenes Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 exportiert.</translation>
     </message>
 </context>
 <context>

@@ -1827,6 +1827,18 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Este sistema tiene más de %L1 aplicaciones, demasiadas para un sólido en la ventana. «barycage-cli convert --lift» las admite.</translation>
     </message>
+    <message>
+        <source>Fractal &amp;Transformation</source>
+        <translation>&amp;Transformación fractal</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Show another entry beside this one, and paint this one with a picture on it</source>
+        <translation>Mostrar otra entrada junto a esta y pintar esta con una imagen que está sobre ella</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1943,21 +1955,6 @@
     <message>
         <source>Cyanotype</source>
         <translation>Cianotipo</translation>
-    </message>
-</context>
-<context>
-    <name>PictureReader</name>
-    <message>
-        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
-        <translation>«%1» no es una imagen que se pueda leer; PNG y JPEG siempre se pueden.</translation>
-    </message>
-    <message>
-        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
-        <translation>«%1» tiene %2 × %3 píxeles y el límite es de 64 millones; redúzcala primero.</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged: %2.</source>
-        <translation>«%1» está dañada: %2.</translation>
     </message>
 </context>
 <context>
@@ -3371,6 +3368,50 @@
     <message>
         <source>The picture is too long and thin to be traced.</source>
         <translation>La imagen es demasiado larga y estrecha para calcarla.</translation>
+    </message>
+    <message>
+        <source>There is no fractal transformation between these entries.</source>
+        <translation>No hay transformación fractal entre estas entradas.</translation>
+    </message>
+    <message>
+        <source>Exporting the picture…</source>
+        <translation>Exportando la imagen…</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system of the plane.</source>
+        <translation>«%1» no es un sistema del plano.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.</source>
+        <translation>La jaula de «%1» es plana o dobla la imagen. Escríbala primero en el código o devuélvala al reposo.</translation>
+    </message>
+    <message>
+        <source>“%1” has no active map, so there is nothing to draw.</source>
+        <translation>«%1» no tiene ninguna aplicación activa, así que no hay nada que dibujar.</translation>
+    </message>
+    <message>
+        <source>“%1” has no attractor that could be proved, so its points have no addresses.</source>
+        <translation>«%1» no tiene un atractor demostrable, así que sus puntos no tienen direcciones.</translation>
+    </message>
+    <message>
+        <source>The stored order does not list every active map of “%1” once.</source>
+        <translation>El orden guardado no enumera una vez cada aplicación activa de «%1».</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 active maps and “%3” has %4. They need equally many.</source>
+        <translation>«%1» tiene %2 aplicaciones activas y «%3» tiene %4. Necesitan tener las mismas.</translation>
+    </message>
+    <message>
+        <source>Continuous: the pieces do not touch</source>
+        <translation>Continua: las partes no se tocan</translation>
+    </message>
+    <message>
+        <source>Continuous to %1 or better, worst at (%2, %3)</source>
+        <translation>Continua salvo %1 o mejor, lo peor en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Continuous to %1, worst at (%2, %3)</source>
+        <translation>Continua salvo %1, lo peor en (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -6179,6 +6220,17 @@
     </message>
 </context>
 <context>
+    <name>view::FamilySliders</name>
+    <message>
+        <source>Parameter %1 of the family</source>
+        <translation>Parámetro %1 de la familia</translation>
+    </message>
+    <message>
+        <source>Change Family</source>
+        <translation>Cambiar la familia</translation>
+    </message>
+</context>
+<context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
@@ -6244,10 +6296,6 @@
         <translation>Cargar…</translation>
     </message>
     <message>
-        <source>Load a palette from a .gpl, .ugr or .map file</source>
-        <translation>Cargar una paleta de un archivo .gpl, .ugr o .map</translation>
-    </message>
-    <message>
         <source>Save As…</source>
         <translation>Guardar como…</translation>
     </message>
@@ -6288,10 +6336,6 @@
         <translation>Cargar una paleta</translation>
     </message>
     <message>
-        <source>Palettes (*.gpl *.ugr *.gradient *.map);;All files (*)</source>
-        <translation>Paletas (*.gpl *.ugr *.gradient *.map);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>%1, line %2: %3</source>
         <translation>%1, línea %2: %3</translation>
     </message>
@@ -6322,6 +6366,18 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>Load a palette from a .gpl, .ugr or .map file, or take it from a picture</source>
+        <translation>Cargar una paleta de un archivo .gpl, .ugr o .map, o tomarla de una imagen</translation>
+    </message>
+    <message>
+        <source>Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
+        <translation>Paletas e imágenes (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Take the palette from a picture</source>
+        <translation>Tomar la paleta de una imagen</translation>
     </message>
 </context>
 <context>
@@ -6416,6 +6472,44 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Azimuth %1°, elevation %2°</source>
         <translation>Acimut %1°, elevación %2°</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinePicture</name>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Drag a line to take only the colours along it; click to take all</source>
+        <translation>Arrastre una línea para tomar solo los colores a lo largo de ella; haga clic para tomarlos todos</translation>
+    </message>
+</context>
+<context>
+    <name>view::MapOrder</name>
+    <message>
+        <source>Order of the maps</source>
+        <translation>Orden de las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Where pieces overlap, the map that is higher in this list is on top; drag a map to move it</source>
+        <translation>Donde las partes se solapan, queda encima la aplicación que está más arriba en esta lista; arrastre una aplicación para moverla</translation>
+    </message>
+    <message>
+        <source>Move the map towards the top</source>
+        <translation>Mover la aplicación hacia arriba</translation>
+    </message>
+    <message>
+        <source>Move the map towards the bottom</source>
+        <translation>Mover la aplicación hacia abajo</translation>
+    </message>
+    <message>
+        <source>On top</source>
+        <translation>Encima</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Aplicación %1</translation>
     </message>
 </context>
 <context>
@@ -7214,6 +7308,29 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>&amp;Use This Order</source>
         <translation>&amp;Usar este orden</translation>
+    </message>
+</context>
+<context>
+    <name>view::PicturePaletteDialog</name>
+    <message>
+        <source>Palette from Picture</source>
+        <translation>Paleta de una imagen</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>How many colours the palette has</source>
+        <translation>Cuántos colores tiene la paleta</translation>
+    </message>
+    <message>
+        <source>Drag a line to take only the colours along it.</source>
+        <translation>Arrastre una línea para tomar solo los colores a lo largo de ella.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Colores:</translation>
     </message>
 </context>
 <context>
@@ -8740,6 +8857,188 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>the centre of the picture’s box</source>
         <translation>el centro del rectángulo de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransformationBar</name>
+    <message>
+        <source>Partner</source>
+        <translation>Pareja</translation>
+    </message>
+    <message>
+        <source>The entry on which the picture lies</source>
+        <translation>La entrada sobre la que está la imagen</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modo</translation>
+    </message>
+    <message>
+        <source>What the fractal transformation does with the picture</source>
+        <translation>Qué hace la transformación fractal con la imagen</translation>
+    </message>
+    <message>
+        <source>Fractal transformation</source>
+        <translation>Transformación fractal</translation>
+    </message>
+    <message>
+        <source>Steal Colours</source>
+        <translation>Robar colores</translation>
+    </message>
+    <message>
+        <source>Transform a Picture</source>
+        <translation>Transformar una imagen</translation>
+    </message>
+    <message>
+        <source>Deformation Grid</source>
+        <translation>Cuadrícula de deformación</translation>
+    </message>
+    <message>
+        <source>Filter: Reduce</source>
+        <translation>Filtro: reducir</translation>
+    </message>
+    <message>
+        <source>Filter: Posterise</source>
+        <translation>Filtro: posterizar</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Save the stolen picture as PNG</source>
+        <translation>Guardar la imagen robada como PNG</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>The picture on the partner; you can also drop one there</source>
+        <translation>La imagen sobre la pareja; también puede soltar una allí</translation>
+    </message>
+    <message>
+        <source>Choose Picture…</source>
+        <translation>Elegir imagen…</translation>
+    </message>
+    <message>
+        <source>Colour Wheel</source>
+        <translation>Círculo cromático</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Cuadrícula</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Anillos</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Puesta de sol</translation>
+    </message>
+    <message>
+        <source>Starters</source>
+        <translation>Inicios</translation>
+    </message>
+    <message>
+        <source>Add two entries with the same addresses, whose parameters you can slide</source>
+        <translation>Añadir dos entradas con las mismas direcciones, cuyos parámetros se pueden deslizar</translation>
+    </message>
+    <message>
+        <source>Triangle Family</source>
+        <translation>Familia del triángulo</translation>
+    </message>
+    <message>
+        <source>Square Family</source>
+        <translation>Familia del cuadrado</translation>
+    </message>
+    <message>
+        <source>%1 →</source>
+        <translation>%1 →</translation>
+    </message>
+    <message>
+        <source>The picture on the partner: %1</source>
+        <translation>La imagen sobre la pareja: %1</translation>
+    </message>
+    <message>
+        <source>Find Picture…</source>
+        <translation>Buscar la imagen…</translation>
+    </message>
+    <message>
+        <source>Divide Words</source>
+        <translation>Dividir palabras</translation>
+    </message>
+    <message>
+        <source>Choose the picture where it is now</source>
+        <translation>Elegir la imagen donde está ahora</translation>
+    </message>
+    <message>
+        <source>Divide maps of both entries into words until they have equally many</source>
+        <translation>Dividir aplicaciones de ambas entradas en palabras hasta que tengan las mismas</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransformationView</name>
+    <message>
+        <source>Canvas of the partner</source>
+        <translation>Lienzo de la pareja</translation>
+    </message>
+    <message>
+        <source>Choose Partner</source>
+        <translation>Elegir pareja</translation>
+    </message>
+    <message>
+        <source>Choose Mode</source>
+        <translation>Elegir modo</translation>
+    </message>
+    <message>
+        <source>Choose Picture</source>
+        <translation>Elegir imagen</translation>
+    </message>
+    <message>
+        <source>Reorder Tops</source>
+        <translation>Reordenar las de encima</translation>
+    </message>
+    <message>
+        <source>Divide Words</source>
+        <translation>Dividir palabras</translation>
+    </message>
+    <message>
+        <source>There is no other entry of the plane in this file. Add one, or choose a starter.</source>
+        <translation>No hay otra entrada del plano en este archivo. Añada una o elija un inicio.</translation>
+    </message>
+    <message>
+        <source>The partner “%1” is not in this file. Choose another one.</source>
+        <translation>La pareja «%1» no está en este archivo. Elija otra.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add Family</source>
+        <translation>Añadir familia</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>There is no stolen picture yet.</source>
+        <translation>Todavía no hay imagen robada.</translation>
+    </message>
+    <message>
+        <source>Export Stolen Picture</source>
+        <translation>Exportar la imagen robada</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 exportado.</translation>
     </message>
 </context>
 <context>

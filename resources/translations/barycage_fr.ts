@@ -1827,6 +1827,18 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Ce système a plus de %L1 applications, trop pour un solide dans la fenêtre. « barycage-cli convert --lift » les accepte.</translation>
     </message>
+    <message>
+        <source>Fractal &amp;Transformation</source>
+        <translation>&amp;Transformation fractale</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Show another entry beside this one, and paint this one with a picture on it</source>
+        <translation>Afficher une autre entrée à côté de celle-ci et peindre celle-ci avec une image posée dessus</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1943,21 +1955,6 @@
     <message>
         <source>Cyanotype</source>
         <translation>Cyanotype</translation>
-    </message>
-</context>
-<context>
-    <name>PictureReader</name>
-    <message>
-        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas une image lisible&#xa0;; les formats PNG et JPEG le sont toujours.</translation>
-    </message>
-    <message>
-        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
-        <translation>«&#xa0;%1&#xa0;» compte %2 × %3 pixels, et la limite est de 64 millions&#xa0;; réduisez d’abord l’image.</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged: %2.</source>
-        <translation>«&#xa0;%1&#xa0;» est endommagée&#xa0;: %2.</translation>
     </message>
 </context>
 <context>
@@ -3371,6 +3368,50 @@
     <message>
         <source>The picture is too long and thin to be traced.</source>
         <translation>L’image est trop longue et trop mince pour être décalquée.</translation>
+    </message>
+    <message>
+        <source>There is no fractal transformation between these entries.</source>
+        <translation>Il n’y a pas de transformation fractale entre ces entrées.</translation>
+    </message>
+    <message>
+        <source>Exporting the picture…</source>
+        <translation>Exportation de l’image…</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system of the plane.</source>
+        <translation>« %1 » n’est pas un système du plan.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.</source>
+        <translation>La cage de « %1 » est plate ou courbe l’image. Inscrivez-la d’abord dans le code, ou remettez-la au repos.</translation>
+    </message>
+    <message>
+        <source>“%1” has no active map, so there is nothing to draw.</source>
+        <translation>« %1 » n’a aucune application active, il n’y a donc rien à dessiner.</translation>
+    </message>
+    <message>
+        <source>“%1” has no attractor that could be proved, so its points have no addresses.</source>
+        <translation>« %1 » n’a pas d’attracteur démontrable, ses points n’ont donc pas d’adresses.</translation>
+    </message>
+    <message>
+        <source>The stored order does not list every active map of “%1” once.</source>
+        <translation>L’ordre enregistré ne cite pas une fois chaque application active de « %1 ».</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 active maps and “%3” has %4. They need equally many.</source>
+        <translation>« %1 » a %2 applications actives et « %3 » en a %4. Il en faut autant des deux côtés.</translation>
+    </message>
+    <message>
+        <source>Continuous: the pieces do not touch</source>
+        <translation>Continue : les parties ne se touchent pas</translation>
+    </message>
+    <message>
+        <source>Continuous to %1 or better, worst at (%2, %3)</source>
+        <translation>Continue à %1 près ou mieux, au pire en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Continuous to %1, worst at (%2, %3)</source>
+        <translation>Continue à %1 près, au pire en (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -6179,6 +6220,17 @@
     </message>
 </context>
 <context>
+    <name>view::FamilySliders</name>
+    <message>
+        <source>Parameter %1 of the family</source>
+        <translation>Paramètre %1 de la famille</translation>
+    </message>
+    <message>
+        <source>Change Family</source>
+        <translation>Modifier la famille</translation>
+    </message>
+</context>
+<context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
@@ -6244,10 +6296,6 @@
         <translation>Charger…</translation>
     </message>
     <message>
-        <source>Load a palette from a .gpl, .ugr or .map file</source>
-        <translation>Charger une palette depuis un fichier .gpl, .ugr ou .map</translation>
-    </message>
-    <message>
         <source>Save As…</source>
         <translation>Enregistrer sous…</translation>
     </message>
@@ -6288,10 +6336,6 @@
         <translation>Charger une palette</translation>
     </message>
     <message>
-        <source>Palettes (*.gpl *.ugr *.gradient *.map);;All files (*)</source>
-        <translation>Palettes (*.gpl *.ugr *.gradient *.map);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>%1, line %2: %3</source>
         <translation>%1, ligne %2&#x202f;: %3</translation>
     </message>
@@ -6322,6 +6366,18 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>Load a palette from a .gpl, .ugr or .map file, or take it from a picture</source>
+        <translation>Charger une palette d’un fichier .gpl, .ugr ou .map, ou la prendre d’une image</translation>
+    </message>
+    <message>
+        <source>Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
+        <translation>Palettes et images (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Take the palette from a picture</source>
+        <translation>Prendre la palette d’une image</translation>
     </message>
 </context>
 <context>
@@ -6416,6 +6472,44 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Azimuth %1°, elevation %2°</source>
         <translation>Azimut %1°, élévation %2°</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinePicture</name>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Drag a line to take only the colours along it; click to take all</source>
+        <translation>Tracez une ligne pour ne prendre que les couleurs le long de celle-ci ; cliquez pour les prendre toutes</translation>
+    </message>
+</context>
+<context>
+    <name>view::MapOrder</name>
+    <message>
+        <source>Order of the maps</source>
+        <translation>Ordre des applications</translation>
+    </message>
+    <message>
+        <source>Where pieces overlap, the map that is higher in this list is on top; drag a map to move it</source>
+        <translation>Là où des parties se recouvrent, l’application placée plus haut dans cette liste est au-dessus ; faites glisser une application pour la déplacer</translation>
+    </message>
+    <message>
+        <source>Move the map towards the top</source>
+        <translation>Déplacer l’application vers le haut</translation>
+    </message>
+    <message>
+        <source>Move the map towards the bottom</source>
+        <translation>Déplacer l’application vers le bas</translation>
+    </message>
+    <message>
+        <source>On top</source>
+        <translation>Au-dessus</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Application %1</translation>
     </message>
 </context>
 <context>
@@ -7214,6 +7308,29 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>&amp;Use This Order</source>
         <translation>&amp;Utiliser cet ordre</translation>
+    </message>
+</context>
+<context>
+    <name>view::PicturePaletteDialog</name>
+    <message>
+        <source>Palette from Picture</source>
+        <translation>Palette d’une image</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>How many colours the palette has</source>
+        <translation>Nombre de couleurs de la palette</translation>
+    </message>
+    <message>
+        <source>Drag a line to take only the colours along it.</source>
+        <translation>Tracez une ligne pour ne prendre que les couleurs le long de celle-ci.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Couleurs :</translation>
     </message>
 </context>
 <context>
@@ -8740,6 +8857,188 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>the centre of the picture’s box</source>
         <translation>le centre de la boîte englobante de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransformationBar</name>
+    <message>
+        <source>Partner</source>
+        <translation>Partenaire</translation>
+    </message>
+    <message>
+        <source>The entry on which the picture lies</source>
+        <translation>L’entrée sur laquelle l’image est posée</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>What the fractal transformation does with the picture</source>
+        <translation>Ce que la transformation fractale fait de l’image</translation>
+    </message>
+    <message>
+        <source>Fractal transformation</source>
+        <translation>Transformation fractale</translation>
+    </message>
+    <message>
+        <source>Steal Colours</source>
+        <translation>Voler les couleurs</translation>
+    </message>
+    <message>
+        <source>Transform a Picture</source>
+        <translation>Transformer une image</translation>
+    </message>
+    <message>
+        <source>Deformation Grid</source>
+        <translation>Grille de déformation</translation>
+    </message>
+    <message>
+        <source>Filter: Reduce</source>
+        <translation>Filtre : réduire</translation>
+    </message>
+    <message>
+        <source>Filter: Posterise</source>
+        <translation>Filtre : postériser</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Save the stolen picture as PNG</source>
+        <translation>Enregistrer l’image volée en PNG</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>The picture on the partner; you can also drop one there</source>
+        <translation>L’image sur le partenaire ; vous pouvez aussi en déposer une</translation>
+    </message>
+    <message>
+        <source>Choose Picture…</source>
+        <translation>Choisir une image…</translation>
+    </message>
+    <message>
+        <source>Colour Wheel</source>
+        <translation>Roue chromatique</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Anneaux</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Coucher de soleil</translation>
+    </message>
+    <message>
+        <source>Starters</source>
+        <translation>Amorces</translation>
+    </message>
+    <message>
+        <source>Add two entries with the same addresses, whose parameters you can slide</source>
+        <translation>Ajouter deux entrées de mêmes adresses, aux paramètres réglables</translation>
+    </message>
+    <message>
+        <source>Triangle Family</source>
+        <translation>Famille du triangle</translation>
+    </message>
+    <message>
+        <source>Square Family</source>
+        <translation>Famille du carré</translation>
+    </message>
+    <message>
+        <source>%1 →</source>
+        <translation>%1 →</translation>
+    </message>
+    <message>
+        <source>The picture on the partner: %1</source>
+        <translation>L’image sur le partenaire : %1</translation>
+    </message>
+    <message>
+        <source>Find Picture…</source>
+        <translation>Retrouver l’image…</translation>
+    </message>
+    <message>
+        <source>Divide Words</source>
+        <translation>Diviser les mots</translation>
+    </message>
+    <message>
+        <source>Choose the picture where it is now</source>
+        <translation>Choisir l’image là où elle est maintenant</translation>
+    </message>
+    <message>
+        <source>Divide maps of both entries into words until they have equally many</source>
+        <translation>Diviser des applications des deux entrées en mots jusqu’à en avoir autant</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransformationView</name>
+    <message>
+        <source>Canvas of the partner</source>
+        <translation>Toile du partenaire</translation>
+    </message>
+    <message>
+        <source>Choose Partner</source>
+        <translation>Choisir le partenaire</translation>
+    </message>
+    <message>
+        <source>Choose Mode</source>
+        <translation>Choisir le mode</translation>
+    </message>
+    <message>
+        <source>Choose Picture</source>
+        <translation>Choisir une image</translation>
+    </message>
+    <message>
+        <source>Reorder Tops</source>
+        <translation>Réordonner les applications</translation>
+    </message>
+    <message>
+        <source>Divide Words</source>
+        <translation>Diviser les mots</translation>
+    </message>
+    <message>
+        <source>There is no other entry of the plane in this file. Add one, or choose a starter.</source>
+        <translation>Ce fichier n’a pas d’autre entrée du plan. Ajoutez-en une, ou choisissez une amorce.</translation>
+    </message>
+    <message>
+        <source>The partner “%1” is not in this file. Choose another one.</source>
+        <translation>Le partenaire « %1 » n’est pas dans ce fichier. Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Add Family</source>
+        <translation>Ajouter une famille</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>There is no stolen picture yet.</source>
+        <translation>Il n’y a pas encore d’image volée.</translation>
+    </message>
+    <message>
+        <source>Export Stolen Picture</source>
+        <translation>Exporter l’image volée</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 exporté.</translation>
     </message>
 </context>
 <context>

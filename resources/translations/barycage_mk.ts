@@ -1832,6 +1832,18 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Овој систем има повеќе од %L1 пресликувања, премногу за тело во прозорецот. „barycage-cli convert --lift“ ги прифаќа.</translation>
     </message>
+    <message>
+        <source>Fractal &amp;Transformation</source>
+        <translation>Фрактална &amp;трансформација</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Show another entry beside this one, and paint this one with a picture on it</source>
+        <translation>Прикажи друг запис покрај овој и обој го овој со слика врз него</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -1948,21 +1960,6 @@
     <message>
         <source>Cyanotype</source>
         <translation>Цијанотипија</translation>
-    </message>
-</context>
-<context>
-    <name>PictureReader</name>
-    <message>
-        <source>“%1” is not a picture that can be read; PNG and JPEG always can.</source>
-        <translation>„%1“ не е слика што може да се прочита; PNG и JPEG секогаш можат.</translation>
-    </message>
-    <message>
-        <source>“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.</source>
-        <translation>„%1“ има %2 × %3 пиксели, а границата е 64 милиони; прво намалете ја сликата.</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged: %2.</source>
-        <translation>„%1“ е оштетена: %2.</translation>
     </message>
 </context>
 <context>
@@ -3377,6 +3374,50 @@
     <message>
         <source>The picture is too long and thin to be traced.</source>
         <translation>Сликата е премногу долга и тенка за да се прецрта.</translation>
+    </message>
+    <message>
+        <source>There is no fractal transformation between these entries.</source>
+        <translation>Меѓу овие записи нема фрактална трансформација.</translation>
+    </message>
+    <message>
+        <source>Exporting the picture…</source>
+        <translation>Се извезува сликата…</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system of the plane.</source>
+        <translation>„%1“ не е систем во рамнината.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.</source>
+        <translation>Кафезот на „%1“ е рамен или ја свиткува сликата. Прво впишете го во кодот или вратете го во мирување.</translation>
+    </message>
+    <message>
+        <source>“%1” has no active map, so there is nothing to draw.</source>
+        <translation>„%1“ нема активно пресликување, па нема што да се нацрта.</translation>
+    </message>
+    <message>
+        <source>“%1” has no attractor that could be proved, so its points have no addresses.</source>
+        <translation>„%1“ нема докажлив атрактор, па неговите точки немаат адреси.</translation>
+    </message>
+    <message>
+        <source>The stored order does not list every active map of “%1” once.</source>
+        <translation>Зачуваниот редослед не го наведува секое активно пресликување на „%1“ точно еднаш.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 active maps and “%3” has %4. They need equally many.</source>
+        <translation>„%1“ има %2 активни пресликувања, а „%3“ има %4. Треба да имаат еднаков број.</translation>
+    </message>
+    <message>
+        <source>Continuous: the pieces do not touch</source>
+        <translation>Непрекината: деловите не се допираат</translation>
+    </message>
+    <message>
+        <source>Continuous to %1 or better, worst at (%2, %3)</source>
+        <translation>Непрекината до %1 или подобро, најлошо во (%2, %3)</translation>
+    </message>
+    <message>
+        <source>Continuous to %1, worst at (%2, %3)</source>
+        <translation>Непрекината до %1, најлошо во (%2, %3)</translation>
     </message>
 </context>
 <context>
@@ -6192,6 +6233,17 @@
     </message>
 </context>
 <context>
+    <name>view::FamilySliders</name>
+    <message>
+        <source>Parameter %1 of the family</source>
+        <translation>Параметар %1 на фамилијата</translation>
+    </message>
+    <message>
+        <source>Change Family</source>
+        <translation>Промени ја фамилијата</translation>
+    </message>
+</context>
+<context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
@@ -6257,10 +6309,6 @@
         <translation>Вчитај…</translation>
     </message>
     <message>
-        <source>Load a palette from a .gpl, .ugr or .map file</source>
-        <translation>Вчитај палета од датотека .gpl, .ugr или .map</translation>
-    </message>
-    <message>
         <source>Save As…</source>
         <translation>Зачувај како…</translation>
     </message>
@@ -6301,10 +6349,6 @@
         <translation>Вчитување палета</translation>
     </message>
     <message>
-        <source>Palettes (*.gpl *.ugr *.gradient *.map);;All files (*)</source>
-        <translation>Палети (*.gpl *.ugr *.gradient *.map);;Сите датотеки (*)</translation>
-    </message>
-    <message>
         <source>%1, line %2: %3</source>
         <translation>%1, ред %2: %3</translation>
     </message>
@@ -6335,6 +6379,18 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>Load a palette from a .gpl, .ugr or .map file, or take it from a picture</source>
+        <translation>Вчитај палета од датотека .gpl, .ugr или .map, или земи ја од слика</translation>
+    </message>
+    <message>
+        <source>Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
+        <translation>Палети и слики (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Сите датотеки (*)</translation>
+    </message>
+    <message>
+        <source>Take the palette from a picture</source>
+        <translation>Земи ја палетата од слика</translation>
     </message>
 </context>
 <context>
@@ -6429,6 +6485,44 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Azimuth %1°, elevation %2°</source>
         <translation>Азимут %1°, висина %2°</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinePicture</name>
+    <message>
+        <source>Picture</source>
+        <translation>Слика</translation>
+    </message>
+    <message>
+        <source>Drag a line to take only the colours along it; click to take all</source>
+        <translation>Повлечете линија за да ги земете само боите по неа; кликнете за да ги земете сите</translation>
+    </message>
+</context>
+<context>
+    <name>view::MapOrder</name>
+    <message>
+        <source>Order of the maps</source>
+        <translation>Редослед на пресликувањата</translation>
+    </message>
+    <message>
+        <source>Where pieces overlap, the map that is higher in this list is on top; drag a map to move it</source>
+        <translation>Каде што деловите се преклопуваат, горе е пресликувањето што е повисоко во списокот; повлечете пресликување за да го поместите</translation>
+    </message>
+    <message>
+        <source>Move the map towards the top</source>
+        <translation>Помести го пресликувањето нагоре</translation>
+    </message>
+    <message>
+        <source>Move the map towards the bottom</source>
+        <translation>Помести го пресликувањето надолу</translation>
+    </message>
+    <message>
+        <source>On top</source>
+        <translation>Горе</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Пресликување %1</translation>
     </message>
 </context>
 <context>
@@ -7227,6 +7321,29 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>&amp;Use This Order</source>
         <translation>&amp;Користи го овој редослед</translation>
+    </message>
+</context>
+<context>
+    <name>view::PicturePaletteDialog</name>
+    <message>
+        <source>Palette from Picture</source>
+        <translation>Палета од слика</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Бои</translation>
+    </message>
+    <message>
+        <source>How many colours the palette has</source>
+        <translation>Колку бои има палетата</translation>
+    </message>
+    <message>
+        <source>Drag a line to take only the colours along it.</source>
+        <translation>Повлечете линија за да ги земете само боите по неа.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Бои:</translation>
     </message>
 </context>
 <context>
@@ -8754,6 +8871,188 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>the centre of the picture’s box</source>
         <translation>средината на правоаголникот на сликата</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransformationBar</name>
+    <message>
+        <source>Partner</source>
+        <translation>Партнер</translation>
+    </message>
+    <message>
+        <source>The entry on which the picture lies</source>
+        <translation>Записот врз кој лежи сликата</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Режим</translation>
+    </message>
+    <message>
+        <source>What the fractal transformation does with the picture</source>
+        <translation>Што прави фракталната трансформација со сликата</translation>
+    </message>
+    <message>
+        <source>Fractal transformation</source>
+        <translation>Фрактална трансформација</translation>
+    </message>
+    <message>
+        <source>Steal Colours</source>
+        <translation>Кради бои</translation>
+    </message>
+    <message>
+        <source>Transform a Picture</source>
+        <translation>Трансформирај слика</translation>
+    </message>
+    <message>
+        <source>Deformation Grid</source>
+        <translation>Мрежа на деформација</translation>
+    </message>
+    <message>
+        <source>Filter: Reduce</source>
+        <translation>Филтер: намали</translation>
+    </message>
+    <message>
+        <source>Filter: Posterise</source>
+        <translation>Филтер: постеризирај</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Извези…</translation>
+    </message>
+    <message>
+        <source>Save the stolen picture as PNG</source>
+        <translation>Зачувај ја украдената слика како PNG</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Слика</translation>
+    </message>
+    <message>
+        <source>The picture on the partner; you can also drop one there</source>
+        <translation>Сликата врз партнерот; можете и да пуштите слика таму</translation>
+    </message>
+    <message>
+        <source>Choose Picture…</source>
+        <translation>Избери слика…</translation>
+    </message>
+    <message>
+        <source>Colour Wheel</source>
+        <translation>Круг на бои</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Мрежа</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Прстени</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Зајдисонце</translation>
+    </message>
+    <message>
+        <source>Starters</source>
+        <translation>Почетоци</translation>
+    </message>
+    <message>
+        <source>Add two entries with the same addresses, whose parameters you can slide</source>
+        <translation>Додај два записа со исти адреси, чии параметри може да се лизгаат</translation>
+    </message>
+    <message>
+        <source>Triangle Family</source>
+        <translation>Фамилија на триаголникот</translation>
+    </message>
+    <message>
+        <source>Square Family</source>
+        <translation>Фамилија на квадратот</translation>
+    </message>
+    <message>
+        <source>%1 →</source>
+        <translation>%1 →</translation>
+    </message>
+    <message>
+        <source>The picture on the partner: %1</source>
+        <translation>Сликата врз партнерот: %1</translation>
+    </message>
+    <message>
+        <source>Find Picture…</source>
+        <translation>Најди ја сликата…</translation>
+    </message>
+    <message>
+        <source>Divide Words</source>
+        <translation>Подели зборови</translation>
+    </message>
+    <message>
+        <source>Choose the picture where it is now</source>
+        <translation>Изберете ја сликата таму каде што е сега</translation>
+    </message>
+    <message>
+        <source>Divide maps of both entries into words until they have equally many</source>
+        <translation>Подели пресликувања на двата записа во зборови додека не се изедначат</translation>
+    </message>
+</context>
+<context>
+    <name>view::TransformationView</name>
+    <message>
+        <source>Canvas of the partner</source>
+        <translation>Платно на партнерот</translation>
+    </message>
+    <message>
+        <source>Choose Partner</source>
+        <translation>Избери партнер</translation>
+    </message>
+    <message>
+        <source>Choose Mode</source>
+        <translation>Избери режим</translation>
+    </message>
+    <message>
+        <source>Choose Picture</source>
+        <translation>Избери слика</translation>
+    </message>
+    <message>
+        <source>Reorder Tops</source>
+        <translation>Промени го редоследот</translation>
+    </message>
+    <message>
+        <source>Divide Words</source>
+        <translation>Подели зборови</translation>
+    </message>
+    <message>
+        <source>There is no other entry of the plane in this file. Add one, or choose a starter.</source>
+        <translation>Во оваа датотека нема друг запис во рамнината. Додајте запис или изберете почеток.</translation>
+    </message>
+    <message>
+        <source>The partner “%1” is not in this file. Choose another one.</source>
+        <translation>Партнерот „%1“ не е во оваа датотека. Изберете друг.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add Family</source>
+        <translation>Додај фамилија</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
+        <translation>Слики (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Сите датотеки (*)</translation>
+    </message>
+    <message>
+        <source>There is no stolen picture yet.</source>
+        <translation>Сè уште нема украдена слика.</translation>
+    </message>
+    <message>
+        <source>Export Stolen Picture</source>
+        <translation>Извези ја украдената слика</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Слики (*.png)</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>Извезено: %1.</translation>
     </message>
 </context>
 <context>

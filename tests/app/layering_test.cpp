@@ -157,10 +157,11 @@ void LayeringTest::includesPointDownwards_data() {
     const QStringList collage = animation + QStringList{QStringLiteral("collage")};
     const QStringList document = collage + QStringList{QStringLiteral("document")};
     const QStringList io = document + QStringList{QStringLiteral("io")};
-    const QStringList view =
-        io + QStringList{QStringLiteral("bars"),    QStringLiteral("bridges"), QStringLiteral("canvas"),
-                         QStringLiteral("desktop"), QStringLiteral("dialogs"), QStringLiteral("panels"),
-                         QStringLiteral("space"),   QStringLiteral("widgets")};
+    const QStringList view = io + QStringList{QStringLiteral("transformation"), QStringLiteral("bars"),
+                                              QStringLiteral("bridges"),        QStringLiteral("canvas"),
+                                              QStringLiteral("desktop"),        QStringLiteral("dialogs"),
+                                              QStringLiteral("panels"),         QStringLiteral("space"),
+                                              QStringLiteral("widgets")};
     QTest::newRow("model/ifs") << "model/ifs" << ifs << qt;
     QTest::newRow("model/attractor") << "model/attractor" << attractor << qt;
     QTest::newRow("model/animation") << "model/animation" << animation << qt;

@@ -111,6 +111,12 @@ void RenderBridge::submit() {
         return;
     }
     if (m_camera.width <= 0 || m_camera.height <= 0) return;
+    if (m_isSubstituted) {
+        ++m_requested;
+        m_underWay.start();
+        emit wanted(m_live);
+        return;
+    }
     attractor::RenderRequest request = document::renderRequest(fractal, m_camera);
     request.revision = ++m_requested;
     request.threads = std::min(attractor::hardwareThreads(), maxThreads);
@@ -139,16 +145,33 @@ void RenderBridge::submit() {
 
 void RenderBridge::takeFrame() {
     std::shared_ptr<const attractor::Frame> frame = m_thread->newestFrame();
-    if (!frame || frame == m_frame || !document::system2(m_document->fractal())) return;
+    if (!frame || frame == m_frame || m_isSubstituted || !document::system2(m_document->fractal())) return;
     m_frame = std::move(frame);
     const bool density =
         m_shown.algorithm == attractor::Algorithm::Density && m_frame->revision >= m_shownFrom;
     if (m_frame->passes == 1 && density) adaptBudget(*m_frame);
+    turnEnds();
+}
+
+void RenderBridge::turnEnds() {
     if (m_frame->revision == m_requested) {
         m_underWay.stop();
         if (m_waiting) submit();
     }
     emit frameChanged();
+}
+
+void RenderBridge::setSubstituted(bool on) {
+    if (std::exchange(m_isSubstituted, on) == on) return;
+    if (on) m_thread->cancel();
+    m_exposing = Exposing::Measured;
+    request(Haste::Now);
+}
+
+void RenderBridge::take(std::shared_ptr<const attractor::Frame> frame) {
+    if (!m_isSubstituted || frame == m_frame || !document::system2(m_document->fractal())) return;
+    m_frame = std::move(frame);
+    turnEnds();
 }
 
 void RenderBridge::adaptBudget(const attractor::Frame& frame) {

@@ -44,8 +44,16 @@ public:
     std::uint64_t liveSamples() const { return m_liveSamples; }
     void fixLiveSamples(std::uint64_t samples); // whatever that takes; for measuring
 
+    // Pictures from elsewhere, such as stolen colours: while on, every change asks for one by wanted(), and
+    // those that are taken are shown in place of the density.
+    void setSubstituted(bool on);
+    bool isSubstituted() const { return m_isSubstituted; }
+    void take(std::shared_ptr<const attractor::Frame> frame); // not null
+    std::uint64_t requested() const { return m_requested; }   // the newest revision
+
 signals:
     void frameChanged();
+    void wanted(bool live);
 
 private:
     // Whether brightness keeps its meaning from the frame before.
@@ -70,6 +78,7 @@ private:
     void request(Haste haste);
     void submit();
     void takeFrame();
+    void turnEnds();
     void adaptBudget(const attractor::Frame& frame);
 
     document::Document* m_document;
@@ -85,7 +94,8 @@ private:
     bool m_adapting = true; // m_liveSamples follows the machine
     bool m_live = false;
     bool m_waiting = false; // a request takes its turn
-    QTimer m_underWay;      // runs until the first frame of the newest request, or until patience ends
+    bool m_isSubstituted = false;
+    QTimer m_underWay; // runs until the first frame of the newest request, or until patience ends
     std::unique_ptr<attractor::RenderThread> m_thread; // last: stops before the rest goes
 };
 

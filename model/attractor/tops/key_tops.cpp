@@ -46,18 +46,29 @@ KeyTops::KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_
 }
 
 bool KeyTops::draw(int firstRow, std::span<TopPoint> points, const std::stop_token& stop) const {
-    const int endRow = firstRow + int(points.size() / std::size_t(m_width));
-    kernels::KeyRows keys;
-    keys.reset(m_width, firstRow, endRow);
+    std::vector<std::uint32_t> keys(points.size());
+    if (!drawKeys(firstRow, keys, stop)) return false;
+    decode(keys, points);
+    return true;
+}
+
+bool KeyTops::drawKeys(int firstRow, std::span<std::uint32_t> keys, const std::stop_token& stop) const {
+    const int endRow = firstRow + int(keys.size() / std::size_t(m_width));
+    kernels::KeyRows rows;
+    rows.reset(m_width, firstRow, endRow);
     std::size_t drawn = 0;
     for (std::size_t k = 0; k < m_words.size(); ++k) {
         if (m_rows[k].bottom < float(firstRow) || m_rows[k].top >= float(endRow)) continue;
         if (drawn++ % wordsBetween == 0 && stop.stop_requested()) return false;
-        kernels::addKeys(m_words[k], m_samples.x.data(), m_samples.y.data(), m_samples.size, keys);
+        kernels::addKeys(m_words[k], m_samples.x.data(), m_samples.y.data(), m_samples.size, rows);
     }
-    for (std::size_t k = 0; k < points.size(); ++k)
-        points[k] = pointOf(keys.keys[k]);
+    std::copy_n(rows.keys.begin(), keys.size(), keys.begin());
     return !stop.stop_requested();
+}
+
+void KeyTops::decode(std::span<const std::uint32_t> keys, std::span<TopPoint> points) const {
+    for (std::size_t k = 0; k < points.size(); ++k)
+        points[k] = pointOf(keys[k]);
 }
 
 // v_σ(y_s)

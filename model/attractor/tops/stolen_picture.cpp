@@ -100,8 +100,9 @@ private:
 void colour(std::span<const TopPoint> points, const MipPicture& picture, const TheftRequest& request,
             std::span<std::uint32_t> pixels) {
     const LinearColour under = linearColour(request.background);
-    const ifs::AffineMap<2> toPicture = worldToPixel(request.pictureCamera);
-    const double zoom = request.pictureCamera.pixelsPerUnit / request.camera.pixelsPerUnit;
+    const ifs::AffineMap<2>& toPicture = request.toPicture;
+    const double pixel = request.camera.pixelsPerUnit;
+    const double zoom = std::abs(ifs::determinant<2>(toPicture.linear)) / (pixel * pixel); // of areas
     const std::uint32_t empty = packed({0, 0, 0, 0}, under);
     for (std::size_t k = 0; k < points.size(); ++k) {
         const TopPoint& point = points[k];
@@ -110,7 +111,7 @@ void colour(std::span<const TopPoint> points, const MipPicture& picture, const T
             continue;
         }
         const ifs::Vector<2> at = toPicture({point.x, point.y});
-        pixels[k] = packed(picture.at(at.x(), at.y(), point.stretch * zoom * zoom), under);
+        pixels[k] = packed(picture.at(at.x(), at.y(), point.stretch * zoom), under);
     }
 }
 

@@ -19,8 +19,8 @@ namespace attractor {
 // Colour stealing: a pixel of F has the colour that a picture on G has at T_FG of it.
 // docs/mathematics.md, "Fractal tops".
 struct TheftRequest {
-    Camera camera;        // of F
-    Camera pictureCamera; // of G, as the picture shows it
+    Camera camera;               // of F
+    ifs::AffineMap<2> toPicture; // from coordinates of G to pixels of the picture
     bool isExact = false; // ExactTops; else KeyTops
     std::uint64_t points = 10'000'000;
     std::uint64_t seed = 1;
@@ -36,7 +36,7 @@ TheftOutcome steal(const CoupledSystem& system, const MipPicture& picture, const
                    const std::function<bool(std::span<const std::uint32_t> pixels)>& take,
                    const std::stop_token& stop);
 
-// The colour of a pixel of F. Both cameras have their pixels; `points` and `pixels` are as many.
+// The colours of pixels of F; `points` and `pixels` are as many.
 void colour(std::span<const TopPoint> points, const MipPicture& picture, const TheftRequest& request,
             std::span<std::uint32_t> pixels);
 

@@ -188,7 +188,10 @@ document::Fractal asStored(document::Fractal fractal) {
 }
 
 bool isOwnComment(QByteArrayView comment) {
-    return comment.trimmed().startsWith(prefix);
+    const QByteArrayView text = comment.trimmed();
+    if (!text.startsWith(prefix)) return false;
+    // Of a fractal transformation: they stay among the comments of the entry, document/tops/kept_theft.
+    return !text.sliced(qsizetype(std::strlen(prefix))).trimmed().startsWith("partner");
 }
 
 bool MetadataComments::read(QByteArrayView comment) {

@@ -20,7 +20,8 @@ QByteArrayList metadataComments(const document::Fractal& fractal);
 // gone dropped, texts cut to what a line can hold.
 document::Fractal asStored(document::Fractal fractal);
 
-// Whether a comment (what follows the semicolon) is one of ours, whatever its key.
+// Whether a comment (what follows the semicolon) is one of ours, whatever its key, apart from those that
+// stay among the comments (document/tops/kept_theft.h).
 bool isOwnComment(QByteArrayView comment);
 
 // Collects the lines of one entry, then gives their values to the fractal that was read from its rows.

@@ -20,9 +20,7 @@ struct LoadedGrey {
 constexpr int minTracedSide = 8;    // pixels
 constexpr int maxTracedSide = 1024; // pixels; larger pictures are scaled down
 
-// Reads PNG, JPEG, GIF, BMP and PNM. Nearly opaque pixels are seen on white. Refused are animations, JPEG
-// pictures in CMYK, whose grey levels depend on the program that wrote them, incomplete pictures, and those
-// with more than 32 million pixels. Memory is bounded by these.
+// Reads what decodedPicture() reads. Nearly opaque pixels are seen on white.
 LoadedGrey readGreyPicture(const QByteArray& bytes);
 
 } // namespace io

@@ -1,32 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/tops/picture_reader.h"
 
-#include <QBuffer>
-#include <QColorSpace>
-#include <QCoreApplication>
-#include <QImage>
-#include <QImageReader>
+#include "io/picture/picture_decoder.h"
 
 #include <vector>
 
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(PictureReader)
-};
-
-constexpr int bytesPerPixel = 8; // the most that a decoder takes
-
-ReadPicture failed(const QString& sentence) {
-    return {{}, sentence};
-}
-
-// Shapes have no pixels of their own, and what draws them wants fonts and a display.
-bool isShapes(const QByteArray& format) {
-    return format.startsWith("svg") || format == "pdf";
-}
 
 std::vector<attractor::Rgba> pixelsOf(const QImage& image) {
     std::vector<attractor::Rgba> pixels;
@@ -41,34 +22,20 @@ std::vector<attractor::Rgba> pixelsOf(const QImage& image) {
 
 } // namespace
 
-ReadPicture decodePicture(const QByteArray& bytes, const QString& path) {
-    QBuffer buffer;
-    buffer.setData(bytes);
-    buffer.open(QIODevice::ReadOnly);
-    QImageReader reader(&buffer);
-    reader.setDecideFormatFromContent(true);
-    reader.setAutoTransform(true);
-    QImageReader::setAllocationLimit(int(maxPicturePixels * bytesPerPixel >> 20) + 1);
-    if (!reader.canRead() || isShapes(reader.format()))
-        return failed(Text::tr("“%1” is not a picture that can be read; PNG and JPEG always can.").arg(path));
-    const QSize size = reader.size();
-    if (size.isValid() && qint64(size.width()) * size.height() > maxPicturePixels)
-        return failed(Text::tr("“%1” has %2 × %3 pixels, and the limit is 64 million; make it smaller first.")
-                          .arg(path)
-                          .arg(size.width())
-                          .arg(size.height()));
-    QImage image = reader.read();
-    if (image.isNull() || image.width() < 1 || image.height() < 1)
-        return failed(Text::tr("“%1” is damaged: %2.").arg(path, reader.errorString()));
-    if (image.colorSpace().isValid() && image.colorSpace() != QColorSpace(QColorSpace::SRgb))
-        image.convertToColorSpace(QColorSpace(QColorSpace::SRgb));
+attractor::MipPicture mipPicture(QImage image) {
     image.convertTo(QImage::Format_RGBA8888);
-    return {attractor::MipPicture(image.width(), image.height(), pixelsOf(image)), std::nullopt};
+    return {image.width(), image.height(), pixelsOf(image)};
+}
+
+ReadPicture decodePicture(const QByteArray& bytes) {
+    DecodedPicture decoded = decodedPicture(bytes);
+    if (decoded.flaw) return {{}, decoded.flaw};
+    return {mipPicture(std::move(decoded.image)), std::nullopt};
 }
 
 ReadPicture readPicture(const QString& path) {
     const Loaded loaded = loadFile(path);
-    return loaded.failure ? failed(*loaded.failure) : decodePicture(loaded.bytes, path);
+    return loaded.failure ? ReadPicture{{}, loaded.failure} : decodePicture(loaded.bytes);
 }
 
 } // namespace io

@@ -5,19 +5,19 @@
 #include "io/file/save_file.h"
 
 #include <QByteArray>
+#include <QImage>
 #include <QString>
 
 namespace io {
 
-// A picture of any format that Qt reads pixel by pixel, turned upright and in sRGB; of an animation the first
-// frame. At most maxPicturePixels.
-inline constexpr qint64 maxPicturePixels = 64'000'000;
-
+// A picture to steal colours from: what decodedPicture() reads.
 struct ReadPicture {
     attractor::MipPicture picture;
     Failure failure; // why there is none
 };
 ReadPicture readPicture(const QString& path);
-ReadPicture decodePicture(const QByteArray& bytes, const QString& path); // which the sentences name
+ReadPicture decodePicture(const QByteArray& bytes);
+
+attractor::MipPicture mipPicture(QImage image); // not empty, in sRGB
 
 } // namespace io

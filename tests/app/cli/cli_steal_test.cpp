@@ -264,14 +264,15 @@ void CliStealTest::badPicturesAreErrors_data() {
     const QByteArray png = encoded(board(64, 64), "PNG");
     QByteArray huge = png;
     huge.replace(16, 8, QByteArray("\0\0\xff\xff\0\0\xff\xff", 8));
-    QTest::newRow("empty") << QByteArray() << QByteArray("is not a picture that can be read");
-    QTest::newRow("text") << QByteArray("hello") << QByteArray("is not a picture that can be read");
-    QTest::newRow("cut") << png.left(png.size() / 2) << QByteArray("is damaged");
-    QTest::newRow("header") << png.left(30) << QByteArray("is ");
-    QTest::newRow("huge") << QByteArray("P6\n9000 9000\n255\n") << QByteArray("has 9000 × 9000 pixels");
-    QTest::newRow("huge PNG") << huge << QByteArray("is ");
+    QTest::newRow("empty") << QByteArray() << QByteArray("This is not a PNG");
+    QTest::newRow("text") << QByteArray("hello") << QByteArray("This is not a PNG");
+    QTest::newRow("cut") << png.left(png.size() / 2) << QByteArray("The picture is damaged");
+    QTest::newRow("header") << png.left(30) << QByteArray("The picture ");
+    QTest::newRow("huge") << QByteArray("P6\n9000 9000\n255\n")
+                          << QByteArray("The picture has 9000 × 9000 pixels");
+    QTest::newRow("huge PNG") << huge << QByteArray("The picture ");
     QTest::newRow("svg") << QByteArray("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"/>")
-                         << QByteArray("is not a picture that can be read");
+                         << QByteArray("This is not a PNG");
 }
 
 void CliStealTest::badPicturesAreErrors() {
@@ -281,7 +282,7 @@ void CliStealTest::badPicturesAreErrors() {
     const Result result =
         run("steal tops.ifs --entry square --from uneven --picture bad -o bad.png --size 60x40");
     QCOMPARE(result.status, 3);
-    QVERIFY2(result.err.contains("error: “bad” " + said), result.err.constData());
+    QVERIFY2(result.err.contains("error: " + said), result.err.constData());
     QVERIFY(read("bad.png").isEmpty());
 }
 

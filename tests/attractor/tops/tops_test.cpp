@@ -305,7 +305,7 @@ void TopsTest::everyPictureIsTheSame() {
     const CoupledSystem system = coupled(from, to);
     attractor::TheftRequest request;
     request.camera = cameraOf(from, 310, 230);
-    request.pictureCamera = cameraOf(to, 64, 48);
+    request.toPicture = worldToPixel(cameraOf(to, 64, 48));
     request.isExact = isExact;
     request.points = 2'000'000;
     const auto picture = gradient(64, 48);
@@ -326,7 +326,7 @@ void TopsTest::identityCopiesThePicture() {
     const Maps maps = square(.5, .5);
     attractor::TheftRequest request;
     request.camera = {{.5, .5}, 64, 64, 64, attractor::YAxis::Up};
-    request.pictureCamera = request.camera;
+    request.toPicture = worldToPixel(request.camera);
     request.isExact = true;
     std::vector<attractor::Rgba> pixels;
     for (int k = 0; k < 64 * 64; ++k)
@@ -372,7 +372,7 @@ void TopsTest::stops() {
     stop.request_stop();
     attractor::TheftRequest request;
     request.camera = cameraOf(maps, 600, 400);
-    request.pictureCamera = request.camera;
+    request.toPicture = worldToPixel(request.camera);
     const auto refuse = [](std::span<const std::uint32_t>) { return false; };
     for (const bool isExact : {true, false}) {
         request.isExact = isExact;

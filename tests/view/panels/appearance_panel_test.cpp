@@ -5,6 +5,7 @@
 #include "panels/appearance/gradient_editor.h"
 #include "panels/appearance/gradient_preview.h"
 #include "panels/appearance/gradient_strip.h"
+#include "panels/appearance/picture_palette_dialog.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 
@@ -199,6 +200,56 @@ private slots:
         QCOMPARE(messages.size(), 2);
         QVERIFY(messages.back().front().toString().startsWith(QStringLiteral("bad.map: ")));
         QVERIFY(appearance().palette == reversed);
+    }
+
+    // The left half is red, the right half blue, with a green stripe below that the line does not meet.
+    void aPaletteIsTakenFromAPicture() {
+        openEditor();
+        QTemporaryDir folder;
+        QImage picture(120, 90, QImage::Format_RGB32);
+        for (int y = 0; y < 90; ++y)
+            for (int x = 0; x < 120; ++x)
+                picture.setPixel(x, y,
+                                 y > 60   ? qRgb(20, 200, 40)
+                                 : x < 60 ? qRgb(220, 20, 20)
+                                          : qRgb(20, 20, 220));
+        const QString path = folder.filePath(QStringLiteral("picture.png"));
+        QVERIFY(picture.save(path));
+        const auto greens = [this] {
+            int count = 0;
+            for (const auto& stop : appearance().palette.stops)
+                count += stop.colour.green > 150 ? 1 : 0;
+            return count;
+        };
+        int whole = -1, along = -1;
+        bool wasRejected = false;
+        const auto answer = [&](bool accepts) {
+            QTimer::singleShot(200, m_panel.get(), [&, accepts] {
+                auto* dialog = m_panel->findChild<view::PicturePaletteDialog*>();
+                auto* canvas = dialog->findChild<view::LinePicture*>();
+                whole = greens();
+                const QPoint middle(canvas->width() / 2, canvas->height() / 4);
+                QTest::mousePress(canvas, Qt::LeftButton, {}, middle - QPoint(canvas->width() / 3, 0));
+                QMouseEvent move(QEvent::MouseMove, middle + QPoint(canvas->width() / 3, 0),
+                                 canvas->mapToGlobal(middle), Qt::NoButton, Qt::LeftButton, {});
+                QCoreApplication::sendEvent(canvas, &move);
+                QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(canvas->width() / 3, 0));
+                along = greens();
+                wasRejected = !accepts;
+                accepts ? dialog->accept() : dialog->reject();
+            });
+            m_panel->gradientEditor()->load(path);
+        };
+        const attractor::Palette before = appearance().palette;
+        answer(false);
+        QVERIFY(wasRejected && appearance().palette == before);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        answer(true);
+        QVERIFY(whole >= 1);
+        QCOMPARE(along, 0);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QVERIFY(appearance().palette.stops.front().colour.red > 200); // in the order of the line
+        QVERIFY(appearance().palette.stops.back().colour.blue > 200);
     }
 
     void aTypedGammaMustBePositive() {

@@ -5,9 +5,11 @@
 #include "io/file/background.h"
 #include "io/file/save_file.h"
 #include "io/palette/palette_reader.h"
+#include "io/picture/picture_decoder.h"
 #include "panels/appearance/appearance_colour_button.h"
 #include "panels/appearance/gradient_preview.h"
 #include "panels/appearance/gradient_strip.h"
+#include "panels/appearance/picture_palette_dialog.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/number_field.h"
@@ -26,6 +28,17 @@
 
 namespace view {
 
+namespace {
+
+bool isPicture(const QString& path) {
+    static const QStringList endings{QStringLiteral("png"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
+                                     QStringLiteral("gif"), QStringLiteral("bmp"), QStringLiteral("pbm"),
+                                     QStringLiteral("pgm"), QStringLiteral("ppm"), QStringLiteral("pnm")};
+    return endings.contains(QFileInfo(path).suffix().toLower());
+}
+
+} // namespace
+
 GradientEditor::GradientEditor(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Palette editor"));
     m_strip = new GradientStrip(this);
@@ -40,8 +53,9 @@ GradientEditor::GradientEditor(QWidget* parent) : QWidget(parent) {
     m_remove = flatButton(QStringLiteral("remove"), tr("Delete Stop"), tr("Delete the selected stop"), this);
     auto* turn = flatButton({}, tr("Reverse"), tr("Reverse the order of the colours"), this);
     auto* spread = flatButton({}, tr("Distribute"), tr("Space the stops evenly"), this);
-    auto* open = flatButton(QStringLiteral("open"), tr("Load…"),
-                            tr("Load a palette from a .gpl, .ugr or .map file"), this);
+    auto* open =
+        flatButton(QStringLiteral("open"), tr("Load…"),
+                   tr("Load a palette from a .gpl, .ugr or .map file, or take it from a picture"), this);
     auto* keep =
         flatButton(QStringLiteral("save-as"), tr("Save As…"), tr("Save the palette as a .gpl file"), this);
 
@@ -131,8 +145,10 @@ void GradientEditor::distribute() {
 }
 
 void GradientEditor::chooseAndLoad() {
-    const QString path = chooseFileToOpen(this, tr("Load Palette"),
-                                          tr("Palettes (*.gpl *.ugr *.gradient *.map);;All files (*)"));
+    const QString path = chooseFileToOpen(
+        this, tr("Load Palette"),
+        tr("Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;"
+           "All files (*)"));
     if (!path.isEmpty()) load(path);
 }
 
@@ -149,16 +165,24 @@ void GradientEditor::load(const QString& path) {
     struct Reading {
         io::Failure failure;
         io::PaletteFile file;
+        QImage picture; // where the file is one
     };
     auto reading = io::inBackground<Reading>([path](QPromise<Reading>& promise) {
         const io::Loaded loaded = io::loadFile(path);
-        Reading result{loaded.failure, {}};
-        if (!loaded.failure) result.file = io::readPalettes(loaded.bytes, QFileInfo(path).completeBaseName());
+        Reading result{loaded.failure, {}, {}};
+        if (!loaded.failure && isPicture(path)) {
+            io::DecodedPicture decoded = io::decodedPicture(loaded.bytes);
+            result.picture = std::move(decoded.image);
+            result.failure = decoded.flaw;
+        } else if (!loaded.failure) {
+            result.file = io::readPalettes(loaded.bytes, QFileInfo(path).completeBaseName());
+        }
         promise.addResult(std::move(result));
     });
     if (!waitFor(QFuture<void>(reading), tr("Reading “%1”…").arg(name), this)) return;
-    const auto [failure, file] = reading.takeResult();
+    const auto [failure, file, picture] = reading.takeResult();
     if (failure) return emit message(*failure);
+    if (!picture.isNull()) return takeFrom(picture);
     if (!file.problems.isEmpty()) {
         const document::Problem& problem = file.problems.back();
         emit message(problem.line > 0 ? tr("%1, line %2: %3").arg(name).arg(problem.line).arg(problem.message)
@@ -168,6 +192,18 @@ void GradientEditor::load(const QString& path) {
         apply(tr("Load the palette %1").arg(name), file.palettes.front());
     else if (!file.palettes.empty())
         chooseAmong(file.palettes);
+}
+
+void GradientEditor::takeFrom(const QImage& picture) {
+    PicturePaletteDialog dialog(picture, this);
+    const QString what = tr("Take the palette from a picture");
+    connect(&dialog, &PicturePaletteDialog::tried, this,
+            [&](const attractor::Palette& palette) { emit tried(what, palette); });
+    emit tried(what, dialog.taken());
+    if (dialog.exec() == QDialog::Accepted)
+        emit accepted();
+    else
+        emit rejected();
 }
 
 void GradientEditor::chooseAmong(const std::vector<attractor::Palette>& palettes) {

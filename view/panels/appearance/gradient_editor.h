@@ -3,6 +3,7 @@
 
 #include "attractor/colour/palette.h"
 
+#include <QImage>
 #include <QWidget>
 
 class QToolButton;
@@ -28,7 +29,8 @@ public:
 
     void reverse();
     void distribute();
-    void load(const QString& path); // asks which, when the file holds several
+    // Asks which, when the file holds several; of a picture, its colours.
+    void load(const QString& path);
     void save(const QString& path); // as .gpl
 
 signals:
@@ -43,6 +45,7 @@ private:
     void apply(const QString& what, const attractor::Palette& gradient);
     void chooseAndLoad();
     void chooseAndSave();
+    void takeFrom(const QImage& picture); // all of it, or along a line
     void chooseAmong(const std::vector<attractor::Palette>& palettes);
 
     GradientStrip* m_strip;

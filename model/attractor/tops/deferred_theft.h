@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/threads/workers.h"
+#include "attractor/tops/stolen_picture.h"
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace attractor {
+
+// Steals colours for one picture after another and keeps the keys of the last one: while F, its camera, the
+// number of points and the seed stay, only the colours are looked up anew. The pixels are those of steal().
+// docs/mathematics.md, "Fractal tops".
+class DeferredTheft {
+public:
+    explicit DeferredTheft(int threads) : m_workers(std::size_t(threads)) {}
+
+    // 0xAARRGGBB, premultiplied: as many as the camera has. False when stopped; samples only, not exactly.
+    bool draw(const CoupledSystem& system, const MipPicture& picture, const TheftRequest& request,
+              std::span<std::uint32_t> pixels, const std::stop_token& stop);
+
+    bool hasKeptKeys() const { return m_hasKeptKeys; } // the last draw() found its keys
+
+private:
+    bool keep(const KeyTops& tops, const CoupledSystem& system, const TheftRequest& request,
+              const std::stop_token& stop);
+
+    Workers m_workers;
+    // What the keys belong to; those without a pixel to nothing.
+    std::vector<ifs::AffineMap<2>> m_from;
+    std::vector<double> m_probabilities;
+    Camera m_camera;
+    std::uint64_t m_points = 0, m_seed = 0;
+    std::vector<std::uint32_t> m_keys;
+    bool m_hasKeptKeys = false;
+};
+
+// The picture itself, `opacity` strong, behind what is drawn of G through request.camera.
+void layUnder(std::span<std::uint32_t> pixels, const MipPicture& picture, const TheftRequest& request,
+              double opacity);
+
+} // namespace attractor

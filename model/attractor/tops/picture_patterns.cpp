@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/tops/picture_patterns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace attractor {
+
+namespace {
+
+struct Colour {
+    double red, green, blue; // sRGB, 0 … 1
+};
+
+Rgba rgba(const Colour& colour) {
+    const auto code = [](double value) { return std::uint8_t(std::clamp(value, 0.0, 1.0) * 255 + 0.5); };
+    return {code(colour.red), code(colour.green), code(colour.blue), 255};
+}
+
+Colour mixed(const Colour& a, const Colour& b, double t) {
+    const double s = std::clamp(t, 0.0, 1.0);
+    return {a.red + (b.red - a.red) * s, a.green + (b.green - a.green) * s, a.blue + (b.blue - a.blue) * s};
+}
+
+// Hues as three waves that are a third of a turn apart.
+Colour hue(double turns) {
+    const auto wave = [&](double phase) {
+        return 0.55 + 0.45 * std::cos(2 * std::numbers::pi * (turns - phase));
+    };
+    return {wave(0), wave(1 / 3.0), wave(2 / 3.0)};
+}
+
+// x to the right and y upwards, both from 0 to 1.
+Colour grid(double x, double y) {
+    constexpr double cells = 16, line = 0.08;
+    const auto distance = [](double at) { return std::abs(at - std::round(at)); };
+    const double coarse = std::min(distance(x * cells / 4), distance(y * cells / 4)) * 4;
+    const double fine = std::min(distance(x * cells), distance(y * cells));
+    const Colour ground{0.25 + 0.7 * x, 0.25 + 0.7 * y, 0.85 - 0.35 * (x + y) / 2};
+    if (coarse < 1.6 * line) return {0.05, 0.06, 0.1};
+    return fine < line ? mixed(ground, {1, 1, 1}, 0.75) : ground;
+}
+
+Colour wheel(double x, double y) {
+    const double dx = x - 0.5, dy = y - 0.5, radius = std::hypot(dx, dy) * 2;
+    const Colour pure = hue(std::atan2(dy, dx) / (2 * std::numbers::pi));
+    return radius < 1 ? mixed({1, 1, 1}, pure, radius) : mixed(pure, {0, 0, 0}, (radius - 1) * 1.2);
+}
+
+Colour rings(double x, double y) {
+    const double radius = std::hypot(x - 0.5, y - 0.5) * 20;
+    const Colour inner{0.96, 0.76, 0.30}, outer{0.11, 0.27, 0.48};
+    const double edge = std::clamp((std::abs(radius - std::round(radius)) - 0.23) * 20, 0.0, 1.0);
+    const Colour pale = mixed(inner, outer, radius / 14);
+    return int(std::round(radius)) % 2 == 0 ? mixed(pale, {0.98, 0.96, 0.92}, edge)
+                                            : mixed({0.98, 0.96, 0.92}, pale, 1 - edge);
+}
+
+Colour sunset(double x, double y) {
+    Colour sky = y < 0.62 ? mixed({1.0, 0.80, 0.45}, {0.93, 0.42, 0.35}, (y - 0.25) / 0.37)
+                          : mixed({0.93, 0.42, 0.35}, {0.20, 0.16, 0.42}, (y - 0.62) / 0.38);
+    const double sun = std::hypot(x - 0.62, y - 0.52);
+    sky = mixed({1.0, 0.95, 0.75}, sky, sun < 0.1 ? 0 : (sun - 0.1) * 6 + 0.3);
+    const std::array<Colour, 3> hills{{{0.45, 0.25, 0.42}, {0.28, 0.17, 0.36}, {0.12, 0.09, 0.20}}};
+    for (std::size_t k = 0; k < hills.size(); ++k) {
+        const double at = x * (5.0 + 3.0 * double(k)) + 1.7 * double(k);
+        const double ridge = 0.36 - 0.11 * double(k) + 0.045 * std::sin(at) + 0.018 * std::sin(3.1 * at + 1);
+        if (y < ridge) sky = hills[k];
+    }
+    return sky;
+}
+
+Colour colourOf(Pattern pattern, double x, double y) {
+    switch (pattern) {
+    case Pattern::Grid:
+        return grid(x, y);
+    case Pattern::Wheel:
+        return wheel(x, y);
+    case Pattern::Rings:
+        return rings(x, y);
+    case Pattern::Sunset:
+        break;
+    }
+    return sunset(x, y);
+}
+
+constexpr std::array<std::string_view, 4> names{"grid", "wheel", "rings", "sunset"};
+
+} // namespace
+
+std::string_view nameOf(Pattern pattern) {
+    return names[std::size_t(pattern)];
+}
+
+std::optional<Pattern> patternNamed(std::string_view name) {
+    const auto* const found = std::ranges::find(names, name);
+    if (found == names.end()) return std::nullopt;
+    return patterns[found - names.begin()];
+}
+
+MipPicture picture(Pattern pattern, int side) {
+    std::vector<Rgba> pixels;
+    pixels.reserve(std::size_t(side) * std::size_t(side));
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+            pixels.push_back(rgba(colourOf(pattern, (column + .5) / side, 1 - (row + .5) / side)));
+    return {side, side, std::move(pixels)};
+}
+
+} // namespace attractor

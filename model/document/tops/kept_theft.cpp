@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "document/tops/kept_theft.h"
+
+#include <QUrl>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace document {
+
+namespace {
+
+const QString prefix = QStringLiteral("barycage: partner");
+constexpr qsizetype maxValue = 36; // letters of a path on one line, so that it stays under 70
+constexpr std::size_t maxOrder = 4096;
+constexpr qsizetype maxPath = 8192;
+
+const std::array<std::pair<TheftMode, const char*>, 5> modeNames{{
+    {TheftMode::StealColours, "steal"},
+    {TheftMode::TransformPicture, "transform"},
+    {TheftMode::DeformationGrid, "grid"},
+    {TheftMode::Reduce, "reduce"},
+    {TheftMode::Posterise, "posterise"},
+}};
+
+bool isOurs(const QString& comment) {
+    return comment.startsWith(prefix);
+}
+
+void readOrder(const QString& value, std::vector<std::size_t>& order) {
+    for (const QString& number : value.split(u' ', Qt::SkipEmptyParts)) {
+        bool isNumber = false;
+        const int map = number.toInt(&isNumber);
+        if (!isNumber || map < 1 || order.size() >= maxOrder) return;
+        order.push_back(std::size_t(map - 1));
+    }
+}
+
+std::optional<attractor::View> viewOf(const QString& value) {
+    const QStringList texts = value.split(u' ', Qt::SkipEmptyParts);
+    std::array<double, 3> numbers{};
+    if (texts.size() != 3) return std::nullopt;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        bool isNumber = false;
+        numbers[k] = texts[qsizetype(k)].toDouble(&isNumber);
+        if (!isNumber || !(std::abs(numbers[k]) < 1e38)) return std::nullopt;
+    }
+    if (!(numbers[2] > 0)) return std::nullopt;
+    return attractor::View{{numbers[0], numbers[1]}, numbers[2]};
+}
+
+void readLine(const QString& key, const QString& value, KeptTheft& theft, QByteArray& path) {
+    if (key.isEmpty()) theft.partner = value;
+    if (key == QLatin1String("-order")) readOrder(value, theft.order);
+    if (key == QLatin1String("-picture") && path.size() < maxPath) path += value.toLatin1();
+    if (key == QLatin1String("-view")) theft.view = viewOf(value);
+    if (key == QLatin1String("-mode"))
+        for (const auto& [mode, name] : modeNames)
+            if (value == QLatin1String(name)) theft.mode = mode;
+    if (key == QLatin1String("-pattern"))
+        if (const auto pattern = attractor::patternNamed(value.toStdString())) theft.pattern = *pattern;
+}
+
+QString line(const char* key, const QString& value) {
+    return prefix + QLatin1String(key) + u' ' + value;
+}
+
+QStringList linesOf(const KeptTheft& theft) {
+    QStringList lines{line("", theft.partner)};
+    for (const auto& [mode, name] : modeNames)
+        if (mode == theft.mode) lines << line("-mode", QLatin1String(name));
+    QStringList numbers;
+    for (std::size_t k = 0; k < theft.order.size(); ++k) {
+        numbers << QString::number(theft.order[k] + 1);
+        if (numbers.size() == 8 || k + 1 == theft.order.size())
+            lines << line("-order", std::exchange(numbers, {}).join(u' '));
+    }
+    const auto name = attractor::nameOf(theft.pattern);
+    lines << line("-pattern", QLatin1String(name.data(), qsizetype(name.size())));
+    const QByteArray path = QUrl::toPercentEncoding(theft.picture, "/");
+    for (qsizetype at = 0; at < path.size(); at += maxValue)
+        lines << line("-picture", QString::fromLatin1(path.mid(at, maxValue)));
+    if (theft.view)
+        lines << line("-view", QStringLiteral("%1 %2 %3")
+                                   .arg(theft.view->centre.x(), 0, 'g', 12)
+                                   .arg(theft.view->centre.y(), 0, 'g', 12)
+                                   .arg(theft.view->height, 0, 'g', 12));
+    return lines;
+}
+
+} // namespace
+
+std::optional<KeptTheft> keptTheft(const Fractal& fractal) {
+    KeptTheft theft;
+    QByteArray path;
+    for (const QString& comment : fractal.comments) {
+        if (!isOurs(comment)) continue;
+        const QString rest = comment.mid(prefix.size());
+        const qsizetype blank = rest.indexOf(u' ');
+        if (blank >= 0) readLine(rest.left(blank), rest.mid(blank + 1).trimmed(), theft, path);
+    }
+    theft.picture = QUrl::fromPercentEncoding(path);
+    return theft.partner.isEmpty() ? std::nullopt : std::optional(theft);
+}
+
+Fractal withTheft(Fractal fractal, const std::optional<KeptTheft>& theft) {
+    if (keptTheft(fractal) == theft) return fractal;
+    fractal.comments.removeIf(isOurs);
+    if (theft) fractal.comments << linesOf(*theft);
+    return fractal;
+}
+
+} // namespace document

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "attractor/tops/picture_patterns.h"
+#include "document/fractal.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace document {
+
+enum class TheftMode {
+    StealColours,     // the picture lies around G as it would be rendered
+    TransformPicture, // it covers the box of G, corner to corner
+    DeformationGrid,  // a grid covers the box of G, whatever the picture
+    Reduce,           // the picture lies on F, is carried to G, loses detail there, and comes back
+    Posterise,        // the same, and loses shades
+};
+
+// What an entry keeps of its fractal transformation, in comments "barycage: partner…" of its own.
+// docs/formats.md, "Our own lines".
+struct KeptTheft {
+    QString partner;                // the name of the other entry, G
+    std::vector<std::size_t> order; // indices of the maps, the one on top first; empty: as they are
+    TheftMode mode = TheftMode::StealColours;
+    attractor::Pattern pattern = attractor::Pattern::Wheel;
+    QString picture; // its path from the folder of the file, with slashes; empty: the pattern
+    // What the picture shows of the plane of G, for StealColours; nullopt: as it would be rendered. y
+    // upwards.
+    std::optional<attractor::View> view;
+
+    friend bool operator==(const KeptTheft&, const KeptTheft&) = default;
+};
+
+std::optional<KeptTheft> keptTheft(const Fractal& fractal); // lines that make no sense are passed over
+Fractal withTheft(Fractal fractal, const std::optional<KeptTheft>& theft);
+
+} // namespace document

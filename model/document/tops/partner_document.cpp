@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "document/tops/partner_document.h"
+
+#include "document/edits/entries_edits.h"
+
+#include <utility>
+
+namespace document {
+
+PartnerDocument::PartnerDocument(Document* host) : m_host(host) {
+    m_document.undoStack()->setUndoLimit(1); // the history is the host's
+    connect(host, &Document::changed, this, [this](const Change& change) {
+        if (!change.live) take();
+    });
+    connect(host, &Document::cageModeChanged, &m_document, &Document::setCageMode);
+    m_document.setCageMode(host->cageMode());
+    connect(m_document.undoStack(), &QUndoStack::indexChanged, this, &PartnerDocument::give);
+}
+
+// The host may be gone, and the history ends by one more change.
+PartnerDocument::~PartnerDocument() {
+    m_document.undoStack()->disconnect(this);
+}
+
+void PartnerDocument::setPartner(EntryId id) {
+    if (indexOf(m_host->file(), id) < 0) id = EntryId::None;
+    if (std::exchange(m_id, id) == id) return;
+    take();
+    emit partnerChanged();
+}
+
+void PartnerDocument::take() {
+    if (m_id == EntryId::None) return;
+    const qsizetype index = indexOf(m_host->file(), m_id);
+    if (index < 0) {
+        m_id = EntryId::None;
+        emit partnerChanged();
+        return;
+    }
+    const Fractal& fractal = *m_host->file().entries[index].fractal;
+    if (m_shown == m_id && fractal == m_document.entryFractal()) return;
+    m_isTaking = true;
+    if (std::exchange(m_shown, m_id) == m_id)
+        m_document.editEntry(QString(), fractal);
+    else
+        m_document.setFile(fileOf(fractal));
+    m_isTaking = false;
+}
+
+void PartnerDocument::give() {
+    const qsizetype index = indexOf(m_host->file(), m_id);
+    if (m_isTaking || index < 0) return;
+    const Fractal& fractal = m_document.entryFractal();
+    if (fractal == *m_host->file().entries[index].fractal) return;
+    m_host->editFile(m_document.undoStack()->undoText(), replaced(m_host->file(), m_id, fractal),
+                     m_host->currentId());
+}
+
+} // namespace document

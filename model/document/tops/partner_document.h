@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+
+#include <QObject>
+
+namespace document {
+
+// Another entry of a document, shown and edited as a document of its own, so that a second canvas can hold
+// it. What is finished here becomes a step of the host's history; what happens to the entry there is shown
+// here.
+class PartnerDocument : public QObject {
+    Q_OBJECT
+
+public:
+    explicit PartnerDocument(Document* host);
+    ~PartnerDocument() override;
+
+    Document& document() { return m_document; }
+    const Document& document() const { return m_document; }
+    EntryId id() const { return m_id; } // in the host; None while there is no partner
+    void setPartner(EntryId id);
+
+signals:
+    void partnerChanged(); // another entry, or none
+
+private:
+    void take(); // from the host
+    void give(); // to the host
+
+    Document* m_host;
+    Document m_document;
+    EntryId m_id = EntryId::None;
+    EntryId m_shown = EntryId::None;
+    bool m_isTaking = false;
+};
+
+} // namespace document

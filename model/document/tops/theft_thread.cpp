@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "document/tops/theft_thread.h"
+
+#include "attractor/threads/mailbox.h"
+#include "attractor/tops/deferred_theft.h"
+#include "document/tops/laid_picture.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace document {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::uint64_t fewest = 500'000, most = 10'000'000; // points while a hand moves
+constexpr std::uint64_t atRest[] = {16'000'000, 80'000'000};
+constexpr double fluid = 14;          // milliseconds for both pictures while a hand moves
+constexpr double pictureBehind = 0.3; // opacity of what is not on G
+constexpr auto rest = std::chrono::milliseconds(60);
+
+attractor::Frame frameOf(const TheftJob::Side& side, std::uint64_t points) {
+    attractor::Frame frame;
+    frame.revision = side.revision;
+    frame.camera = side.camera;
+    frame.pixels.resize(std::size_t(side.camera.width) * std::size_t(side.camera.height));
+    frame.samples = points;
+    frame.measure = 1;
+    frame.passes = 1;
+    return frame;
+}
+
+bool isShown(const TheftJob::Side& side) {
+    return side.camera.width > 0 && side.camera.height > 0;
+}
+
+} // namespace
+
+struct TheftThread::State {
+    State(int threads, std::function<void()> callback)
+        : ready(std::move(callback)), onFrom(threads), onTo(threads), there(threads), thread([this] {
+              serve();
+          }) {}
+    ~State() { mailbox.close(); }
+
+    void serve();
+    void work(const TheftJob& job, const std::stop_token& stop);
+    void couple(const TheftJob& job);
+    bool show(const TheftJob& job, std::uint64_t points, const std::stop_token& stop);
+    std::shared_ptr<const attractor::Frame> drawFrom(const TheftJob& job, const LaidPicture& laid,
+                                                     std::uint64_t points, const std::stop_token& stop);
+    std::shared_ptr<const attractor::Frame> drawTo(const TheftJob& job, const LaidPicture& laid,
+                                                   std::uint64_t points, const std::stop_token& stop);
+    void publish(StolenFrames frames, const std::stop_token& stop);
+
+    std::function<void()> ready;
+    attractor::Mailbox<TheftJob> mailbox;
+    std::mutex mutex; // of the two below
+    std::shared_ptr<const StolenFrames> newest;
+    bool announced = false; // ready was called, newest() was not yet
+    // The worker's own:
+    std::shared_ptr<const Fractal> from, to; // of `coupling`
+    std::vector<std::size_t> order;
+    CouplingOutcome coupling;
+    attractor::DeferredTheft onFrom, onTo, there;
+    std::uint64_t livePoints = 3'000'000;
+    std::jthread thread; // last: it uses the rest
+};
+
+void TheftThread::State::serve() {
+    while (const auto delivery = mailbox.take())
+        work(delivery->job, delivery->stop);
+}
+
+void TheftThread::State::work(const TheftJob& job, const std::stop_token& stop) {
+    couple(job);
+    if (!coupling.entries) return publish({nullptr, nullptr, coupling}, stop);
+    const auto begin = Clock::now();
+    if (!show(job, livePoints, stop)) return;
+    const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
+    // Half way each time: one slow picture on a busy machine must not make the grain jump.
+    const double affordable = double(livePoints) * fluid / std::max(time.count(), 0.1);
+    if (job.isLive)
+        livePoints =
+            std::clamp(std::uint64_t((double(livePoints) + std::min(affordable, 1e12)) / 2), fewest, most);
+    for (const std::uint64_t points : atRest)
+        if (!mailbox.staysIdle(rest, stop) || !show(job, points, stop)) return;
+}
+
+void TheftThread::State::couple(const TheftJob& job) {
+    if (job.from.fractal == from && job.to.fractal == to && job.order == order) return;
+    from = job.from.fractal;
+    to = job.to.fractal;
+    order = job.order;
+    coupling = coupled(*from, *to, order);
+}
+
+bool TheftThread::State::show(const TheftJob& job, std::uint64_t points, const std::stop_token& stop) {
+    const auto picture = laid(*coupling.entries, job.picture, job.mode, job.view, there, stop);
+    if (!picture) return false;
+    StolenFrames frames;
+    if (isShown(job.from)) frames.from = drawFrom(job, *picture, points, stop);
+    if (stop.stop_requested()) return false;
+    if (isShown(job.to)) frames.to = drawTo(job, *picture, points, stop);
+    if (stop.stop_requested()) return false;
+    publish(std::move(frames), stop);
+    return true;
+}
+
+std::shared_ptr<const attractor::Frame> TheftThread::State::drawFrom(const TheftJob& job,
+                                                                     const LaidPicture& laid,
+                                                                     std::uint64_t points,
+                                                                     const std::stop_token& stop) {
+    const auto begin = Clock::now();
+    attractor::Frame frame = frameOf(job.from, points);
+    attractor::TheftRequest request;
+    request.camera = job.from.camera;
+    request.toPicture = laid.toPicture;
+    request.points = points;
+    request.background = from->appearance.background;
+    if (!onFrom.draw(coupling.entries->system(), *laid.picture, request, frame.pixels, stop)) return nullptr;
+    frame.opaque = request.background.alpha == 255;
+    const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
+    frame.milliseconds = time.count();
+    return std::make_shared<const attractor::Frame>(std::move(frame));
+}
+
+// G as it is, through the identity, and the rest of the picture faintly behind it.
+std::shared_ptr<const attractor::Frame> TheftThread::State::drawTo(const TheftJob& job,
+                                                                   const LaidPicture& laid,
+                                                                   std::uint64_t points,
+                                                                   const std::stop_token& stop) {
+    attractor::Frame frame = frameOf(job.to, points);
+    const auto& maps = coupling.entries->toAttractor.maps();
+    const attractor::CoupledSystem identity(coupling.entries->toAttractor, maps,
+                                            ifs::determinantWeights<2>(maps));
+    attractor::TheftRequest request;
+    request.camera = job.to.camera;
+    request.toPicture = laid.toPicture;
+    request.points = points;
+    request.background = {0, 0, 0, 0};
+    if (!onTo.draw(identity, *laid.picture, request, frame.pixels, stop)) return nullptr;
+    request.background = to->appearance.background;
+    attractor::layUnder(frame.pixels, *laid.picture, request, pictureBehind);
+    frame.opaque = true;
+    return std::make_shared<const attractor::Frame>(std::move(frame));
+}
+
+void TheftThread::State::publish(StolenFrames frames, const std::stop_token& stop) {
+    auto shared = std::make_shared<const StolenFrames>(std::move(frames));
+    {
+        const std::lock_guard lock(mutex);
+        if (stop.stop_requested()) return;
+        newest.swap(shared); // what it replaces is let go after the lock
+        if (std::exchange(announced, true)) return;
+    }
+    ready();
+}
+
+TheftThread::TheftThread(int threads, std::function<void()> ready)
+    : m_state(std::make_unique<State>(threads, std::move(ready))) {}
+
+TheftThread::~TheftThread() = default;
+
+void TheftThread::submit(TheftJob job) {
+    m_state->mailbox.put(std::move(job));
+}
+
+void TheftThread::cancel() {
+    m_state->mailbox.put(std::nullopt);
+}
+
+std::shared_ptr<const StolenFrames> TheftThread::newest() {
+    const std::lock_guard lock(m_state->mutex);
+    m_state->announced = false;
+    return m_state->newest;
+}
+
+} // namespace document

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/frame.h"
+#include "attractor/tops/mip_picture.h"
+#include "document/edits/coupled_entries.h"
+#include "document/tops/kept_theft.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace document {
+
+// What is drawn of a fractal transformation from F to G: F with the colours it steals, and G with the
+// picture on it.
+struct TheftJob {
+    struct Side {
+        std::shared_ptr<const Fractal> fractal;
+        attractor::Camera camera; // of no pixels: not drawn
+        std::uint64_t revision = 0;
+    };
+    Side from, to;
+    std::vector<std::size_t> order; // as in KeptTheft
+    TheftMode mode = TheftMode::StealColours;
+    std::optional<attractor::View> view;                  // as in KeptTheft
+    std::shared_ptr<const attractor::MipPicture> picture; // not null
+    bool isLive = false;                                  // more of the same is to come
+};
+
+struct StolenFrames {
+    std::shared_ptr<const attractor::Frame> from, to; // null where not drawn, or where there is a flaw
+    std::optional<CouplingOutcome> flaw;              // why there is no transformation
+};
+
+// A worker thread around DeferredTheft: the newest job wins, an older one is abandoned within milliseconds.
+// While jobs come from a hand that moves, each has as many points as keep it fluid; at rest there are more
+// and more. While only G or the picture moves, the keys of F stay.
+class TheftThread {
+public:
+    // `ready` is called on the worker thread, never again before newest() has been called since.
+    explicit TheftThread(int threads, std::function<void()> ready);
+    ~TheftThread(); // stops and joins
+
+    TheftThread(const TheftThread&) = delete;
+    TheftThread& operator=(const TheftThread&) = delete;
+
+    void submit(TheftJob job); // any thread
+    void cancel();             // forget the present job; the newest frames stay
+
+    // Any thread; nullptr before the first.
+    std::shared_ptr<const StolenFrames> newest();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace document

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "io/picture/picture_decoder.h"
+
+#include "io/picture/jpeg_check.h"
+
+#include <QBuffer>
+#include <QColorSpace>
+#include <QCoreApplication>
+#include <QImageReader>
+#include <QtEndian>
+
+#include <zlib.h>
+
+namespace io {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+constexpr int megabytes = int(maxDecodedPixels * 8 >> 20) + 1; // 16 bits a channel at most
+
+bool isKnown(const QByteArray& format) {
+    static const QList<QByteArray> formats{"png", "jpeg", "jpg", "gif", "bmp", "pbm", "pgm", "ppm"};
+    return formats.contains(format);
+}
+
+// Whether every chunk that matters is there with its checksum, to the last one. libpng would tell the
+// terminal.
+bool isWholePng(const QByteArray& bytes) {
+    for (qsizetype at = 8; at + 12 <= bytes.size();) {
+        const qsizetype length = qFromBigEndian<quint32>(bytes.constData() + at);
+        if (length > bytes.size() - at - 12) return false;
+        const char* type = bytes.constData() + at + 4;
+        const auto* checked = reinterpret_cast<const Bytef*>(type);
+        const bool matters = (type[0] & 0x20) == 0;
+        if (matters && crc32(0, checked, uInt(length + 4)) != qFromBigEndian<quint32>(type + 4 + length))
+            return false;
+        if (bytes.mid(at + 4, 4) == "IEND") return true;
+        at += length + 12;
+    }
+    return false;
+}
+
+// What its reader would pass over in silence.
+bool isDamaged(const QByteArray& bytes, const QByteArray& format) {
+    if (format == "png") return !isWholePng(bytes);
+    if (format.startsWith("jp")) return !jpegFacts(bytes).isComplete;
+    if (format == "gif") {
+        qsizetype end = bytes.size();
+        while (end > 0 && bytes[end - 1] == '\0')
+            --end;
+        return end == 0 || bytes[end - 1] != ';';
+    }
+    if (format == "bmp" && bytes.size() > 6)
+        return qFromLittleEndian<quint32>(bytes.constData() + 2) > quint32(bytes.size());
+    return false;
+}
+
+bool isAnimated(QImageReader& reader, const QByteArray& bytes, const QByteArray& format) {
+    if (format == "png") {
+        const qsizetype control = bytes.indexOf("acTL");
+        return control >= 0 && control < bytes.indexOf("IDAT");
+    }
+    return reader.supportsAnimation() && reader.imageCount() > 1;
+}
+
+// Why the picture cannot be used, as far as can be told before it is decoded.
+std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes) {
+    const QByteArray format = reader.format();
+    if (!isKnown(format)) return Text::tr("This is not a PNG, JPEG, GIF, BMP or PNM picture.");
+    const QSize size = reader.size();
+    if (qint64(size.width()) * size.height() > maxDecodedPixels)
+        return Text::tr(
+                   "The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.")
+            .arg(size.width())
+            .arg(size.height());
+    if (isDamaged(bytes, format)) return Text::tr("The picture is damaged or incomplete.");
+    if (format.startsWith("jp") && jpegFacts(bytes).components > 3)
+        return Text::tr(
+            "The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB "
+            "or grey levels.");
+    if (isAnimated(reader, bytes, format))
+        return Text::tr("The picture is animated. Save one of its frames as a picture of its own.");
+    return std::nullopt;
+}
+
+// Once: the limit is that of the program, and pictures are decoded in several threads.
+void allowDecoding() {
+    static const bool isAllowed = [] {
+        QImageReader::setAllocationLimit(megabytes);
+        return true;
+    }();
+    Q_UNUSED(isAllowed)
+}
+
+} // namespace
+
+DecodedPicture decodedPicture(const QByteArray& bytes) {
+    DecodedPicture decoded;
+    QBuffer buffer;
+    buffer.setData(bytes);
+    buffer.open(QIODevice::ReadOnly);
+    // Its content decides, and nothing but the readers of pixels is asked.
+    const QByteArray format = QImageReader::imageFormat(&buffer);
+    buffer.seek(0);
+    allowDecoding();
+    QImageReader reader(&buffer, isKnown(format) ? format : QByteArray("none"));
+    reader.setAutoTransform(true);
+    decoded.flaw = flawOf(reader, bytes);
+    if (decoded.flaw) return decoded;
+    decoded.image = reader.read();
+    if (decoded.image.isNull()) decoded.flaw = Text::tr("The picture is damaged or incomplete.");
+    const QColorSpace space = decoded.image.colorSpace(), srgb(QColorSpace::SRgb);
+    if (space.isValid() && space != srgb) decoded.image.convertToColorSpace(srgb);
+    return decoded;
+}
+
+} // namespace io

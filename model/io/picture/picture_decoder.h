@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QString>
+
+#include <optional>
+
+namespace io {
+
+// The one decoder of pictures that a user gives. Reads PNG, JPEG, GIF, BMP and PNM, turned upright, in sRGB.
+// Refused are animations, JPEG pictures in CMYK, whose colours depend on the program that reads them,
+// incomplete pictures, and those with more pixels than this. Memory is bounded by these.
+inline constexpr qint64 maxDecodedPixels = 32'000'000;
+
+struct DecodedPicture {
+    QImage image;                // of any pixel format
+    std::optional<QString> flaw; // the user's sentence when there is none
+};
+DecodedPicture decodedPicture(const QByteArray& bytes);
+
+} // namespace io

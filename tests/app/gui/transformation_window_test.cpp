@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_view.h"
+#include "document/tops/kept_theft.h"
+#include "document/tops/theft_starters.h"
+#include "io/fractint/fractint_reader.h"
+#include "transformation/transformation_view.h"
+#include "window_fixture.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QListWidget>
+#include <QMenu>
+#include <QMimeData>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QUrl>
+
+using document::KeptTheft;
+using document::TheftMode;
+using Kind = view::CanvasPart::Kind;
+
+// The window of fractal transformations, under mouse, drops and undo.
+class TransformationWindowTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void showsAndHides();
+    void aStarterIsOneStep();
+    void draggingThePartnerIsLive();
+    void slidersMoveTheFamily();
+    void aDroppedPictureIsKept();
+    void aMissingPictureIsSaid();
+    void otherNumbersAreDivided();
+    void theOrderIsKept();
+    void exportsThePicture();
+    void everyModeIsKept();
+
+private:
+    document::Document& document() { return m_window->document(); }
+    view::TransformationView* view() const { return m_window->findChild<view::TransformationView*>(); }
+    view::CanvasView* canvas() const { return m_window->findChild<view::CanvasView*>(); }
+    int steps() { return document().undoStack()->count(); }
+    void toggle() {
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->text() == QStringLiteral("Fractal &Transformation")) return action->trigger();
+        QFAIL("no such action");
+    }
+    void choose(const QString& entry) { // of a menu of the bar
+        for (const QToolButton* button : view()->bar()->findChildren<QToolButton*>())
+            if (const QMenu* menu = button->menu())
+                for (QAction* action : menu->actions())
+                    if (action->text() == entry) return action->trigger();
+        QFAIL("no such entry");
+    }
+    void click(const QString& name) {
+        for (QToolButton* button : view()->bar()->findChildren<QToolButton*>())
+            if (button->text() == name && button->isVisible()) return button->click();
+        QFAIL("no such button");
+    }
+    void openFamily() {
+        toggle();
+        choose(QStringLiteral("Triangle Family"));
+        QTRY_VERIFY_WITH_TIMEOUT(isPainted(), 30000);
+    }
+    bool isPainted() const { return !view()->partnerCanvas()->picture().isNull() && isStolen(); }
+    bool isStolen() const { // colours that no density of the default palette has: the sunset's sky
+        const QImage picture = canvas()->picture();
+        int warm = 0;
+        for (int y = 0; y < picture.height(); y += 3)
+            for (int x = 0; x < picture.width(); x += 3) {
+                const QColor colour = picture.pixelColor(x, y);
+                warm += colour.red() > 200 && colour.blue() < 150 && colour.green() < 215 ? 1 : 0;
+            }
+        return warm > 200;
+    }
+    KeptTheft kept() { return document::keptTheft(document().entryFractal()).value_or(KeptTheft()); }
+};
+
+namespace {
+
+void drop(QWidget* target, const QPoint& at, const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(target, &enter);
+    QVERIFY(enter.isAccepted());
+    QDragMoveEvent move(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(target, &move);
+    QVERIFY(move.isAccepted());
+    QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(target, &drop);
+    QVERIFY(drop.isAccepted());
+}
+
+} // namespace
+
+void TransformationWindowTest::showsAndHides() {
+    QVERIFY(!view()->partnerCanvas()); // not before it is asked for
+    toggle();
+    QVERIFY(view()->partnerCanvas()->isVisible() && view()->bar()->isVisible());
+    QCOMPARE(steps(), 0);
+    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().startsWith(QStringLiteral("“maple” has 4")), 30000);
+    toggle();
+    QVERIFY(!view()->partnerCanvas()->isVisible() && !view()->bar()->isVisible());
+    QVERIFY(canvas()->isVisible());
+    QCOMPARE(steps(), 0);
+}
+
+void TransformationWindowTest::aStarterIsOneStep() {
+    const auto before = document().file().entries.size();
+    openFamily();
+    QCOMPARE(steps(), 1);
+    QCOMPARE(document().file().entries.size(), before + 2);
+    QCOMPARE(kept().mode, TheftMode::TransformPicture);
+    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->continuity().startsWith(QStringLiteral("Continuous to")), 30000);
+    QVERIFY(view()->bar()->problem().isEmpty());
+    document().undoStack()->undo();
+    QCOMPARE(document().file().entries.size(), before);
+}
+
+void TransformationWindowTest::draggingThePartnerIsLive() {
+    openFamily();
+    view::CanvasView* partner = view()->partnerCanvas();
+    const QImage before = canvas()->picture();
+    canvas()->setTool(view::CanvasView::Tool::Maps);
+    QCOMPARE(partner->tool(), view::CanvasView::Tool::Maps); // the tool of the window
+    canvas()->setTool(view::CanvasView::Tool::Cage);
+    // A corner of the cage, pulled with the mouse.
+    QWidget* target = partner->viewport();
+    const QPoint corner = partner->canvas().positionOf({Kind::Vertex, 0}).toPoint();
+    const int stepsBefore = steps();
+    choose(QStringLiteral("Grid"));
+    QComboBox* mode = nullptr;
+    for (auto* box : view()->bar()->findChildren<QComboBox*>())
+        if (box->accessibleName() == QStringLiteral("Mode")) mode = box;
+    QVERIFY(mode);
+    mode->setCurrentIndex(0);
+    emit mode->activated(0); // Steal Colours: the picture stays where it is
+    QCOMPARE(steps(), stepsBefore + 2);
+    QTRY_VERIFY_WITH_TIMEOUT(canvas()->picture() != before, 30000);
+    QTest::qWait(500);
+    const QImage still = canvas()->picture();
+    QTest::mousePress(target, Qt::LeftButton, {}, corner);
+    bool isLive = false;
+    for (int k = 1; k <= 12; ++k) {
+        QMouseEvent move(QEvent::MouseMove, corner + QPoint(4 * k, -3 * k),
+                         target->mapToGlobal(corner + QPoint(4 * k, -3 * k)), Qt::NoButton, Qt::LeftButton,
+                         {});
+        QCoreApplication::sendEvent(target, &move);
+        QTest::qWait(60);
+        isLive = isLive || canvas()->picture() != still;
+    }
+    QVERIFY(isLive); // while the button is down
+    QCOMPARE(steps(), stepsBefore + 2);
+    QTest::mouseRelease(target, Qt::LeftButton, {}, corner + QPoint(48, -36));
+    QCOMPARE(steps(), stepsBefore + 3);
+    document().undoStack()->undo();
+    QVERIFY(!document::plane(partner->canvas().document().fractal())->cage ||
+            (partner->canvas().positionOf({Kind::Vertex, 0}).toPoint() - corner).manhattanLength() < 3);
+}
+
+void TransformationWindowTest::slidersMoveTheFamily() {
+    openFamily();
+    const int before = steps();
+    QList<QSlider*> sliders;
+    for (auto* slider : view()->bar()->findChildren<QSlider*>())
+        if (slider->isVisible()) sliders << slider;
+    QCOMPARE(sliders.size(), 3);
+    QTest::keyClick(sliders.first(), Qt::Key_PageUp);
+    QTRY_COMPARE_WITH_TIMEOUT(steps(), before + 1, 5000); // once the run of steps has ended
+    document().undoStack()->undo();
+    choose(QStringLiteral("Square Family"));
+    sliders.clear();
+    for (auto* slider : view()->bar()->findChildren<QSlider*>())
+        if (slider->isVisible()) sliders << slider;
+    QCOMPARE(sliders.size(), 2);
+}
+
+void TransformationWindowTest::aDroppedPictureIsKept() {
+    openFamily();
+    const QTemporaryDir folder;
+    QImage blue(40, 40, QImage::Format_RGB32);
+    blue.fill(QColor(20, 60, 250));
+    const QString path = folder.filePath(QStringLiteral("blue.png"));
+    QVERIFY(blue.save(path));
+    const int before = steps();
+    const QPoint middle = view()->partnerCanvas()->mapTo(view(), view()->partnerCanvas()->rect().center());
+    drop(view(), middle, path);
+    QTRY_COMPARE(steps(), before + 1);
+    QCOMPARE(kept().picture, path); // the file has no folder yet
+    const auto isBlue = [this] {
+        const QImage picture = canvas()->picture();
+        int count = 0;
+        for (int y = 0; y < picture.height(); y += 3)
+            for (int x = 0; x < picture.width(); x += 3)
+                count += picture.pixelColor(x, y).blue() > 240 && picture.pixelColor(x, y).red() < 40 ? 1 : 0;
+        return count > 500;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isBlue(), 30000);
+    document().undoStack()->undo();
+    QTRY_VERIFY_WITH_TIMEOUT(isStolen(), 30000);
+}
+
+void TransformationWindowTest::aMissingPictureIsSaid() {
+    openFamily();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("gone.png"));
+    view()->usePicture(path);
+    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().contains(QStringLiteral("gone.png")), 10000);
+    bool canBeFound = false;
+    for (const QToolButton* button : view()->bar()->findChildren<QToolButton*>())
+        canBeFound = canBeFound || (button->isVisible() && button->text() == QStringLiteral("Find Picture…"));
+    QVERIFY(canBeFound);
+    QImage green(9, 9, QImage::Format_RGB32);
+    green.fill(Qt::green);
+    QVERIFY(green.save(path));
+    view()->usePicture(path); // found again, at the same place
+    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().isEmpty(), 10000);
+    QFile damaged(path);
+    QVERIFY(damaged.open(QIODevice::WriteOnly) && damaged.write("no picture") > 0);
+    damaged.close();
+    view()->usePicture(folder.filePath(QStringLiteral("../") + QFileInfo(folder.path()).fileName() +
+                                       QStringLiteral("/gone.png")));
+    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().contains(QStringLiteral("not a PNG")), 10000);
+}
+
+void TransformationWindowTest::otherNumbersAreDivided() {
+    document::FractalFile file =
+        io::readFractint("two {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n"
+                         "three {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .3\n .5 0 0 .5 0 1 .4\n}\n");
+    document().setFile(std::move(file));
+    toggle();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        view()->bar()->problem() ==
+            QStringLiteral("“two” has 2 active maps and “three” has 3. They need equally many."),
+        20000);
+    QVERIFY(!canvas()->picture().isNull()); // the density
+    click(QStringLiteral("Divide Words"));
+    QCOMPARE(steps(), 1);
+    for (const document::Entry& entry : document().file().entries)
+        QCOMPARE(document::system2(*entry.fractal)->maps.size(), std::size_t(3));
+    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().isEmpty(), 20000);
+}
+
+void TransformationWindowTest::theOrderIsKept() {
+    openFamily();
+    auto* list = view()->findChild<QListWidget*>();
+    QCOMPARE(list->count(), 4);
+    list->setCurrentRow(2);
+    for (QToolButton* button : view()->findChildren<QToolButton*>())
+        if (button->text() == QStringLiteral("↑")) QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(kept().order, (std::vector<std::size_t>{0, 2, 1, 3}));
+    QCOMPARE(list->item(1)->text(), QStringLiteral("3"));
+    document().undoStack()->undo();
+    QVERIFY(kept().order.empty());
+    QCOMPARE(list->item(1)->text(), QStringLiteral("2"));
+}
+
+void TransformationWindowTest::exportsThePicture() {
+    openFamily();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("stolen.png"));
+    QVERIFY(!view()->exportTo(path));
+    const QImage written(path);
+    QCOMPARE(std::max(written.width(), written.height()), 2400);
+    QVERIFY(view()->exportTo(folder.filePath(QStringLiteral("absent/stolen.png"))));
+}
+
+void TransformationWindowTest::everyModeIsKept() {
+    openFamily();
+    QComboBox* mode = nullptr;
+    for (auto* box : view()->bar()->findChildren<QComboBox*>())
+        if (box->accessibleName() == QStringLiteral("Mode")) mode = box;
+    QVERIFY(mode);
+    QImage before = canvas()->picture();
+    for (const TheftMode wanted : {TheftMode::DeformationGrid, TheftMode::Reduce, TheftMode::StealColours}) {
+        const int row = mode->findData(int(wanted));
+        mode->setCurrentIndex(row);
+        emit mode->activated(row);
+        QCOMPARE(kept().mode, wanted);
+        QTRY_VERIFY_WITH_TIMEOUT(canvas()->picture() != before, 30000);
+        QTest::qWait(300);
+        before = canvas()->picture();
+    }
+}
+
+QTEST_MAIN(TransformationWindowTest)
+#include "transformation_window_test.moc"

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/tops/deferred_theft.h"
+
+#include "../../ifs/tops/top_systems.h"
+#include "attractor/tops/picture_patterns.h"
+#include "ifs/system/iterated_function_system.h"
+
+#include <QTest>
+
+using attractor::CoupledSystem;
+using tops::Maps;
+using tops::square;
+
+namespace {
+
+CoupledSystem coupled(const Maps& from, const Maps& to) {
+    return {tops::attractorOf(from), to, ifs::determinantWeights<2>(from)};
+}
+
+attractor::TheftRequest requested() {
+    attractor::TheftRequest request;
+    request.camera = {{.5, .5}, 90, 100, 100, attractor::YAxis::Up};
+    request.toPicture = ifs::affineMap(64, 0, 0, -64, 0, 64);
+    request.points = 500'000;
+    return request;
+}
+
+using Pixels = std::vector<std::uint32_t>;
+
+Pixels drawn(attractor::DeferredTheft& theft, const CoupledSystem& system,
+             const attractor::MipPicture& picture, const attractor::TheftRequest& request) {
+    Pixels pixels(100 * 100);
+    return theft.draw(system, picture, request, pixels, {}) ? pixels : Pixels();
+}
+
+Pixels stolen(const CoupledSystem& system, const attractor::MipPicture& picture,
+              const attractor::TheftRequest& request) {
+    Pixels result;
+    attractor::steal(system, picture, request,
+                     [&](std::span<const std::uint32_t> rows) {
+                         result.insert(result.end(), rows.begin(), rows.end());
+                         return true;
+                     },
+                     {});
+    return result;
+}
+
+} // namespace
+
+// Pictures that keep the keys of the one before.
+class DeferredTheftTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void drawsWhatStealDraws() {
+        const auto picture = attractor::picture(attractor::Pattern::Grid, 64);
+        attractor::TheftRequest request = requested();
+        for (const int threads : {1, 3}) {
+            attractor::DeferredTheft theft(threads);
+            for (const Maps& to : {square(.5, .5), square(.3, .6), tops::triangle(.65, .3, .4)}) {
+                const CoupledSystem system = coupled(square(.5, .5), to);
+                QVERIFY(drawn(theft, system, picture, request) == stolen(system, picture, request));
+            }
+        }
+    }
+
+    void keepsKeysWhileOnlyThePartnerOrThePictureMoves() {
+        attractor::DeferredTheft theft(2);
+        attractor::TheftRequest request = requested();
+        const auto grid = attractor::picture(attractor::Pattern::Grid, 64);
+        const auto wheel = attractor::picture(attractor::Pattern::Wheel, 64);
+        const Maps from = square(.5, .5);
+        const Pixels first = drawn(theft, coupled(from, from), grid, request);
+        QVERIFY(!theft.hasKeptKeys());
+        QVERIFY(drawn(theft, coupled(from, square(.4, .7)), grid, request) != first);
+        QVERIFY(theft.hasKeptKeys());
+        QVERIFY(drawn(theft, coupled(from, from), wheel, request) != first);
+        QVERIFY(theft.hasKeptKeys());
+        drawn(theft, coupled(square(.6, .5), from), grid, request);
+        QVERIFY(!theft.hasKeptKeys());
+        request.camera.centre.x() += .1;
+        drawn(theft, coupled(square(.6, .5), from), grid, request);
+        QVERIFY(!theft.hasKeptKeys());
+    }
+
+    void keysOfAStoppedPictureAreNotKept() {
+        attractor::DeferredTheft theft(2);
+        const auto grid = attractor::picture(attractor::Pattern::Grid, 64);
+        const CoupledSystem system = coupled(square(.5, .5), square(.5, .5));
+        std::stop_source stop;
+        stop.request_stop();
+        Pixels pixels(100 * 100);
+        QVERIFY(!theft.draw(system, grid, requested(), pixels, stop.get_token()));
+        drawn(theft, system, grid, requested());
+        QVERIFY(!theft.hasKeptKeys());
+    }
+
+    // What is drawn stays, and empty pixels show the picture there.
+    void thePictureLiesUnderWhatIsEmpty() {
+        const auto picture = attractor::picture(attractor::Pattern::Wheel, 64);
+        attractor::TheftRequest request = requested();
+        request.background = {0, 0, 0, 255};
+        Pixels pixels(100 * 100, 0);
+        pixels[5050] = 0xFF123456;
+        attractor::layUnder(pixels, picture, request, .5);
+        QCOMPARE(pixels[5050], 0xFF123456U);
+        QVERIFY(std::ranges::all_of(pixels, [](std::uint32_t pixel) { return pixel >> 24 == 255; }));
+        QCOMPARE(pixels[0], 0xFF000000U);           // outside of the picture
+        QVERIFY((pixels[5060] & 0xFFFFFF) != 0);    // in its middle
+        QVERIFY((pixels[5060] >> 16 & 255) <= 128); // half as strong
+    }
+
+    void patternsAreNamedAndDiffer() {
+        std::vector<double> middles;
+        for (const attractor::Pattern pattern : attractor::patterns) {
+            QCOMPARE(attractor::patternNamed(attractor::nameOf(pattern)), std::optional(pattern));
+            const auto picture = attractor::picture(pattern, 32);
+            QCOMPARE(picture.width(), 32);
+            middles.push_back(picture.at(16, 16, 1024).red);
+        }
+        std::ranges::sort(middles);
+        QVERIFY(std::ranges::adjacent_find(middles) == middles.end());
+        QVERIFY(!attractor::patternNamed("no such"));
+    }
+};
+
+QTEST_APPLESS_MAIN(DeferredTheftTest)
+#include "deferred_theft_test.moc"

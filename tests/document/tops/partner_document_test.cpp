@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "document/tops/partner_document.h"
+
+#include "document/edits/coupled_entries.h"
+#include "document/edits/entries_edits.h"
+#include "document/tops/divided_words.h"
+#include "document/tops/laid_picture.h"
+#include "document/tops/theft_starters.h"
+#include "document/tops/theft_thread.h"
+#include "ifs/dimension/moments.h"
+
+#include <QTest>
+
+#include <semaphore>
+
+using document::Document;
+using document::EntryId;
+using document::Fractal;
+using document::PartnerDocument;
+using document::TheftFamily;
+using document::TheftMode;
+
+namespace {
+
+Fractal moved(Fractal fractal, double by) {
+    document::system2(fractal)->maps.front().map.translation.x() += by;
+    return fractal;
+}
+
+const Fractal& fractalOf(const Document& document, EntryId id) {
+    return *document.file().entries[document::indexOf(document.file(), id)].fractal;
+}
+
+std::shared_ptr<const attractor::MipPicture> wheel() {
+    return std::make_shared<const attractor::MipPicture>(attractor::picture(attractor::Pattern::Wheel, 64));
+}
+
+} // namespace
+
+// Two entries of one document at once, and what is drawn of them.
+class PartnerDocumentTest : public QObject {
+    Q_OBJECT
+
+private:
+    Document m_document;
+    std::unique_ptr<PartnerDocument> m_partner;
+
+    void start(TheftFamily family) {
+        m_document.setFile({});
+        document::StartedTheft started = document::withStarter(m_document.file(), family);
+        m_document.setFile(std::move(started.file), started.from);
+        m_partner = std::make_unique<PartnerDocument>(&m_document);
+        m_partner->setPartner(
+            document::entryNamed(m_document.file(), document::keptTheft(m_document.entryFractal())->partner));
+        QVERIFY(m_partner->id() != EntryId::None);
+    }
+
+private slots:
+    void aFinishedGestureIsOneStepOfTheHost() {
+        start(TheftFamily::Triangle);
+        const Fractal before = m_partner->document().fractal();
+        const EntryId current = m_document.currentId();
+        {
+            document::EditGesture gesture = m_partner->document().beginGesture(QStringLiteral("Pull"));
+            for (int k = 1; k <= 5; ++k)
+                gesture.preview(moved(gesture.before(), .01 * k));
+            QCOMPARE(m_document.undoStack()->count(), 0);
+            QVERIFY(fractalOf(m_document, m_partner->id()) == before);
+            gesture.commit();
+        }
+        QCOMPARE(m_document.undoStack()->count(), 1);
+        QCOMPARE(m_document.undoStack()->undoText(), QStringLiteral("Pull"));
+        QVERIFY(fractalOf(m_document, m_partner->id()) == moved(before, .05));
+        QCOMPARE(m_document.currentId(), current);
+        m_document.undoStack()->undo();
+        QVERIFY(m_partner->document().fractal() == before);
+        m_document.undoStack()->redo();
+        QVERIFY(m_partner->document().fractal() == moved(before, .05));
+        QCOMPARE(m_document.undoStack()->count(), 1);
+    }
+
+    void aCancelledGestureIsNone() {
+        start(TheftFamily::Square);
+        {
+            document::EditGesture gesture = m_partner->document().beginGesture(QStringLiteral("Pull"));
+            gesture.preview(moved(gesture.before(), .1));
+        }
+        QCOMPARE(m_document.undoStack()->count(), 0);
+    }
+
+    void thePartnerMayGo() {
+        start(TheftFamily::Square);
+        const EntryId id = m_partner->id();
+        m_document.editFile(QStringLiteral("Remove"), document::removed(m_document.file(), {id}));
+        QCOMPARE(m_partner->id(), EntryId::None);
+        m_partner->document().edit(QStringLiteral("Pull"), moved(m_partner->document().fractal(), .1));
+        QCOMPARE(m_document.file().entries.size(), 1);
+    }
+
+    void numbersOfMapsAgree() {
+        QCOMPARE(document::commonMapCount(2, 3), std::optional<std::size_t>(3));
+        QCOMPARE(document::commonMapCount(3, 4), std::optional<std::size_t>(7));
+        QCOMPARE(document::commonMapCount(4, 4), std::optional<std::size_t>(4));
+        QCOMPARE(document::commonMapCount(1, 4), std::optional<std::size_t>());
+        QCOMPARE(document::commonMapCount(998, 1000), std::optional<std::size_t>());
+    }
+
+    // The same attractor and the same measure: all first and second moments.
+    void dividedWordsChangeNothing() {
+        const Fractal whole = document::sierpinskiTriangle();
+        const Fractal divided = document::withWordsDivided(whole, 7);
+        const document::System2 &a = *document::system2(whole), &b = *document::system2(divided);
+        QCOMPARE(b.maps.size(), std::size_t(7));
+        const auto before = ifs::moments(ifs::activeMaps(a)), after = ifs::moments(ifs::activeMaps(b));
+        QVERIFY(before && after);
+        QVERIFY((before->mean - after->mean).norm() < 1e-12);
+        QVERIFY((before->covariance - after->covariance).norm() < 1e-12);
+        const auto outcome = document::coupled(divided, divided, {});
+        QVERIFY(outcome.entries);
+    }
+
+    void likelyPartnersHaveAsManyMaps() {
+        start(TheftFamily::Triangle);
+        document::FractalFile file = document::fileOf(document::sierpinskiTriangle());
+        file = document::inserted(file, m_document.file().entries, EntryId::None).file;
+        QCOMPARE(document::likelyPartner(file, file.entries[1].id), file.entries[2].id);
+        QCOMPARE(document::likelyPartner(file, file.entries[0].id), file.entries[1].id);
+        QCOMPARE(document::likelyPartner(document::fileOf(document::sierpinskiTriangle()), EntryId(1)),
+                 EntryId::None);
+    }
+
+    void divisionIsOneFile() {
+        start(TheftFamily::Triangle);
+        document::FractalFile file =
+            document::inserted(m_document.file(), document::fileOf(document::sierpinskiTriangle()).entries,
+                               EntryId::None)
+                .file;
+        file = document::withWordsDivided(file, file.entries[0].id, file.entries[2].id);
+        for (const int index : {0, 2})
+            QCOMPARE(document::system2(*file.entries[index].fractal)->maps.size(), std::size_t(7));
+    }
+
+    // Every mode has a picture on both sides; other numbers of maps have a reason.
+    void drawsEveryMode_data() {
+        QTest::addColumn<int>("mode");
+        for (const TheftMode mode : {TheftMode::StealColours, TheftMode::TransformPicture,
+                                     TheftMode::DeformationGrid, TheftMode::Reduce, TheftMode::Posterise})
+            QTest::addRow("%d", int(mode)) << int(mode);
+    }
+
+    void drawsEveryMode() {
+        QFETCH(int, mode);
+        start(TheftFamily::Square);
+        std::binary_semaphore ready(0);
+        document::TheftThread thread(2, [&] { ready.release(); });
+        document::TheftJob job;
+        const attractor::Camera camera{{.5, .5}, 60, 80, 80, attractor::YAxis::Up};
+        job.from = {m_document.sharedFractal(), camera, 7};
+        job.to = {m_partner->document().sharedFractal(), camera, 8};
+        job.mode = TheftMode(mode);
+        job.picture = wheel();
+        job.isLive = true;
+        thread.submit(job);
+        ready.acquire();
+        const auto frames = thread.newest();
+        QVERIFY(frames && !frames->flaw && frames->from && frames->to);
+        QCOMPARE(frames->from->revision, std::uint64_t(7));
+        QCOMPARE(frames->to->revision, std::uint64_t(8));
+        const std::uint32_t middle = frames->from->pixels[40 * 80 + 33];
+        QVERIFY(middle != frames->from->pixels[0]); // the square, not the background
+        QCOMPARE(frames->from->pixels.size(), std::size_t(6400));
+        QVERIFY(std::ranges::all_of(frames->to->pixels, [](auto pixel) { return pixel >> 24 == 255; }));
+    }
+
+    void theGridGoesThroughTheTransformation() {
+        start(TheftFamily::Square);
+        const auto outcome = document::coupled(m_document.fractal(), m_partner->document().fractal(), {});
+        attractor::DeferredTheft there(1);
+        const auto laid =
+            document::laid(*outcome.entries, wheel(), TheftMode::TransformPicture, std::nullopt, there, {});
+        QVERIFY(laid);
+        const auto corner = laid->toPicture(ifs::Vector<2>(0, 1)); // of the box of G: the unit square
+        QVERIFY(corner.norm() < 1e-6);
+        QVERIFY((laid->toPicture(ifs::Vector<2>(1, 0)) - ifs::Vector<2>(64, 64)).norm() < 1e-6);
+    }
+
+    void refusesOtherNumbers() {
+        std::binary_semaphore ready(0);
+        document::TheftThread thread(1, [&] { ready.release(); });
+        start(TheftFamily::Square);
+        document::TheftJob job;
+        const attractor::Camera camera{{.5, .5}, 60, 80, 80, attractor::YAxis::Up};
+        job.from = {m_document.sharedFractal(), camera, 1};
+        job.to = {std::make_shared<const Fractal>(document::sierpinskiTriangle()), camera, 1};
+        job.picture = wheel();
+        thread.submit(job);
+        ready.acquire();
+        const auto frames = thread.newest();
+        QVERIFY(frames->flaw && !frames->from && !frames->to);
+        QCOMPARE(frames->flaw->flaw, document::CouplingFlaw::Counts);
+        QCOMPARE(frames->flaw->fromCount, std::size_t(4));
+        QCOMPARE(frames->flaw->toCount, std::size_t(3));
+    }
+};
+
+QTEST_GUILESS_MAIN(PartnerDocumentTest)
+#include "partner_document_test.moc"

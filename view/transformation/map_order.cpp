@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "transformation/map_order.h"
+
+#include "widgets/flat_buttons.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPixmap>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+constexpr int letters = 7; // wide
+
+QIcon swatch(const attractor::Rgba& colour, int side) {
+    QPixmap pixmap(side, side);
+    pixmap.fill(QColor(colour.red, colour.green, colour.blue));
+    return pixmap;
+}
+
+std::vector<std::size_t> activeIndices(const document::Fractal& fractal) {
+    const document::System2* system = document::system2(fractal);
+    return system ? ifs::activeMaps(*system).index : std::vector<std::size_t>();
+}
+
+} // namespace
+
+MapOrder::MapOrder(QWidget* parent) : QWidget(parent), m_list(new QListWidget(this)) {
+    m_list->setAccessibleName(tr("Order of the maps"));
+    m_list->setToolTip(
+        tr("Where pieces overlap, the map that is higher in this list is on top; drag a map to "
+           "move it"));
+    m_list->setDragDropMode(QAbstractItemView::InternalMove);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_up = flatButton(QString(), QStringLiteral("↑"), tr("Move the map towards the top"), this);
+    m_down = flatButton(QString(), QStringLiteral("↓"), tr("Move the map towards the bottom"), this);
+    for (QToolButton* button : {m_up, m_down})
+        button->setAccessibleName(button->toolTip());
+    auto* title = new QLabel(tr("On top"), this);
+    title->setBuddy(m_list);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_up);
+    buttons->addWidget(m_down);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->addWidget(title);
+    layout->addWidget(m_list, 1);
+    layout->addLayout(buttons);
+    setFixedWidth(std::max(letters * fontMetrics().averageCharWidth() + 36, title->sizeHint().width() + 8));
+    connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
+    connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
+    connect(m_list, &QListWidget::currentRowChanged, this, &MapOrder::updateButtons);
+    // Once the drop is over: the list is filled anew.
+    connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &MapOrder::report, Qt::QueuedConnection);
+    updateButtons();
+}
+
+void MapOrder::show(const document::Fractal& fractal, const std::vector<std::size_t>& order) {
+    m_maps = activeIndices(fractal);
+    const bool isEach = order.size() == m_maps.size() && std::ranges::is_permutation(order, m_maps);
+    const int row = m_list->currentRow();
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    for (const std::size_t map : isEach ? order : m_maps) {
+        const auto& maps = document::system2(fractal)->maps;
+        auto* item = new QListWidgetItem(
+            swatch(attractor::mapColour(fractal.appearance, maps[map].id, map), fontMetrics().ascent()),
+            QString::number(map + 1), m_list);
+        item->setData(Qt::UserRole, qulonglong(map));
+        item->setData(Qt::AccessibleTextRole, tr("Map %1").arg(map + 1));
+    }
+    m_list->setCurrentRow(std::min(row, m_list->count() - 1));
+    updateButtons();
+}
+
+void MapOrder::move(int by) {
+    const int from = m_list->currentRow(), to = from + by;
+    if (from < 0 || to < 0 || to >= m_list->count()) return;
+    m_list->insertItem(to, m_list->takeItem(from));
+    m_list->setCurrentRow(to);
+    report();
+}
+
+void MapOrder::report() {
+    std::vector<std::size_t> order;
+    for (int row = 0; row < m_list->count(); ++row)
+        order.push_back(std::size_t(m_list->item(row)->data(Qt::UserRole).toULongLong()));
+    if (order == m_maps) order.clear();
+    emit ordered(order);
+}
+
+void MapOrder::updateButtons() {
+    const int row = m_list->currentRow();
+    m_up->setEnabled(row > 0);
+    m_down->setEnabled(row >= 0 && row + 1 < m_list->count());
+}
+
+} // namespace view

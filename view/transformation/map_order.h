@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <QWidget>
+
+#include <cstddef>
+#include <vector>
+
+class QListWidget;
+class QToolButton;
+
+namespace view {
+
+// The order of the maps, the one on top first, each in its colour: dragged, or moved by two buttons.
+class MapOrder : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MapOrder(QWidget* parent = nullptr);
+
+    // The active maps of the fractal; an order that does not name each once is as they are.
+    void show(const document::Fractal& fractal, const std::vector<std::size_t>& order);
+
+signals:
+    void ordered(const std::vector<std::size_t>& order); // by the user; empty: as they are
+
+private:
+    void move(int by);
+    void report();
+    void updateButtons();
+
+    QListWidget* m_list;
+    QToolButton* m_up;
+    QToolButton* m_down;
+    std::vector<std::size_t> m_maps; // active, as they are
+};
+
+} // namespace view

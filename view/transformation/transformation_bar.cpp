@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "transformation/transformation_bar.h"
+
+#include "widgets/elided_label.h"
+#include "widgets/flat_buttons.h"
+#include "widgets/menu_button.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <array>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+using document::TheftMode;
+
+constexpr int fewLetters = 10; // of a combo box in a narrow window
+
+MenuButton* menuButton(const QString& text, const QString& tip, QWidget* parent) {
+    auto* made = new MenuButton(parent);
+    made->setText(text);
+    made->setAccessibleName(text);
+    made->setToolTip(tip);
+    made->setPopupMode(QToolButton::InstantPopup);
+    made->setMenu(new QMenu(made));
+    return made;
+}
+
+QComboBox* comboBox(const QString& name, const QString& tip, QWidget* parent) {
+    auto* made = new QComboBox(parent);
+    made->setAccessibleName(name);
+    made->setToolTip(tip);
+    made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    made->setMinimumContentsLength(fewLetters);
+    return made;
+}
+
+} // namespace
+
+TransformationBar::TransformationBar(QWidget* parent)
+    : QWidget(parent),
+      m_from(new QLabel(this)),
+      m_partner(comboBox(tr("Partner"), tr("The entry on which the picture lies"), this)),
+      m_mode(comboBox(tr("Mode"), tr("What the fractal transformation does with the picture"), this)),
+      m_continuity(new ElidedLabel(this)),
+      m_problem(new QLabel(this)) {
+    setAccessibleName(tr("Fractal transformation"));
+    m_mode->addItem(tr("Steal Colours"), int(TheftMode::StealColours));
+    m_mode->addItem(tr("Transform a Picture"), int(TheftMode::TransformPicture));
+    m_mode->addItem(tr("Deformation Grid"), int(TheftMode::DeformationGrid));
+    m_mode->addItem(tr("Filter: Reduce"), int(TheftMode::Reduce));
+    m_mode->addItem(tr("Filter: Posterise"), int(TheftMode::Posterise));
+    addPictures();
+    addStarters();
+    m_export = flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this);
+    m_remedy = flatButton(QString(), QString(), QString(), this);
+    m_problem->setWordWrap(true);
+    m_problem->setTextFormat(Qt::PlainText);
+
+    auto* first = new QHBoxLayout;
+    for (QWidget* widget : {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_partner),
+                            static_cast<QWidget*>(m_mode), static_cast<QWidget*>(m_picture),
+                            static_cast<QWidget*>(m_starters), static_cast<QWidget*>(m_export)})
+        first->addWidget(widget);
+    first->addStretch();
+    m_second = new QHBoxLayout;
+    m_second->addWidget(m_continuity, 2);
+    auto* third = new QHBoxLayout;
+    third->addWidget(m_problem, 1);
+    third->addWidget(m_remedy);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 4, 8, 4);
+    layout->setSpacing(4);
+    layout->addLayout(first);
+    layout->addLayout(m_second);
+    layout->addLayout(third);
+
+    connect(m_partner, &QComboBox::activated, this,
+            [this](int row) { emit partnerChosen(document::EntryId(m_partner->itemData(row).toUInt())); });
+    connect(m_mode, &QComboBox::activated, this,
+            [this](int row) { emit modeChosen(TheftMode(m_mode->itemData(row).toInt())); });
+    connect(m_export, &QToolButton::clicked, this, &TransformationBar::exportWanted);
+    connect(m_remedy, &QToolButton::clicked, this, [this] {
+        if (m_wanted == Remedy::DivideWords) emit divideWanted();
+        if (m_wanted == Remedy::FindPicture) emit pictureWanted();
+    });
+    showProblem({}, Remedy::None);
+}
+
+void TransformationBar::addPictures() {
+    m_picture =
+        menuButton(tr("Picture"), tr("The picture on the partner; you can also drop one there"), this);
+    QMenu* menu = m_picture->menu();
+    menu->addAction(tr("Choose Picture…"), this, &TransformationBar::pictureWanted);
+    menu->addSeparator();
+    const std::array<std::pair<attractor::Pattern, QString>, 4> patterns{{
+        {attractor::Pattern::Wheel, tr("Colour Wheel")},
+        {attractor::Pattern::Grid, tr("Grid")},
+        {attractor::Pattern::Rings, tr("Rings")},
+        {attractor::Pattern::Sunset, tr("Sunset")},
+    }};
+    for (const auto& [pattern, name] : patterns)
+        menu->addAction(name, this, [this, pattern = pattern] { emit patternChosen(pattern); });
+}
+
+void TransformationBar::addStarters() {
+    m_starters = menuButton(
+        tr("Starters"), tr("Add two entries with the same addresses, whose parameters you can slide"), this);
+    m_starters->menu()->addAction(tr("Triangle Family"), this,
+                                  [this] { emit starterChosen(document::TheftFamily::Triangle); });
+    m_starters->menu()->addAction(tr("Square Family"), this,
+                                  [this] { emit starterChosen(document::TheftFamily::Square); });
+}
+
+void TransformationBar::show(const document::FractalFile& file, document::EntryId current,
+                             document::EntryId partner, const document::KeptTheft& theft) {
+    const QSignalBlocker quiet(m_partner), quietMode(m_mode);
+    m_partner->clear();
+    for (const document::Entry& entry : file.entries) {
+        if (entry.id == current)
+            m_from->setText(tr("%1 →").arg(entry.fractal->name));
+        else if (document::plane(*entry.fractal))
+            m_partner->addItem(entry.fractal->name, uint(entry.id));
+    }
+    m_partner->setCurrentIndex(m_partner->findData(uint(partner)));
+    m_partner->setEnabled(m_partner->count() > 0);
+    m_mode->setCurrentIndex(m_mode->findData(int(theft.mode)));
+    m_picture->setEnabled(theft.mode != TheftMode::DeformationGrid);
+    m_export->setEnabled(partner != document::EntryId::None);
+    m_picture->setToolTip(
+        theft.picture.isEmpty()
+            ? tr("The picture on the partner; you can also drop one there")
+            : tr("The picture on the partner: %1").arg(QFileInfo(theft.picture).fileName()));
+}
+
+void TransformationBar::showContinuity(const QString& sentence) {
+    m_continuity->setText(sentence);
+    m_continuity->setToolTip(sentence);
+}
+
+void TransformationBar::showProblem(const QString& sentence, Remedy remedy) {
+    m_problem->setText(sentence);
+    m_problem->setVisible(!sentence.isEmpty());
+    m_wanted = remedy;
+    m_remedy->setVisible(remedy != Remedy::None);
+    const QString text = remedy == Remedy::FindPicture ? tr("Find Picture…") : tr("Divide Words");
+    m_remedy->setText(text);
+    m_remedy->setAccessibleName(text);
+    m_remedy->setToolTip(remedy == Remedy::FindPicture
+                             ? tr("Choose the picture where it is now")
+                             : tr("Divide maps of both entries into words until they have equally many"));
+}
+
+QString TransformationBar::problem() const {
+    return m_problem->text();
+}
+
+QString TransformationBar::continuity() const {
+    return m_continuity->text();
+}
+
+void TransformationBar::addSliders(QWidget* sliders) {
+    m_second->insertWidget(0, sliders, 3);
+}
+
+} // namespace view

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/tops/kept_theft.h"
+#include "document/tops/theft_starters.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QToolButton;
+
+namespace view {
+
+class ElidedLabel;
+
+// What the user chooses for a fractal transformation, under the two canvases: partner, mode, picture; and
+// what there is to say about it.
+class TransformationBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TransformationBar(QWidget* parent = nullptr);
+
+    // The entry, the others of the file, and what is kept.
+    void show(const document::FractalFile& file, document::EntryId current, document::EntryId partner,
+              const document::KeptTheft& theft);
+    void showContinuity(const QString& sentence);
+    enum class Remedy { None, DivideWords, FindPicture };
+    void showProblem(const QString& sentence, Remedy remedy); // an empty sentence: there is none
+    QString problem() const;
+    QString continuity() const;
+    void addSliders(QWidget* sliders);
+
+signals:
+    void partnerChosen(document::EntryId id);
+    void modeChosen(document::TheftMode mode);
+    void patternChosen(attractor::Pattern pattern);
+    void pictureWanted(); // from a file
+    void starterChosen(document::TheftFamily family);
+    void divideWanted();
+    void exportWanted();
+
+private:
+    void addPictures();
+    void addStarters();
+
+    QLabel* m_from;
+    QComboBox* m_partner;
+    QComboBox* m_mode;
+    QToolButton* m_picture;
+    QToolButton* m_starters;
+    QToolButton* m_export;
+    ElidedLabel* m_continuity;
+    QLabel* m_problem;
+    QToolButton* m_remedy;
+    Remedy m_wanted = Remedy::None;
+    QHBoxLayout* m_second;
+};
+
+} // namespace view

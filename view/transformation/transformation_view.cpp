@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+#include "transformation/transformation_view.h"
+
+#include "canvas/canvas_view.h"
+#include "document/tops/divided_words.h"
+#include "document/tops/laid_picture.h"
+#include "io/file/background.h"
+#include "transformation/family_sliders.h"
+#include "transformation/map_order.h"
+#include "transformation/picture_source.h"
+#include "transformation/theft_export.h"
+#include "transformation/theft_sentences.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/whats_this.h"
+
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSplitter>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+using document::EntryId;
+using document::KeptTheft;
+
+constexpr std::chrono::milliseconds restPause{400};
+constexpr double resolution = 1.0 / 256;        // of F's size, at which continuity is measured
+constexpr std::size_t measuredPairs = 1U << 17; // of pieces, at most
+constexpr int exportedSide = 2400;              // pixels
+
+// Other files are the window's business.
+QString pictureOf(const QMimeData& data) {
+    static const QStringList endings{QStringLiteral("png"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
+                                     QStringLiteral("gif"), QStringLiteral("bmp"), QStringLiteral("pbm"),
+                                     QStringLiteral("pgm"), QStringLiteral("ppm"), QStringLiteral("pnm")};
+    const QList<QUrl> urls = data.urls();
+    const QString path =
+        urls.size() == 1 && urls.first().isLocalFile() ? urls.first().toLocalFile() : QString();
+    return endings.contains(QFileInfo(path).suffix().toLower()) ? path : QString();
+}
+
+} // namespace
+
+TransformationView::TransformationView(document::Document* document, RenderBridge* render, CanvasView* canvas,
+                                       QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_render(render),
+      m_canvas(canvas),
+      m_splitter(new QSplitter(Qt::Horizontal, this)) {
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->addWidget(canvas);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    row->addWidget(m_splitter, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(row, 1);
+    setFocusProxy(canvas);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restPause);
+}
+
+TransformationView::~TransformationView() {
+    m_theft.reset(); // while there are bridges to it
+    delete m_bar;
+    delete m_partnerCanvas;
+    delete m_partnerRender;
+}
+
+void TransformationView::setTransformationShown(bool shown) {
+    if (std::exchange(m_isShown, shown) == shown) return;
+    if (shown && !m_bar) create();
+    for (QWidget* widget : {static_cast<QWidget*>(m_partnerCanvas), static_cast<QWidget*>(m_order),
+                            static_cast<QWidget*>(m_bar)})
+        widget->setVisible(shown);
+    if (shown) {
+        refresh();
+        const int half = m_splitter->width() / 2;
+        m_splitter->setSizes({half, half});
+    }
+    m_theft->setActive(shown);
+    m_canvas->fit();
+}
+
+void TransformationView::create() {
+    m_partner = std::make_unique<document::PartnerDocument>(m_document);
+    m_partnerRender = new RenderBridge(&m_partner->document(), this);
+    m_partnerRender->setQuality(m_render->quality());
+    m_partnerCanvas = new CanvasView(&m_partner->document(), m_partnerRender, m_splitter);
+    m_partnerCanvas->setAccessibleName(tr("Canvas of the partner"));
+    m_splitter->addWidget(m_partnerCanvas);
+    m_theft = std::make_unique<TheftBridge>(m_document, m_render, m_partner.get(), m_partnerRender);
+    m_source = new PictureSource(this);
+    m_order = new MapOrder(this);
+    m_bar = new TransformationBar(this);
+    m_bar->addSliders(new FamilySliders(&m_partner->document(), m_bar));
+    auto* layout = static_cast<QVBoxLayout*>(this->layout());
+    static_cast<QHBoxLayout*>(layout->itemAt(0)->layout())->addWidget(m_order);
+    layout->addWidget(m_bar);
+    explainByTips(this);
+    setAcceptDrops(true);
+
+    followTools();
+    connectBar();
+    connect(m_document, &document::Document::changed, this, [this](const document::Change& change) {
+        m_rest.start();
+        if (!change.live && m_isShown) refresh();
+    });
+    connect(&m_partner->document(), &document::Document::changed, this, [this] { m_rest.start(); });
+    connect(m_partner.get(), &document::PartnerDocument::partnerChanged, this, [this] { m_rest.start(); });
+    connect(m_theft.get(), &TheftBridge::flawChanged, this, &TransformationView::showProblem);
+    connect(m_source, &PictureSource::ready, this, [this](const PictureSource::Picture& picture) {
+        m_pictureFailure.clear();
+        m_theft->setPicture(picture);
+        keepPicture();
+        showProblem();
+    });
+    connect(m_source, &PictureSource::failed, this, [this](const QString& sentence) {
+        m_pictureFailure = sentence;
+        keepPicture(); // so that it can be found
+        showProblem();
+    });
+    connect(&m_rest, &QTimer::timeout, this, &TransformationView::measure);
+    connect(&m_measuring, &QFutureWatcherBase::finished, this, [this] {
+        if (m_measuring.future().resultCount() == 0) return; // memory was short
+        const Continuity found = m_measuring.result();
+        m_bar->showContinuity(found.tear ? sentenceOf(*found.tear) : QString());
+    });
+}
+
+// The tools of the window serve both canvases.
+void TransformationView::followTools() {
+    const auto follow = [this](CanvasView::Tool tool) {
+        if (tool != CanvasView::Tool::DefineTriangle) m_partnerCanvas->setTool(tool);
+    };
+    follow(m_canvas->tool());
+    connect(m_canvas, &CanvasView::toolChanged, this, follow);
+    CanvasOptions& own = m_canvas->options();
+    CanvasOptions* other = &m_partnerCanvas->options();
+    other->setGridVisible(own.isGridVisible());
+    other->setAxesVisible(own.areAxesVisible());
+    other->setOverlaysVisible(own.overlaysVisible());
+    connect(&own, &CanvasOptions::gridVisibleChanged, other, &CanvasOptions::setGridVisible);
+    connect(&own, &CanvasOptions::axesVisibleChanged, other, &CanvasOptions::setAxesVisible);
+    connect(&own, &CanvasOptions::overlaysVisibleChanged, other, &CanvasOptions::setOverlaysVisible);
+    connect(m_partnerCanvas, &CanvasView::message, this, &TransformationView::message);
+}
+
+void TransformationView::connectBar() {
+    connect(m_bar, &TransformationBar::partnerChosen, this, [this](EntryId id) {
+        const qsizetype index = document::indexOf(m_document->file(), id);
+        if (index < 0) return;
+        KeptTheft theft = m_kept;
+        const document::Fractal& partner = *m_document->file().entries[index].fractal;
+        theft.partner = partner.name;
+        keep(tr("Choose Partner"), placed(theft, partner));
+    });
+    connect(m_bar, &TransformationBar::modeChosen, this, [this](document::TheftMode mode) {
+        KeptTheft theft = m_kept;
+        theft.mode = mode;
+        keep(tr("Choose Mode"), placed(theft, m_partner->document().fractal()));
+    });
+    connect(m_bar, &TransformationBar::patternChosen, this, [this](attractor::Pattern pattern) {
+        KeptTheft theft = m_kept;
+        theft.pattern = pattern;
+        theft.picture.clear();
+        m_wanted.clear();
+        keep(tr("Choose Picture"), placed(theft, m_partner->document().fractal()));
+    });
+    connect(m_order, &MapOrder::ordered, this, [this](const std::vector<std::size_t>& order) {
+        KeptTheft theft = m_kept;
+        theft.order = order;
+        keep(tr("Reorder Tops"), theft);
+    });
+    connect(m_bar, &TransformationBar::pictureWanted, this, &TransformationView::choosePicture);
+    connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
+    connect(m_bar, &TransformationBar::exportWanted, this, &TransformationView::chooseExport);
+    connect(m_bar, &TransformationBar::divideWanted, this, [this] {
+        m_document->editFile(
+            tr("Divide Words"),
+            document::withWordsDivided(m_document->file(), m_document->currentId(), m_partner->id()),
+            m_document->currentId());
+    });
+}
+
+void TransformationView::refresh() {
+    const document::FractalFile& file = m_document->file();
+    const EntryId current = m_document->currentId();
+    const auto kept = document::keptTheft(m_document->entryFractal());
+    EntryId partner =
+        kept ? document::entryNamed(file, kept->partner) : document::likelyPartner(file, current);
+    if (partner == current) partner = EntryId::None;
+    const KeptTheft before = std::exchange(m_kept, kept.value_or(KeptTheft()));
+    if (const qsizetype index = document::indexOf(file, partner); index >= 0) {
+        const document::Fractal& fractal = *file.entries[index].fractal;
+        m_kept.partner = fractal.name;
+        // What nobody has chosen yet stays where it is, too.
+        if (!kept && before.view && m_guessedFor == current && before.partner == fractal.name)
+            m_kept.view = before.view;
+        else if (!kept)
+            m_kept = placed(m_kept, fractal);
+    }
+    m_guessedFor = kept ? EntryId::None : current;
+    m_partner->setPartner(partner);
+    m_partnerCanvas->setEnabled(partner != EntryId::None);
+    m_theft->setTheft(m_kept);
+    m_order->show(m_document->fractal(), m_kept.order);
+    m_bar->show(file, current, partner, m_kept);
+    showPicture();
+    showProblem();
+}
+
+void TransformationView::showPicture() {
+    if (m_kept.picture.isEmpty()) {
+        m_pictureFailure.clear();
+        return m_source->draw(m_kept.pattern);
+    }
+    const QString path = QDir(folder()).filePath(m_kept.picture);
+    if (path != m_source->wish()) m_source->read(path);
+}
+
+void TransformationView::showProblem() {
+    using Remedy = TransformationBar::Remedy;
+    const QString name = m_document->fractal().name;
+    if (m_partner->id() == EntryId::None) {
+        const QString sentence =
+            m_kept.partner.isEmpty()
+                ? tr("There is no other entry of the plane in this file. Add one, or choose a starter.")
+                : tr("The partner “%1” is not in this file. Choose another one.").arg(m_kept.partner);
+        return m_bar->showProblem(sentence, Remedy::None);
+    }
+    if (!m_pictureFailure.isEmpty())
+        return m_bar->showProblem(
+            tr("%1: %2").arg(QDir::toNativeSeparators(m_kept.picture), m_pictureFailure),
+            Remedy::FindPicture);
+    if (const auto& flaw = m_theft->flaw()) {
+        const bool canAgree = flaw->flaw == document::CouplingFlaw::Counts &&
+                              document::commonMapCount(flaw->fromCount, flaw->toCount);
+        return m_bar->showProblem(sentenceOf(*flaw, name, m_kept.partner),
+                                  canAgree ? Remedy::DivideWords : Remedy::None);
+    }
+    m_bar->showProblem({}, Remedy::None);
+}
+
+void TransformationView::measure() {
+    if (!m_isShown || m_partner->id() == EntryId::None) return m_bar->showContinuity({});
+    m_measuring.setFuture(io::inBackground<Continuity>([from = m_document->sharedFractal(),
+                                                        to = m_partner->document().sharedFractal(),
+                                                        order = m_kept.order](QPromise<Continuity>& promise) {
+        Continuity found;
+        const document::CouplingOutcome coupling = document::coupled(*from, *to, order);
+        if (coupling.entries) {
+            const ifs::SupportFunction<2>& f = coupling.entries->fromAttractor;
+            const ifs::SupportFunction<2>& g = coupling.entries->toAttractor;
+            found.tear = ifs::tear(f, g, std::max(2 * f.radius() * resolution, 1e-300), measuredPairs);
+        }
+        promise.addResult(found);
+    }));
+}
+
+void TransformationView::keep(const QString& text, const KeptTheft& theft) {
+    m_document->editEntry(text, document::withTheft(m_document->entryFractal(), theft));
+}
+
+void TransformationView::start(document::TheftFamily family) {
+    document::StartedTheft started = document::withStarter(m_document->file(), family);
+    m_document->editFile(tr("Add Family"), std::move(started.file), started.from);
+}
+
+// Where the picture lies on the partner as it is now, so that the partner can be dragged over it.
+KeptTheft TransformationView::placed(KeptTheft theft, const document::Fractal& partner) const {
+    theft.view.reset();
+    if (theft.mode != document::TheftMode::StealColours) return theft;
+    const auto& picture = m_theft->picture();
+    const bool isFile = picture && !theft.picture.isEmpty(); // patterns are square
+    theft.view =
+        document::pictureView(partner, isFile ? picture->width() : 1, isFile ? picture->height() : 1);
+    return theft;
+}
+
+void TransformationView::usePicture(const QString& path) {
+    if (!m_isShown || path.isEmpty()) return;
+    m_wanted = path;
+    m_source->read(path); // it is kept once its size is known
+}
+
+void TransformationView::keepPicture() {
+    if (m_wanted.isEmpty()) return;
+    const QString path = std::exchange(m_wanted, QString());
+    KeptTheft theft = m_kept;
+    theft.picture = folder().isEmpty() ? path : QDir(folder()).relativeFilePath(path);
+    if (theft.mode == document::TheftMode::DeformationGrid) theft.mode = document::TheftMode::StealColours;
+    if (m_pictureFailure.isEmpty()) theft = placed(theft, m_partner->document().fractal());
+    keep(tr("Choose Picture"), theft);
+}
+
+void TransformationView::choosePicture() {
+    usePicture(
+        chooseFileToOpen(this, tr("Choose Picture"),
+                         tr("Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)")));
+}
+
+document::TheftJob TransformationView::job() const {
+    document::TheftJob job;
+    job.from = {m_document->sharedFractal(), m_render->camera(), 0};
+    job.to = {m_partner->document().sharedFractal(), m_partnerRender->camera(), 0};
+    job.order = m_kept.order;
+    job.mode = m_kept.mode;
+    job.view = m_kept.view;
+    job.picture = m_theft->picture();
+    return job;
+}
+
+io::Failure TransformationView::exportTo(const QString& path) const {
+    if (!m_theft || !m_theft->picture() || m_partner->id() == EntryId::None)
+        return tr("There is no stolen picture yet.");
+    return exportStolenPicture(job(), exportedSide, path, window());
+}
+
+void TransformationView::chooseExport() {
+    const QString path = chooseFileToSave(this, tr("Export Stolen Picture"), m_document->fractal().name,
+                                          tr("Pictures (*.png)"), QStringLiteral("png"));
+    if (path.isEmpty()) return;
+    if (const io::Failure failure = exportTo(path))
+        QMessageBox::warning(this, tr("Export Stolen Picture"), *failure);
+    else
+        emit message(tr("Exported %1.").arg(QFileInfo(path).fileName()));
+}
+
+QString TransformationView::folder() const {
+    const QString path = window()->windowFilePath();
+    return path.isEmpty() ? QString() : QFileInfo(path).path();
+}
+
+bool TransformationView::isOverPartner(const QPoint& position) const {
+    return m_isShown && m_partnerCanvas->rect().contains(m_partnerCanvas->mapFrom(this, position));
+}
+
+void TransformationView::dragEnterEvent(QDragEnterEvent* event) {
+    if (m_isShown && !pictureOf(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+    else
+        event->ignore();
+}
+
+void TransformationView::dragMoveEvent(QDragMoveEvent* event) {
+    event->setAccepted(isOverPartner(event->position().toPoint()));
+}
+
+void TransformationView::dropEvent(QDropEvent* event) {
+    const QString path = pictureOf(*event->mimeData());
+    if (path.isEmpty() || !isOverPartner(event->position().toPoint())) return event->ignore();
+    event->acceptProposedAction();
+    // Once the drop is over: the program that it came from waits.
+    QMetaObject::invokeMethod(
+        this, [this, path] { usePicture(path); }, Qt::QueuedConnection);
+}
+
+} // namespace view

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bridges/theft_bridge.h"
+#include "document/tops/partner_document.h"
+#include "ifs/tops/tear.h"
+#include "io/file/save_file.h"
+#include "transformation/transformation_bar.h"
+
+#include <QFutureWatcher>
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QSplitter;
+
+namespace view {
+
+class CanvasView;
+class MapOrder;
+class PictureSource;
+
+// The canvas of the plane, and while it is shown the window of fractal transformations: F in that canvas with
+// the colours it steals, its partner G beside it with the picture, the order of the maps, and the choices
+// below. docs/decisions/00XX-fractal-transformations-in-the-window.md.
+class TransformationView : public QWidget {
+    Q_OBJECT
+
+public:
+    // The canvas becomes a part of it.
+    TransformationView(document::Document* document, RenderBridge* render, CanvasView* canvas,
+                       QWidget* parent = nullptr);
+    ~TransformationView() override;
+
+    void setTransformationShown(bool shown);
+    bool isTransformationShown() const { return m_isShown; }
+
+    // Null or empty before it was shown for the first time:
+    CanvasView* partnerCanvas() const { return m_partnerCanvas; }
+    const TransformationBar* bar() const { return m_bar; }
+    const TheftBridge* theft() const { return m_theft.get(); }
+
+    void usePicture(const QString& path);            // once it is read, a step of the history
+    io::Failure exportTo(const QString& path) const; // the stolen picture, as PNG
+
+signals:
+    void message(const QString& sentence);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    struct Continuity {
+        std::optional<ifs::Tear> tear;
+    };
+
+    void create();
+    void connectBar();
+    void followTools();
+    void refresh();
+    void showPicture();
+    void showProblem();
+    void measure();
+    void keep(const QString& text, const document::KeptTheft& theft);
+    void start(document::TheftFamily family);
+    document::KeptTheft placed(document::KeptTheft theft, const document::Fractal& partner) const;
+    void choosePicture();
+    void keepPicture();
+    void chooseExport();
+    bool isOverPartner(const QPoint& position) const;
+    QString folder() const; // of the file; empty while it has none
+    document::TheftJob job() const;
+
+    document::Document* m_document;
+    RenderBridge* m_render;
+    CanvasView* m_canvas;
+    QSplitter* m_splitter;
+    bool m_isShown = false;
+
+    // Made when they are shown for the first time:
+    std::unique_ptr<document::PartnerDocument> m_partner;
+    RenderBridge* m_partnerRender = nullptr;
+    CanvasView* m_partnerCanvas = nullptr;
+    std::unique_ptr<TheftBridge> m_theft;
+    PictureSource* m_source = nullptr;
+    MapOrder* m_order = nullptr;
+    TransformationBar* m_bar = nullptr;
+
+    document::KeptTheft m_kept;                               // of the entry, or what would be likely
+    document::EntryId m_guessedFor = document::EntryId::None; // the entry, where nothing is kept
+    QString m_wanted;                                         // a picture that is to be kept once it is read
+    QString m_pictureFailure;
+    QTimer m_rest; // runs until the continuity is measured
+    QFutureWatcher<Continuity> m_measuring;
+};
+
+} // namespace view
